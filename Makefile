@@ -1,13 +1,67 @@
-.PHONY: check test bench classroom
+.PHONY: check docs pictures test bench bags classroom torture chaos soak ends holders zenoh-faults
 
+# Tests use what only POSIX has. What is shipped is checked for Windows and macOS, too.
+SHIPPED = zbot cli nodes
 check:
-	ruff format --check . && ruff check . && mypy && pyright && PYTHONPATH=cli:nodes lint-imports
+	ruff format --check . && ruff check . && PYTHONPATH=cli:nodes lint-imports
+	mypy && pyright
+	mypy --platform darwin --cache-dir .mypy_cache/darwin
+	mypy --platform win32 --cache-dir .mypy_cache/win32 $(SHIPPED)
+	pyright --pythonplatform Darwin $(SHIPPED)
+	pyright --pythonplatform Windows $(SHIPPED)
+
+# The site, in build/site. A warning is an error.
+docs:
+	python -m sphinx -c docs -E -W --keep-going -q . build/site
+
+# The pictures in docs/images, taken from a running system. Needs a Chromium.
+pictures:
+	python -m docs.generator.pictures
 
 test:
 	python -m pytest -n auto
 
+# A million inputs for each reader of foreign bytes or text. `make torture N=1000` is quick.
+# LIMIT is in minutes, for each reader. JOBS readers run at the same time.
+N = 1000000
+LIMIT = inf
+JOBS = 1
+torture:
+	python -m tests.torture -n $(N) --minutes $(LIMIT) --jobs $(JOBS)
+
+# Random faults in a domain of 20 nodes and in a class of 4 laptops, with an observer. Linux, root.
+# The seed is printed. `make chaos SEED=5f2a MINUTES=60` makes the same faults again.
+SEED =
+MINUTES = 60
+chaos:
+	python -m tests.torture.chaos --minutes $(MINUTES) --seed "$(SEED)"
+
+# A domain under load for a long time: figures of memory, descriptors, losses and delays.
+soak: MINUTES = 100
+soak:
+	python -m tests.torture.soak --minutes $(MINUTES)
+
+# Programs that get a signal at a random moment.
+ends: RUNS = 1000
+ends:
+	python -m tests.torture.random_ends --runs $(RUNS) --seed "$(SEED)"
+
+# Routers that are stopped, stuck, killed and paused. `stuck` needs root.
+holders: RUNS = 50
+holders:
+	python -m tests.torture.meeting_point_holders --runs $(RUNS) --seed "$(SEED)"
+
+# Which faults of Zenoh are still there (docs/design/zenoh-faults.md).
+zenoh-faults:
+	python -m tests.torture.zenoh_faults
+
 bench:
 	python -m benchmarks
+
+# Recording and playing: losses, kills, full disks and timing.
+bags: ARGUMENTS =
+bags:
+	python -m benchmarks.bags $(ARGUMENTS)
 
 # Thirty laptops in network namespaces; needs Linux, root and iproute2.
 classroom:

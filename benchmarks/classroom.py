@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import math
 import os
 import platform
 import statistics
@@ -58,15 +59,22 @@ class Report:
 
     def head(self, title: str) -> None:
         self.say(f"\n## {title}\n")
-        self.say("| what | measured | at most | | load |\n|---|---|---|---|---|")
+        self.say("| what | measured | limit | within | load |\n|---|---|---|---|---|")
 
     def row(self, what: str, measured: float, limit: float | None = None, unit: str = "s") -> None:
         good = limit is None or measured <= limit
         self.failures += not good
         shown = "" if limit is None else f"{limit:g} {unit}"
         verdict = "" if limit is None else "yes" if good else "**no**"
-        load = os.getloadavg()[0]
-        self.say(f"| {what} | {measured:.3g} {unit} | {shown} | {verdict} | {load:.0f} |")
+        load = load_average()
+        value = f"{measured:.3g}" if measured < 1000 else f"{measured:,.0f}"
+        self.say(f"| {what} | {value} {unit} | {shown} | {verdict} | {load:.0f} |")
+
+
+def load_average() -> float:
+    if sys.platform != "linux":
+        return math.nan
+    return os.getloadavg()[0]
 
 
 def percentile(values: Sequence[float], share: float) -> float:
@@ -79,6 +87,8 @@ def resident_mb(pid: int) -> float:
 
 
 def cpu_s(pid: int) -> float:
+    if sys.platform != "linux":
+        return math.nan
     fields = Path(f"/proc/{pid}/stat").read_text(encoding="ascii").rsplit(")", 1)[1].split()
     return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
@@ -90,15 +100,15 @@ def measure_beginning(report: Report, lesson: Lesson) -> None:
     begun = time.monotonic()
     lesson.join()
     joined = time.monotonic() - begun
-    report.row("all laptops have joined, four at a time", joined)
+    report.row("until all laptops have joined, four at a time", joined)
     before = lesson.testbed.teacher.traffic()
     lesson.start_nodes(by_turns=True)
     report.row(
-        "all nodes are seen by the teacher, after the last one's start", lesson.seen_after_s, 10
+        "from the last node's start until the teacher sees all nodes", lesson.seen_after_s, 10
     )
     carried = lesson.testbed.teacher.traffic() - before
     megabytes = (carried.received_bytes + carried.sent_bytes) / 1e6
-    report.row("the teacher's interface carried meanwhile", megabytes, None, "MB")
+    report.row("traffic at the teacher during these starts", megabytes, None, "MB")
 
 
 def measure_new_nodes(report: Report, lesson: Lesson) -> None:
@@ -113,8 +123,10 @@ def measure_new_nodes(report: Report, lesson: Lesson) -> None:
         after_start.append(seen - begun)
         after_birth.append(seen - int(program.wait_for("node").split()[1]) / 1e9)
         program.stop(timeout_s=20)
-    report.row("a new node is seen, worst of 10", max(after_birth), 0.5)
-    report.row("the same from the start of its process, median", statistics.median(after_start))
+    report.row("from a node's creation until it is seen, longest of 10", max(after_birth), 0.5)
+    report.row(
+        "from the start of its process until it is seen, median", statistics.median(after_start)
+    )
 
 
 def has(node: Node) -> Callable[[set[Node]], bool]:
@@ -129,7 +141,7 @@ def measure_idle_costs(report: Report, lesson: Lesson) -> None:
     kilobytes = (carried.received_bytes + carried.sent_bytes) / 1000 / IDLE_S
     packets = (carried.received_packets + carried.sent_packets) / IDLE_S
     report.row("idle traffic at the teacher, both ways", kilobytes, 5, "kB/s")
-    report.row("packets of it", packets, None, "/s")
+    report.row("idle packets at the teacher, both ways", packets, None, "/s")
     report.row("processor time of the teacher's hub", (cpu_s(pid) - used) / IDLE_S * 100, None, "%")
     report.row("memory of the teacher's hub", resident_mb(pid), None, "MB")
     laptops = [resident_mb(hub_pid(laptop)) for laptop in lesson.testbed.laptops]
@@ -147,8 +159,8 @@ def measure_losses(report: Report, lesson: Lesson) -> None:
             gone = time_until_gone(lesson, laptop, cut)
             lost.append(gone)
             back.append(time_until_back(lesson, repair))
-    report.row(f"a lost laptop is shown, worst of {len(lost)}", max(lost), 5)
-    report.row(f"it is back after its Wi-Fi is, worst of {len(back)}", max(back))
+    report.row(f"until a lost laptop is shown, longest of {len(lost)}", max(lost), 5)
+    report.row(f"from its Wi-Fi's return until it is back, longest of {len(back)}", max(back))
 
 
 def time_until_gone(lesson: Lesson, laptop: Machine, cut: Callable[[], None]) -> float:
@@ -174,9 +186,11 @@ def measure_restarts(report: Report, lesson: Lesson) -> None:
         took.append(max(opened[-1], lesson.watch.until(lesson.all_there, 60) - begun))
         traffic = lesson.testbed.teacher.traffic() - before
         carried.append((traffic.received_bytes + traffic.sent_bytes) / 1e6)
-    report.row(f"all are back after the hub was killed, worst of {TRIES}", max(took), 3)
-    report.row("from the command on, which itself took up to", max(opened))
-    report.row("the teacher's interface carried meanwhile", max(carried), None, "MB")
+    report.row(
+        f"from the restart of a killed hub until all are back, longest of {TRIES}", max(took), 3
+    )
+    report.row("`zbot class start` itself, longest", max(opened))
+    report.row("traffic at the teacher during a restart, most", max(carried), None, "MB")
 
 
 def measure_commands(report: Report, lesson: Lesson) -> None:
@@ -193,12 +207,14 @@ def measure_commands(report: Report, lesson: Lesson) -> None:
 def measure_refusals(report: Report, lesson: Lesson, laptop: Machine) -> None:
     code = lesson.code
     typo = code[:-1] + ("2" if code[-1] != "2" else "3")
-    report.row("wrong code", refusal(laptop, typo, "typo"), 2)
-    report.row("dead teacher", refusal(laptop, "10.77.200.1", "no machine answers"), 2)
+    report.row("`zbot join` with a wrong code", refusal(laptop, typo, "typo"), 2)
+    report.row(
+        "`zbot join` if no teacher answers", refusal(laptop, "10.77.200.1", "no machine answers"), 2
+    )
     if lesson.has_pin:
-        report.row("wrong PIN", refusal(laptop, code, "wrong PIN"), 2)
+        report.row("`zbot join` with a wrong PIN", refusal(laptop, code, "wrong PIN"), 2)
     laptop.block_port(7447)
-    report.row("blocked port", refusal(laptop, code, "is blocked"), 2)
+    report.row("`zbot join` if the port is blocked", refusal(laptop, code, "is blocked"), 2)
     laptop.unblock_ports()
 
 
@@ -235,10 +251,22 @@ def measure_flood(report: Report, lesson: Lesson) -> None:
     report.row(
         "messages of the flood that reached the teacher", heard["others"] / FLOOD_S * 2, None, "/s"
     )
-    report.row("p99 of another's messages to the teacher, without", p99[1], None, "ms")
-    report.row("with the flood", p99[0], None, "ms")
-    report.row("p99 of the best quarter of seconds, without", better[1], None, "ms")
-    report.row("with the flood, as a share of that", better[0] / better[1] * 100, 120, "%")
+    report.row(
+        "delay of another student's messages to the teacher, p99, without the flood",
+        p99[1],
+        None,
+        "ms",
+    )
+    report.row("the same with the flood, p99", p99[0], None, "ms")
+    report.row(
+        "delay in the best quarter of the seconds, p99, without the flood", better[1], None, "ms"
+    )
+    report.row(
+        "the same with the flood, in percent of the row above",
+        better[0] / better[1] * 100,
+        120,
+        "%",
+    )
 
 
 def by_second(delays_us: dict[str, list[int]], phase: int) -> list[list[int]]:
@@ -253,10 +281,10 @@ def by_second(delays_us: dict[str, list[int]], phase: int) -> list[list[int]]:
 def measure_end(report: Report, lesson: Lesson) -> None:
     heard = lesson.end_nodes()
     delays = [delay for one in heard for delay in one.delays_us]
-    report.row("local messages lost in all of this", sum(one.lost for one in heard), 0, "")
-    report.row("of", sum(one.received for one in heard), None, "")
-    report.row("local delay, p50", percentile(delays, 0.5) / 1000, None, "ms")
-    report.row("local delay, p99", percentile(delays, 0.99) / 1000, None, "ms")
+    report.row("local messages lost in the rows above", sum(one.lost for one in heard), 0, "")
+    report.row("local messages received", sum(one.received for one in heard), None, "")
+    report.row("delay of local messages, p50", percentile(delays, 0.5) / 1000, None, "ms")
+    report.row("delay of local messages, p99", percentile(delays, 0.99) / 1000, None, "ms")
 
 
 def measure_sleep(report: Report, lesson: Lesson, nodes: int) -> None:
@@ -272,10 +300,10 @@ def measure_sleep(report: Report, lesson: Lesson, nodes: int) -> None:
     time_until_gone(lesson, laptop, laptop.sleep)
     time.sleep(ASLEEP_S)
     back = time_until_back(lesson, laptop.wake_up)
-    report.row(f"a laptop is back after {ASLEEP_S:.0f} s of sleep", back)
+    report.row(f"until a laptop is back after {ASLEEP_S:.0f} s of sleep", back)
     time.sleep(AWAKE_S)
     lost = sum(one.lost for one in lesson.end_nodes())
-    report.row("local messages it lost, as its links ran out", lost, None, "")
+    report.row("local messages that it lost because its links expired", lost, None, "")
 
 
 def hold_lesson(report: Report, options: argparse.Namespace) -> None:
@@ -309,7 +337,8 @@ def measure_bad_wifi(report: Report, minutes: float) -> None:
         lesson.join()
         means = impair(testbed, impairment, [laptop])
         report.head(
-            f"{minutes:g} minutes of 20 ± 10 ms and 2 % loss each way ({means}), cut for {CUT_S:.0f} s"
+            f"{minutes:g} minutes with 20 ± 10 ms delay and 2 % loss each way ({means}), and a cut of "
+            f"{CUT_S:.0f} s"
         )
         domain = lesson.domain_of(laptop)
         room = testbed.teacher.start("control_room.py", env=domain)
@@ -330,27 +359,27 @@ def measure_bad_wifi(report: Report, minutes: float) -> None:
         time.sleep(2)
         room.stop(timeout_s=20)
     for what, pid_before in before.items():
-        report.row(f"growth of the {what}", after[what] - pid_before, 5, "MB")
+        report.row(f"memory growth of the {what}", after[what] - pid_before, 5, "MB")
     report_numbers(report, first, json.loads(telemetry.lines[-1]), json.loads(room.lines[-1]))
 
 
 def report_numbers(report: Report, first: int, sent: dict[str, Any], got: dict[str, Any]) -> None:
-    report.row("numbers sent, reliable and keep all", sent["sent"] - first + 1, None, "")
-    report.row("received", got["received"], None, "")
-    report.row("gaps, of which the cut is one", len(got["gaps"]), 1, "")
-    report.row("lost in the cut and reported", got["told_lost"], None, "")
+    report.row("numbers sent (reliable, keep all)", sent["sent"] - first + 1, None, "")
+    report.row("numbers received", got["received"], None, "")
+    report.row("gaps, including the cut", len(got["gaps"]), 1, "")
+    report.row("numbers lost in the cut and reported", got["told_lost"], None, "")
     unknown = sent["sent"] - first + 1 - got["received"] - got["told_lost"]
-    report.row("lost and not reported", unknown, 0, "")
-    report.row("slowest to arrive", got["slowest_ms"], None, "ms")
-    report.row("longest that a publish() took", sent["longest_publish_ms"], None, "ms")
+    report.row("numbers lost and not reported", unknown, 0, "")
+    report.row("longest delay of a number", got["slowest_ms"], None, "ms")
+    report.row("longest publish()", sent["longest_publish_ms"], None, "ms")
     outcomes = [outcome for _, outcome in sent["calls"]]
     for outcome in dict.fromkeys(outcomes):
         report.row(f"service calls: {outcome}", outcomes.count(outcome), None, "")
-    report.row("longest service call, of 5 s allowed", max(took for took, _ in sent["calls"]), 5.5)
+    report.row("longest service call (timeout 5 s)", max(took for took, _ in sent["calls"]), 5.5)
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("--laptops", type=int, default=30)
     parser.add_argument("--nodes", type=int, default=5)
     parser.add_argument("--pin", action="store_true", help="ask for a PIN")
@@ -367,9 +396,9 @@ def main() -> int:
     report.say(
         f"{datetime.now(timezone.utc):%Y-%m-%d}, {platform.system()} {platform.release()} "
         f"{platform.machine()}, {os.cpu_count()} cores, Python {platform.python_version()}, "
-        f"zbot {zbot.__version__}, eclipse-zenoh {version('eclipse-zenoh')}. All machines are network "
-        "namespaces of one, with isolated ports and no multicast between them. `load` is its load "
-        "average, this benchmark's own processes included."
+        f"zbot {zbot.__version__}, eclipse-zenoh {version('eclipse-zenoh')}. All laptops are network "
+        "namespaces of one machine, on isolated ports and without multicast. `load` is the load "
+        "average of this machine, with the processes of the benchmark."
     )
     if not options.only_netem:
         hold_lesson(report, options)

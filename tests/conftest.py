@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import os
 import queue
 import signal
@@ -21,24 +22,32 @@ import zbot
 from zbot.log.registry import REGISTRY
 from zbot.transport import config
 from zbot.transport.config import MAX_DOMAIN_ID, MEETING_PORT
+from zbot.transport.rmw_choice import RMW_VARIABLE, RMW_ZENOH
+from zbot.transport.rmw_meeting import RmwRouter
 from zbot.transport.session import MeetingPoint
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
+    import zenoh
+
+    from tests.docs.machines import Machines
     from zbot.log.record import Record
 
     MakeContext = Callable[[], zbot.Context]
     Spin = Callable[..., "Spinner"]
     Start = Callable[..., "Program"]
 
-# No deadline: other tests use the machine at the same time and slow examples down.
-hypothesis.settings.register_profile(
-    "zbot",
-    hypothesis.settings(),
-    deadline=None,
-    suppress_health_check=[hypothesis.HealthCheck.too_slow],
-)
+# No deadline: other tests use the machine at the same time and slow examples down. Each run has the
+# same examples: a test does not fail by chance. `--hypothesis-profile=random` looks for others.
+for name, is_same in (("random", False), ("zbot", True)):
+    hypothesis.settings.register_profile(
+        name,
+        hypothesis.settings(),
+        deadline=None,
+        derandomize=is_same,
+        suppress_health_check=[hypothesis.HealthCheck.too_slow],
+    )
 hypothesis.settings.load_profile("zbot")
 
 # Bytecode is kept: otherwise every worker and every program would compile everything again.
@@ -49,21 +58,49 @@ sys.dont_write_bytecode = False
 _ROOT = Path(__file__).parents[1]
 os.environ["PYTHONPATH"] = os.pathsep.join(str(_ROOT / folder) for folder in ("", "cli", "nodes"))
 
+_test_numbers = itertools.count()
 _RESERVATION_PORT = MEETING_PORT + 1000
-_PREFIXES = ("ZBOT_", "ROS_", "RCUTILS_", "ZENOH_", "AMENT_", "COLCON_")
+_PREFIXES = ("ZBOT_", "ROS_", "RCUTILS_", "RMW_", "ZENOH_", "AMENT_", "COLCON_")
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption(
+        "--rmw", action="store_true", help="run the tests in ROS 2's dialect, rmw_zenoh_cpp"
+    )
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    if not config.getoption("--rmw"):
+        return
+    for item in items:
+        for mark in item.iter_markers("own_dialect"):
+            item.add_marker(pytest.mark.skip(reason=mark.args[0]))
+
+
+def speaks_ros2() -> bool:
+    """Return whether the tests run in ROS 2's dialect."""
+    return os.environ.get(RMW_VARIABLE) == RMW_ZENOH
 
 
 @pytest.fixture(autouse=True)
 def clean_environment(
-    monkeypatch: pytest.MonkeyPatch, tmp_path_factory: pytest.TempPathFactory
+    monkeypatch: pytest.MonkeyPatch,
+    tmp_path_factory: pytest.TempPathFactory,
+    pytestconfig: pytest.Config,
 ) -> None:
     for name in list(os.environ):
         if name.startswith(_PREFIXES) and name != "ZBOT_ROS2_PREFIX":
             monkeypatch.delenv(name)
+    if pytestconfig.getoption("--rmw"):
+        monkeypatch.setenv(RMW_VARIABLE, RMW_ZENOH)
     monkeypatch.setenv("ZBOT_NO_BROWSER", "1")  # open no pages on this desktop
     # The machine may have joined a class and run a hub: tests must not connect to it.
-    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path_factory.getbasetemp() / "no_settings"))
+    settings = tmp_path_factory.getbasetemp() / f"no_settings_{next(_test_numbers)}"
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(settings))
     monkeypatch.setenv("ZBOT_HUB_PORT", "9")  # "discard": an unused port
+    # A context of a test gets the answers of others also if the whole suite keeps the machine busy.
+    monkeypatch.setattr("zbot.context._PEERS_TIMEOUT_S", 2.0)
+    monkeypatch.setattr("zbot.context._DISCOVERY_TIMEOUT_S", 5.0)
 
 
 @pytest.hookimpl(optionalhook=True)
@@ -81,13 +118,20 @@ def free_domain(monkeypatch: pytest.MonkeyPatch) -> Iterator[int]:
 
 
 @pytest.fixture
-def domain(free_domain: int) -> Iterator[int]:
+def domain(free_domain: int, monkeypatch: pytest.MonkeyPatch) -> Iterator[int]:
     """Return an unused domain whose router runs in this process, which is faster."""
-    meeting = MeetingPoint(config.load(), free_domain, config.discovery_range(), {})
-    router = meeting.open_router()
+    router = _open_router(free_domain, monkeypatch)
     assert router is not None
     yield free_domain
     router.close()
+
+
+def _open_router(domain: int, monkeypatch: pytest.MonkeyPatch) -> zenoh.Session | None:
+    if not speaks_ros2():
+        return MeetingPoint(config.load(), domain, config.discovery_range(), {}).open_router()
+    endpoint = f"tcp/127.0.0.1:{MEETING_PORT + domain}"
+    monkeypatch.setenv("ZENOH_CONFIG_OVERRIDE", f'connect/endpoints=["{endpoint}"]')
+    return RmwRouter([endpoint], []).open()
 
 
 @contextmanager
@@ -132,12 +176,15 @@ def allowed(limit_s: float) -> float:
     return limit_s * max(1.0, max(workers, load) / (os.cpu_count() or 1))
 
 
-def wait_until(condition: Callable[[], bool], timeout_s: float = 5.0) -> bool:
-    """Wait until a condition holds; return whether it did within `allowed(timeout_s)`."""
-    deadline = time.monotonic() + allowed(timeout_s)
+def wait_until(condition: Callable[[], bool], timeout_s: float = 15.0) -> bool:
+    """Wait until a condition holds; return whether it did within `allowed(timeout_s)`.
+
+    The default is long enough for the start of a process: it only matters where a test fails.
+    """
+    begun = time.monotonic()
     pause = threading.Event()
     while not condition():
-        if time.monotonic() > deadline:
+        if time.monotonic() - begun > allowed(timeout_s):  # the load may have risen meanwhile
             return False
         pause.wait(0.005)
     return True
@@ -188,8 +235,8 @@ class Spinner:
             self.error = exc
 
     def stop(self) -> None:
-        self.executor.shutdown(5)
-        self._thread.join(5)
+        self.executor.shutdown(15)
+        self._thread.join(15)
         assert not self._thread.is_alive()
 
     def join(self, timeout_s: float = 5.0) -> None:
@@ -252,7 +299,7 @@ class Program:
             assert len(rates) < 10, rates
             rates.append(float(self.wait_for("average rate: ").rpartition(" ")[2]))
 
-    def wait_for(self, text: str, timeout_s: float = 10.0) -> str:
+    def wait_for(self, text: str, timeout_s: float = 20.0) -> str:
         """Return the next line that contains `text`; fail at the timeout or at the end."""
         deadline = time.monotonic() + allowed(timeout_s)
         while True:
@@ -266,16 +313,28 @@ class Program:
             if text in line:
                 return line
 
-    def stop(self, number: int = signal.SIGINT, timeout_s: float = 5.0) -> int:
+    def see(self, text: str, timeout_s: float = 20.0) -> None:
+        """Wait for a line that contains `text`, unless it has come; for lines without an order."""
+        if not any(text in line for line in self.lines):
+            self.wait_for(text, timeout_s)
+
+    def new_lines(self) -> list[str]:
+        """Return the lines that have come since the last line that was waited for."""
+        begin = len(self.lines)
+        while not self._queue.empty() and (line := self._queue.get()) is not None:
+            self.lines.append(line)
+        return self.lines[begin:]
+
+    def stop(self, number: int = signal.SIGINT, timeout_s: float = 15.0) -> int:
         """Send a signal, wait for the end, and return the exit code."""
         if self.process.poll() is None:
             self.process.send_signal(number)
         return self.wait(timeout_s)
 
-    def wait(self, timeout_s: float = 10.0) -> int:
+    def wait(self, timeout_s: float = 30.0) -> int:
         """Wait for the end, collect the remaining lines, and return the exit code."""
         code = self.process.wait(allowed(timeout_s))
-        while (line := self._queue.get(timeout=5)) is not None:
+        while (line := self._queue.get(timeout=allowed(10))) is not None:
             self.lines.append(line)
         self._queue.put(None)
         return code
@@ -317,3 +376,15 @@ def start(domain: int, tmp_path: Path) -> Iterator[Callable[..., Program]]:  # n
         if program.process.poll() is None:
             program.process.kill()
         program.process.wait(5)
+
+
+@pytest.fixture
+def machines(domain: int, tmp_path: Path) -> Iterator[Machines]:
+    """Return the machines of a page of the documentation. They leave what they have joined."""
+    from tests.docs.machines import Machines  # noqa: PLC0415 - most tests do not need it
+
+    assert domain
+    with reserved_domain() as first, reserved_domain() as second:
+        made = Machines(tmp_path, sorted([first, second]))
+        yield made
+        made.leave()

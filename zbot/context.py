@@ -5,36 +5,35 @@ from __future__ import annotations
 import itertools
 import sys
 import threading
-import time
 from typing import TYPE_CHECKING, Any, Literal, Protocol
 
 import zenoh
 
 from zbot.errors import ArgumentTypeError, ContextInitializedError
 from zbot.graph.snapshot import Graph
-from zbot.log import configure, get_logger, get_logging_severity_from_string
 from zbot.log.teacher_notice import NOTICE_KEY, log_notice
-from zbot.parameters.ros_args import Arguments
+from zbot.parameters.ros_args import Arguments, configure_logging
 from zbot.process import at_exit, blocked_put, signals
-from zbot.transport import config, membership, shared_memory
+from zbot.transport import config, environment, membership, shared_memory
 from zbot.transport.foreign_call import defers_signals, without_interruption
 from zbot.transport.handle import Handle
 from zbot.transport.peering import Peering
-from zbot.transport.session import MeetingPoint, process_facts
+from zbot.transport.process_facts import process_facts
+from zbot.transport.rmw_choice import RMW_ZENOH, dialect_of_rmw
+from zbot.transport.running_programs import Registration
+from zbot.transport.session import MeetingPoint
 from zbot.transport.weak_set import WeakSet
 from zbot.version import __version__
-from zbot.wire.dialect import CLASSROOM, NATIVE
+from zbot.wire.dialect import NATIVE
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from typing_extensions import Self
 
-# A router answers within 10 ms, or within seconds when 40 nodes start at once on two cores.
-_LINK_TIMEOUT_S = 5.0
-# Pause between attempts to open the router. When two processes take a port within the same
-# microseconds, Linux may refuse it to both. This happens in 6 of 100 starts of launch files.
-_HOLD_PAUSE_S = 0.1
+    from zbot.graph.snapshot import Token
+    from zbot.transport.rmw_meeting import RmwMeeting
+
 # Longest waits of the first graph query and of the first message. They usually take 2 ms.
 _DISCOVERY_TIMEOUT_S = 2.0
 _PEERS_TIMEOUT_S = 0.5
@@ -67,17 +66,24 @@ class Context:
     Args:
         mode: `peer` for a process with nodes, or `client` for a tool. A client connects only to the
             domain's router, and gets the complete graph with its first query.
+        rmw: Middleware whose dialect the context speaks: `rmw_zbot_zenoh` for zbot's own, or
+            `rmw_zenoh_cpp` for ROS 2's. `None` means `$RMW_IMPLEMENTATION`, else the one in the
+            Zenoh configuration file, else zbot's own. Contexts of one process may speak different
+            dialects.
     """
 
-    def __init__(self, *, mode: Literal["peer", "client"] = "peer") -> None:
+    def __init__(self, *, mode: Literal["peer", "client"] = "peer", rmw: str | None = None) -> None:
         self._mode = mode
+        self._asks_router = mode == "client"
+        self._rmw = rmw
         self._lock = threading.RLock()
         self._state: Literal["new", "valid", "shut down"] = "new"
         self._interrupted = False
         self._session: zenoh.Session | None = None
-        self._meeting: MeetingPoint | None = None
+        self._meeting: MeetingPoint | RmwMeeting | None = None
         self._peering: Peering | None = None
         self._graph: Graph | None = None
+        self._registration: Registration | None = None
         self._wakers: list[Callable[[], None]] = []
         self._on_shutdown: list[Callable[[], None]] = []
         self._threads: dict[threading.Thread, Callable[[], object]] = {}
@@ -102,26 +108,28 @@ class Context:
         Args:
             args: The whole command line, including `--ros-args`. `None` means `sys.argv`.
             initialize_logging: Whether the log options of the arguments apply.
-            domain_id: 0 to 232. `None` means `$ZBOT_DOMAIN_ID`, else `$ROS_DOMAIN_ID`, else 0.
+            domain_id: 0 to 232. In a class, `None` means the student's number. Otherwise it means
+                `$ZBOT_DOMAIN_ID`, else `$ROS_DOMAIN_ID`, else 0.
 
         Raises:
             ContextInitializedError: `init` was called before.
             ArgumentsError: The `--ros-args` are malformed.
             UnicodeEncodeError: The `args` contain half a surrogate pair. rclpy raises it too.
             DomainIdError: The domain is out of range.
+            RmwError: The context's middleware is not known.
         """
         "".join(args or ()).encode()
         with self._lock:
             if self._state != "new":
                 raise ContextInitializedError
-            self._domain = config.domain_id(domain_id)
+            self._domain, self._given_domain = config.domain_id(domain_id), domain_id
             self.arguments = Arguments.parse(sys.argv if args is None else args)
             joined = membership.load()
             self._in_class = joined is not None and joined.in_class
             self.is_student = joined is not None and joined.role == "student"
-            self.dialect = CLASSROOM if self._in_class else NATIVE
+            self.dialect = dialect_of_rmw(self._rmw, in_class=self._in_class)
             if initialize_logging:
-                _configure_logging(self.arguments)
+                configure_logging(self.arguments)
             self._state = "valid"
 
     def ok(self) -> bool:
@@ -130,8 +138,13 @@ class Context:
 
     def get_domain_id(self) -> int:
         """Return the domain, 0 to 232."""
-        self._require("get_domain_id()")
+        self.require_valid("get_domain_id()")
         return self._domain
+
+    @property
+    def is_tool(self) -> bool:
+        """Whether this is the context of a tool, which is a client of the router."""
+        return self._mode == "client"
 
     @property
     def is_closed(self) -> bool:
@@ -206,7 +219,12 @@ class Context:
         for waker in list(self._wakers):
             waker()
 
-    def _require(self, what: str) -> None:
+    def require_valid(self, what: str) -> None:
+        """Check that the context is initialised and not shut down.
+
+        Raises:
+            NotInitializedError: It is not. `what` is the subject of the error's sentence.
+        """
         if self._state != "valid":
             signals.raise_not_initialized(what)
 
@@ -223,13 +241,22 @@ class Context:
         """A handle of the context, as in rclpy."""
         return Handle(self)
 
-    def add_node(self, node: ContextNode) -> None:
-        """Add a node, with a weak reference."""
-        self._nodes.add(node)
+    def add_node(self, node: ContextNode, name: str) -> None:
+        """Add a node, with a weak reference.
 
-    def remove_node(self, node: ContextNode) -> None:
-        """Remove a node."""
+        Args:
+            node: The node.
+            name: Its full name.
+        """
+        self._nodes.add(node)
+        if self._registration is not None:
+            self._registration.add(name)
+
+    def remove_node(self, node: ContextNode, name: str) -> None:
+        """Remove a node. The arguments are those of `add_node`."""
         self._nodes.discard(node)
+        if self._registration is not None:
+            self._registration.remove(name)
 
     @property
     def nodes(self) -> list[ContextNode]:
@@ -253,7 +280,7 @@ class Context:
         if self._session is None:
             with self._lock:
                 if self._session is None:
-                    self._require("a node")
+                    self.require_valid("a node")
                     self._open()
         session = self._session
         if session is None or self._state != "valid":
@@ -275,7 +302,7 @@ class Context:
                         self.session,
                         self.dialect,
                         self._domain,
-                        asks_first=self._mode == "client",
+                        asks_first=self._asks_router,
                         settle=self.wait_for_discovery,
                         receiver=self.receiver,
                     )
@@ -301,74 +328,73 @@ class Context:
             Whether the session is open.
         """
         with self._lock:
-            self._require("connect()")
+            self.require_valid("connect()")
             if self._session is None:
-                self._open_client(self._new_meeting(), wait=wait)
+                self._open_client(wait=wait)
             return self._session is not None
+
+    def unreachable_tokens(self) -> list[Token]:
+        """Return the tokens of sessions from which no message can come to this session."""
+        meeting, zids = self._meeting, self._peering.unreachable() if self._peering else set()
+        keys = meeting.router_tokens() if meeting is not None and zids else []
+        return [one for one in self.graph.tokens_in(keys) if one.zid in zids]
 
     def wait_for_discovery(self) -> None:
         """Wait until every session of the domain has answered this session, at most 2 s."""
         peering = self._peering
-        if peering is not None and self._mode == "peer" and not self.session.is_closed():
+        if peering is not None and not (self._asks_router or self.session.is_closed()):
             peering.wait_for_answers(_DISCOVERY_TIMEOUT_S)
 
     def wait_for_peers(self) -> None:
         """Wait until this session knows all present subscriptions, at most 0.5 s."""
-        if self._mode == "peer" and self._peering is not None:
+        if not self._asks_router and self._peering is not None:
             self._peering.wait_for_answers(_PEERS_TIMEOUT_S)
 
-    def _new_meeting(self) -> MeetingPoint:
-        reach = config.discovery_range()
-        return MeetingPoint(config.load(), self._domain, reach, process_facts(__version__))
+    def _new_meeting(self) -> MeetingPoint | RmwMeeting:
+        reach, facts = config.discovery_range(), process_facts(__version__)
+        file = config.load()
+        self.dialect = dialect_of_rmw(self._rmw, in_class=self._in_class, file=file)
+        if self.dialect.identifier == RMW_ZENOH:
+            from zbot.transport.rmw_meeting import RmwMeeting  # noqa: PLC0415 - few programs need it
+
+            return RmwMeeting(reach, facts, self._domain)
+        environment.warn(self._given_domain)
+        return MeetingPoint(file, self._domain, reach, facts)
 
     def _open(self) -> None:
-        meeting = self._new_meeting()
         if self._mode == "client":
-            self._open_client(meeting, wait=True)
+            self._open_client(wait=True)
             return
+        meeting = self._new_meeting()
         meeting.start_router()
-        session = meeting.open_peer()
+        session = meeting.open_node_session()
         self._set_session(session, meeting)
         if self._in_class:
             without_interruption(session.declare_subscriber, NOTICE_KEY, self.receiver(log_notice))
-        self._check_linked(meeting)
+        if self._peering is not None:
+            self._peering.link(lambda: self.is_over)
 
-    def _open_client(self, meeting: MeetingPoint, *, wait: bool) -> None:
-        session, deadline = meeting.open_client(), time.monotonic() + _LINK_TIMEOUT_S
-        while session is None and (wait or meeting.reaches_out or meeting.is_expected()):
-            if time.monotonic() > deadline or meeting.is_foreign():
-                _warn_unanswered(meeting)
-                return
-            meeting.end_stuck_router()
-            session = meeting.open_new_client()
+    def _open_client(self, *, wait: bool) -> None:
+        meeting = self._new_meeting()
+        session = meeting.open_tool_session(wait=wait)
         if session is not None:
+            self._asks_router = meeting.is_client
             self._set_session(session, meeting, watch=wait)
+        elif wait:  # without a router, this program finds what its own file and session reach
+            self._set_session(meeting.open_node_session(), meeting)
 
     def _set_session(
-        self, session: zenoh.Session, meeting: MeetingPoint, *, watch: bool = True
+        self, session: zenoh.Session, meeting: MeetingPoint | RmwMeeting, *, watch: bool = True
     ) -> None:
         # The order matters: `close` must find all that is open if a Ctrl-C comes in between.
         self._session, self._meeting = session, meeting
+        self.dialect = meeting.dialect or self.dialect
         at_exit.open_contexts.add(self)
         at_exit.register()
         if watch:
+            self._registration = Registration(self._domain, is_tool=self.is_tool)
             self._peering = Peering(session, meeting, self.receiver)
             self._peering.start()
-
-    def _check_linked(self, meeting: MeetingPoint) -> None:
-        peering, deadline = self._peering, time.monotonic() + _LINK_TIMEOUT_S
-        pause_s = _HOLD_PAUSE_S
-        if peering is None or config.discovery_range() is config.DiscoveryRange.OFF:
-            return
-        while not peering.wait_for_router(min(pause_s, deadline - time.monotonic())):
-            if self.is_over:
-                return
-            if time.monotonic() >= deadline:
-                _warn_unanswered(meeting)
-                return
-            meeting.end_stuck_router()
-            meeting.start_router()
-            pause_s *= 2
 
     @property
     def sessions(self) -> list[zenoh.Session]:
@@ -434,6 +460,8 @@ class Context:
         if self._session is not None:
             blocked_put.cancel_all(self.sessions)
             self._session.close()
+        if self._registration is not None:
+            self._registration.close()
         self._join_threads()
         if self._peering is not None:
             self._peering.join()
@@ -442,27 +470,6 @@ class Context:
         at_exit.open_contexts.discard(self)
         if not at_exit.open_contexts:
             blocked_put.unwatch_signals()
-
-
-def _warn_unanswered(meeting: MeetingPoint) -> None:
-    get_logger("zbot").warning(
-        f"nobody answers as zbot on {meeting.endpoint}: another program may use that port; "
-        "other nodes will not be found (choose another domain: ZBOT_DOMAIN_ID=7)",
-        once=True,
-    )
-
-
-def _configure_logging(arguments: Arguments) -> None:
-    levels = {
-        one.logger: get_logging_severity_from_string(one.level) for one in arguments.log_levels
-    }
-    configure(
-        levels=levels,
-        stdout_enabled=arguments.stdout_logs,
-        rosout_enabled=arguments.rosout_logs,
-        file_enabled=arguments.external_lib_logs,
-        file_prefix=arguments.log_file_name,
-    )
 
 
 _default: Context | None = None

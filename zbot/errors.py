@@ -1,12 +1,13 @@
 """Exceptions that several parts of zbot raise. All are subclasses of `ZbotError`.
 
-Most classes also inherit the builtin exception that fits, e.g. `ValueError`. A constructor takes
-facts, keeps them as attributes and writes the message. The message says what is wrong, what the
-value is and what to do.
+Most classes also inherit the builtin exception that fits, e.g. `ValueError`. A constructor keeps
+its arguments as attributes and writes the message. The message says what is wrong, what the value
+is and what to do.
 """
 
 from __future__ import annotations
 
+import sys
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -18,10 +19,13 @@ class ZbotError(Exception):
 
 
 def close_matches(name: str, known: Iterable[str], count: int = 3) -> tuple[str, ...]:
-    """Return up to `count` of the `known` names that are similar to `name`, best first."""
+    """Return up to `count` of the `known` names that are similar to `name`, best first.
+
+    The result never contains the name itself.
+    """
     from difflib import get_close_matches  # noqa: PLC0415 - takes 3 ms, needed only after an error
 
-    by_lower = {candidate.lower(): candidate for candidate in known}
+    by_lower = {candidate.lower(): candidate for candidate in known if candidate != name}
     return tuple(by_lower[near] for near in get_close_matches(name.lower(), by_lower, count))
 
 
@@ -123,15 +127,18 @@ class ClockMismatchError(ZbotError, TypeError):
 
 
 class NegativeTimeError(ZbotError, ValueError):
-    """A point in time is before its clock's zero."""
+    """A point in time is negative."""
 
     def __init__(self, value: float) -> None:
         self.value = value
         super().__init__(f"a time must not be negative: {value!r}")
 
 
-class TimeOverflowError(ZbotError, OverflowError):
-    """A time or duration is not finite or does not fit in 64 bits of nanoseconds."""
+class TimeOverflowError(ZbotError, OverflowError, ValueError):
+    """A time or duration is not finite or does not fit in 64 bits of nanoseconds.
+
+    The error is also a ValueError, because rclpy raises ValueError for NaN.
+    """
 
     def __init__(self, what: str, seconds: float, nanoseconds: float) -> None:
         self.what, self.seconds, self.nanoseconds = what, seconds, nanoseconds
@@ -140,7 +147,7 @@ class TimeOverflowError(ZbotError, OverflowError):
 
 
 class SetupError(ZbotError):
-    """The environment of a program is wrong, not its code, so a traceback would not help."""
+    """The environment of a program is wrong. A traceback of the code would not help."""
 
 
 class NotInitializedError(ZbotError, RuntimeError):
@@ -148,7 +155,8 @@ class NotInitializedError(ZbotError, RuntimeError):
 
     def __init__(self, what: str = "this") -> None:
         self.what = what
-        super().__init__(f"{what} needs zbot.init() first (and no shutdown() after it)")
+        library = "rclpy" if "rclpy" in sys.modules else "zbot"  # the name that the program uses
+        super().__init__(f"{what} needs {library}.init() first (and no shutdown() after it)")
 
 
 class InvalidHandleError(ZbotError, RuntimeError):

@@ -38,7 +38,7 @@ __all__ = [
 
 #: topic on which nodes publish their log lines
 ROSOUT_TOPIC = "/rosout"
-#: suffix of an action's name in the name of its send-goal service
+#: the name of an action's send-goal service is the action's name and this suffix
 SEND_GOAL = "/_action/send_goal"
 
 MAX_TOPIC_NAME_LENGTH = 247  # as in ROS 2: 255 minus 8 for a middleware's own prefix
@@ -176,7 +176,8 @@ def is_hidden(name: str) -> bool:
 def nearest(name: str, candidates: Iterable[str]) -> str | None:
     """Return the candidate that is most similar to a mistyped `name`, or None if none is similar.
 
-    At most 2 characters may differ in long names, 1 in names of 3 to 5 characters, none in shorter.
+    At most 2 edits are allowed in long names, 1 in names of 3 to 5 characters, none in shorter. A
+    swap of two neighbours, as in `topci`, is one edit.
     Names that differ only in their numbers (`/robot1/scan`, `/robot2/scan`) are not similar.
     """
     limit = min(2, len(name.replace("/", "")) // 3)
@@ -291,13 +292,20 @@ def _substitute(original: str, name: str, node: str, namespace: str) -> str:
 
 
 def _edit_distance(a: str, b: str, limit: int) -> int:
-    """Return the number of edits from a to b. Return `limit + 1` for more than `limit` edits."""
+    """Return the number of edits from a to b. Return `limit + 1` for more than `limit` edits.
+
+    An edit inserts, removes or replaces a character, or swaps two neighbours.
+    """
+    above: list[int] = []
     row = list(range(len(b) + 1))
     for i, left in enumerate(a, 1):
-        previous, row[0] = row[0], i
+        following = [i]
         for j, right in enumerate(b, 1):
-            cost = previous if left == right else 1 + min(previous, row[j], row[j - 1])
-            previous, row[j] = row[j], cost
-        if min(row) > limit:
+            cost = row[j - 1] if left == right else 1 + min(row[j], following[-1], row[j - 1])
+            if above and j > 1 and left == b[j - 2] and right == a[i - 2]:
+                cost = min(cost, above[j - 2] + 1)
+            following.append(cost)
+        if min(*row, *following) > limit:
             return limit + 1
+        above, row = row, following
     return row[-1]

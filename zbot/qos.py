@@ -305,7 +305,7 @@ class QoSProfile:
                 f"history depth must be greater than or equal to zero, not {value}"
             )
         if value == 0 and self.history == HistoryPolicy.KEEP_LAST:
-            warning = "a depth of 0 keeps no message: a depth of 1 is used instead"
+            warning = "A zero depth with KEEP_LAST doesn't make sense: a depth of 1 is used instead"
             warnings.warn(warning, stacklevel=3)
         self._depth = value
 
@@ -460,12 +460,33 @@ class QoSCompatibility(Enum):
     ERROR = 2
 
 
+#: For each policy: the publisher's value and the subscription's value that do not fit together.
+_MISMATCHES = {
+    "reliability": ("BEST_EFFORT", "RELIABLE"),
+    "durability": ("VOLATILE", "TRANSIENT_LOCAL"),
+    "liveliness": ("AUTOMATIC", "MANUAL_BY_TOPIC"),
+}
+_UNCERTAIN = ("SYSTEM_DEFAULT", "UNKNOWN")
+
+
 def qos_check_compatible(
-    publisher_qos: QoSProfile,  # noqa: ARG001 - rclpy's signature
-    subscription_qos: QoSProfile,  # noqa: ARG001 - rclpy's signature
+    publisher_qos: QoSProfile, subscription_qos: QoSProfile
 ) -> tuple[QoSCompatibility, str]:
-    """Return whether two profiles are compatible, and a reason. In zbot all are compatible."""
-    return QoSCompatibility.OK, ""
+    """Return whether DDS finds two profiles compatible, and the reasons. zbot delivers anyway."""
+    errors, warned = [], []
+    for policy, (offered, requested) in _MISMATCHES.items():
+        ours, theirs = getattr(publisher_qos, policy).name, getattr(subscription_qos, policy).name
+        text = f"publisher {policy} is {ours} and subscription {policy} is {theirs};"
+        if (ours, theirs) == (offered, requested):
+            errors.append(f"ERROR: {text}")
+        elif ours in {offered, *_UNCERTAIN} and theirs in {requested, *_UNCERTAIN}:
+            warned.append(f"WARNING: {text}")
+    for policy in ("deadline", "liveliness_lease_duration"):
+        span, wanted = getattr(publisher_qos, policy), getattr(subscription_qos, policy)
+        if wanted != Duration() and (span == Duration() or wanted < span):
+            errors.append(f"ERROR: subscription {policy} is shorter than publisher {policy};")
+    without_errors = QoSCompatibility.WARNING if warned else QoSCompatibility.OK
+    return QoSCompatibility.ERROR if errors else without_errors, "".join(errors or warned)
 
 
 def qos_policy_name_from_kind(policy_kind: QoSPolicyKind | int) -> str:

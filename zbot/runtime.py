@@ -7,10 +7,11 @@ from typing import TYPE_CHECKING, Any
 from zbot.context import get_default_context
 from zbot.errors import NotInitializedError
 from zbot.executor.single_threaded_executor import SingleThreadedExecutor
-from zbot.node.endpoint import RMW_IDENTIFIER
+from zbot.interfaces.unknown_field import add_advice
 from zbot.node.node import Node
 from zbot.process import signals
 from zbot.process.signals import SignalHandlerOptions
+from zbot.transport.rmw_choice import IDENTIFIERS
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -51,8 +52,8 @@ def init(
     Args:
         args: The command line with its `--ros-args`. `None` means `sys.argv`.
         context: The context to initialise. `None` means the default context.
-        domain_id: 0 to 232. `None` means `$ZBOT_DOMAIN_ID`, else `$ROS_DOMAIN_ID`, else the
-            student's number in a classroom, else 0.
+        domain_id: 0 to 232. In a class, `None` means the student's number. Otherwise it means
+            `$ZBOT_DOMAIN_ID`, else `$ROS_DOMAIN_ID`, else 0.
         signal_handler_options: Signals to handle. `None`: all for the default context, else none.
 
     Raises:
@@ -118,12 +119,15 @@ def get_global_executor(context: Context | None = None) -> Executor:
 
 
 def _spin(node: Node, executor: Executor | None, run: Callable[[Executor], None]) -> None:
-    """Call a function with the executor while it has the node."""
+    """Add the node to the executor, call a function with the executor, and remove the node."""
     executor = _executor_of(node) if executor is None else executor
     before = node.executor
     added = executor.add_node(node)
     try:
         run(executor)
+    except AttributeError as error:
+        add_advice(error)
+        raise
     finally:
         if added and before is not None and not before.is_shutdown:
             before.add_node(node)
@@ -169,10 +173,10 @@ def spin_until_future_complete(
 
 
 def get_rmw_implementation_identifier() -> str:
-    """Return the name of the middleware."""
-    return RMW_IDENTIFIER
+    """Return the name of the middleware of the default context."""
+    return get_default_context().dialect.identifier
 
 
 def get_available_rmw_implementations() -> set[str]:
-    """Return the names of all middlewares. zbot has one."""
-    return {get_rmw_implementation_identifier()}
+    """Return the names of the middlewares that `RMW_IMPLEMENTATION` can choose."""
+    return set(IDENTIFIERS)

@@ -272,6 +272,23 @@ def _to_message(name: str, nanoseconds: int) -> Any:
 Infinite = Duration(nanoseconds=_LIMIT - 1)
 
 
+def as_seconds(argument: str, timeout: float | Duration | None) -> float | None:
+    """Return a timeout in seconds. `None` stays `None`.
+
+    Args:
+        argument: The argument's name, for the error.
+        timeout: A number of seconds, or a `Duration`.
+
+    Raises:
+        ArgumentTypeError: The timeout has another type.
+    """
+    if isinstance(timeout, Duration):
+        return timeout.nanoseconds / S_TO_NS
+    if timeout is None or isinstance(timeout, numbers.Real):
+        return timeout
+    raise ArgumentTypeError(argument, "a number of seconds", timeout)
+
+
 def timeout_sec_to_nsec(timeout_sec: float | None) -> int:
     """Return a timeout in nanoseconds. Return -1 (no timeout) for `None` and negative values."""
     return -1 if timeout_sec is None or timeout_sec < 0 else int(timeout_sec * S_TO_NS)

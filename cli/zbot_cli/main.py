@@ -18,18 +18,21 @@ if TYPE_CHECKING:
 #: All nouns. Each has the line that `zbot --help` shows for it.
 NOUNS = {
     "action": "Look at actions and send goals",
+    "bag": "Record topics, and play recordings",
+    "bridge": "Connect zbot with ROS 2",
     "build": "Check packages; nothing needs building",
     "class": "Start and manage a class",
     "completion": "Complete words in your shell with Tab",
     "daemon": "Say that no daemon is needed",
     "doctor": "Check this machine and the domain for problems",
+    "foxglove": "Show the running system in Foxglove or Lichtblick",
     "graph": "Show which nodes talk to each other",
     "hub": "Link other machines to this one",
     "interface": "Look at message, service and action types",
     "join": "Join a class or another machine",
     "launch": "Run a launch file",
     "leave": "Leave the class or the other machine",
-    "lifecycle": "Look at managed nodes, change their states",
+    "lifecycle": "Look at managed nodes and change their states",
     "node": "Look at nodes",
     "param": "Look at parameters and set them",
     "pkg": "Find and create packages",
@@ -37,6 +40,7 @@ NOUNS = {
     "run": "Run a node",
     "security": "Make certificates for machines",
     "service": "Look at services and call them",
+    "setup-shell": "Make ros2, colcon and rqt_graph run zbot",
     "share": "Let one student read another's topics",
     "status": "Show the class or the other machine",
     "test": "Run tests and launch tests",
@@ -45,6 +49,21 @@ NOUNS = {
 }
 _ALIASES = {"wtf": "doctor"}
 _HIDDEN = {"complete"}
+#: Nouns that run the user's own programs in this process.
+_RUNS_PROGRAMS = {"launch", "run", "test"}
+#: Commands of ROS 2 that zbot does not have, and what to type instead.
+_ELSEWHERE = {
+    "colcon": "Type 'zbot build' instead of 'colcon build', and 'zbot test' for 'colcon test'.",
+    "component": "zbot has no components: run each node with 'zbot run', or use a launch file.",
+    "multicast": "zbot needs no multicast: type 'zbot doctor' to check the network.",
+    "ros2": "Leave out 'ros2': type 'zbot topic list' instead of 'ros2 topic list'.",
+    "rosdep": "zbot needs no rosdep: install Python packages with 'pip install'.",
+    "rqt": "Type 'zbot web' to see the running system in a browser.",
+    "rqt_console": "Type 'zbot web console' to see log lines in a browser.",
+    "rqt_graph": "Type 'zbot web graph' for a picture in a browser, or 'zbot graph' for text.",
+    "rqt_plot": "Type 'zbot plot TOPIC' to plot the numbers of a topic.",
+    "rviz2": "zbot has no 3D view: type 'zbot web' to see topics, plots and images in a browser.",
+}
 
 
 def _version() -> str:
@@ -59,7 +78,8 @@ def _version() -> str:
     )
 
 
-def _help() -> str:
+def help_text() -> str:
+    """Return what `zbot --help` prints."""
     width = max(map(len, NOUNS))
     nouns = "\n".join(f"  {noun:<{width}}  {text}" for noun, text in NOUNS.items())
     return f"""\
@@ -68,7 +88,9 @@ Usage: zbot [OPTIONS] COMMAND [ARGS]...
   Robots in Python: nodes, topics, services and actions in the words of ROS 2.
 
 Options:
+  --domain N     Domain for this command, also in a class
   --config FILE  Zenoh configuration for this command [env: ZBOT_CONFIG]
+  --rmw          Speak ROS 2's rmw_zenoh_cpp; may follow COMMAND [env: RMW_IMPLEMENTATION]
   --debug        Show where an error comes from
   --version      Print the versions of zbot, Zenoh and Python
   -h, --help     Print this text
@@ -84,6 +106,8 @@ class _Options:
 
     def __init__(self, words: list[str]) -> None:
         self.debug = False
+        self.domain = ""
+        self.rmw = ""
         self.words = words
         while self.words and self.words[0].startswith("-"):
             self._read(self.words.pop(0))
@@ -95,13 +119,55 @@ class _Options:
         elif option == "--version":
             _print_and_exit(_version())
         elif option in {"-h", "--help"}:
-            _print_and_exit(_help())
+            _print_and_exit(help_text())
         elif option == "--config":
-            if not value and not self.words:
-                _exit_with_usage_error("Option '--config' requires a file.")
-            os.environ["ZBOT_CONFIG"] = value or self.words.pop(0)
+            os.environ["ZBOT_CONFIG"] = self._value(option, value, "a file")
+        elif option == "--rmw":
+            self.rmw = word
+        elif option == "--domain":
+            self.domain = self._value(option, value, "a number")
         else:
             _exit_with_usage_error(f"No such option: {option}")
+
+    def _value(self, option: str, value: str, what: str) -> str:
+        if not value and not self.words:
+            _exit_with_usage_error(f"Option '{option}' requires {what}.")
+        return value or self.words.pop(0)
+
+
+def _use_domain(text: str) -> None:
+    """Set the domain of this command, and print what that means in a class."""
+    from zbot.transport import config, environment  # noqa: PLC0415 - few commands have the option
+
+    os.environ[config.COMMAND_DOMAIN] = text
+    config.domain_id()  # before the command starts, so that it finds an invalid domain
+    for one in environment.differences():
+        if one.setting.startswith("--domain"):
+            print(one.text, file=sys.stderr)
+
+
+def _use_rmw(word: str) -> None:
+    """Let this command and the programs that it starts speak ROS 2's Zenoh dialect.
+
+    Args:
+        word: `--rmw`, or `--rmw=` and the name of a middleware.
+    """
+    from zbot.transport import rmw_choice  # noqa: PLC0415 - few commands have the option
+
+    name = word.partition("=")[2] or rmw_choice.RMW_ZENOH
+    os.environ[rmw_choice.RMW_VARIABLE] = rmw_choice.known(name)
+
+
+def _take_rmw(words: list[str]) -> list[str]:
+    """Obey the option `--rmw` after the noun. Return the words without it.
+
+    Words after the first one of a user's own program belong to the program.
+    """
+    end = 2 if words[0] in _RUNS_PROGRAMS else len(words)
+    taken = [word for word in words[1:end] if word.partition("=")[0] == "--rmw"]
+    for word in taken:
+        _use_rmw(word)
+    return [word for index, word in enumerate(words) if index >= end or word not in taken]
 
 
 def _print_and_exit(text: str) -> NoReturn:
@@ -116,8 +182,14 @@ def _exit_with_usage_error(text: str) -> NoReturn:
 
 def _run_noun(words: list[str]) -> int | Callable[[], NoReturn]:
     noun = _ALIASES.get(words[0], words[0])
+    if noun in _ELSEWHERE:
+        _exit_with_usage_error(_ELSEWHERE[noun])
     if noun not in NOUNS and noun not in _HIDDEN:
         _exit_unknown_noun(words[0])
+    if noun in _RUNS_PROGRAMS:
+        _restore_streams()
+        # If the folder was deleted, this fails here and not in the middle of the program.
+        os.getcwd()  # noqa: PTH109 - pathlib takes time to import
     if noun == "run":
         from zbot_cli.commands.run import run  # noqa: PLC0415 - does not import typer, which starts slowly
 
@@ -181,6 +253,30 @@ def _set_up_streams() -> None:
         reconfigure: Any = getattr(stream, "reconfigure", None)
         if reconfigure is not None:
             reconfigure(line_buffering=True, errors="backslashreplace")
+    # Only a terminal obeys control characters. Pipes and files get all output unchanged.
+    sys.stdout, sys.stderr = map(_for_terminal, (sys.stdout, sys.stderr))
+
+
+def _for_terminal(stream: Any) -> Any:
+    if stream is None or not stream.isatty():
+        return stream
+    from zbot.terminal.text import TerminalStream  # noqa: PLC0415 - not needed without a terminal
+
+    return TerminalStream(stream)
+
+
+def _restore_streams() -> None:
+    """Let the user's own programs control the terminal again."""
+    # `stream` is the original of a `TerminalStream`.
+    sys.stdout, sys.stderr = (getattr(one, "stream", one) for one in (sys.stdout, sys.stderr))
+
+
+def _has_current_folder() -> bool:
+    try:
+        os.getcwd()  # noqa: PTH109 - as above
+    except FileNotFoundError:
+        return False
+    return True
 
 
 def run_command(words: list[str]) -> int | Callable[[], NoReturn]:
@@ -195,22 +291,47 @@ def run_command(words: list[str]) -> int | Callable[[], NoReturn]:
     """
     options = _Options(words)
     if not options.words:
-        _print_and_exit(_help())
+        _print_and_exit(help_text())
     from zbot.errors import ZbotError  # noqa: PLC0415 - not needed by `zbot --help`
 
     try:
-        return _run_noun(options.words)
+        if options.rmw:
+            _use_rmw(options.rmw)
+        if options.domain:
+            _use_domain(options.domain)
+        return _run_noun(_take_rmw(options.words))
     except ZbotError as error:
         if options.debug:
             raise
         from zbot_cli.output.report import report  # noqa: PLC0415 - only for errors
 
+        _name_workspace(error)
         return report(error)
+    except FileNotFoundError:
+        if options.debug or _has_current_folder():
+            raise
+        print("the current folder was deleted: go to another folder with `cd`", file=sys.stderr)
+        return Status.ERROR
     except BrokenPipeError:
         _silence_stdout()
         return Status.OK
     except KeyboardInterrupt:
         return Status.INTERRUPTED
+
+
+def _name_workspace(error: Any) -> None:
+    """If an error is about a package that another workspace has, say which one."""
+    package = getattr(error, "package", None)
+    if not isinstance(package, str):
+        return
+    from zbot_cli.packages.known_workspaces import workspace_of  # noqa: PLC0415 - only for errors
+    from zbot_cli.packages.setup_scripts import source_line  # noqa: PLC0415 - as above
+
+    workspace = workspace_of(package)
+    if workspace is not None:
+        error.hint = (
+            f"it is in the workspace {workspace}: go to that folder, or type there: {source_line()}"
+        )
 
 
 def main() -> NoReturn:

@@ -11,7 +11,8 @@ import typer.main
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-_MODULES = {"class": "class_"}  # `class` is a keyword of Python
+#: Modules with other names than their nouns, because `class` is a keyword of Python.
+_MODULES = {"class": "class_", "setup-shell": "setup_shell"}
 
 
 def load(noun: str, words: Sequence[str] = ()) -> Any:
@@ -29,9 +30,15 @@ def load(noun: str, words: Sequence[str] = ()) -> Any:
     app = copy.copy(app)
     app.registered_commands = _wanted(app.registered_commands, words)
     command: Any = typer.main.get_group(app) if has_verbs else typer.main.get_command(app)
-    for verb in verbs(command).values():
+    found = verbs(command)
+    for verb in found.values():
         # Help lists each verb with a phrase, which has no full stop.
         verb.short_help = (verb.help or "").partition("\n")[0].rstrip(".")
+    if not {"-h", "--help"}.isdisjoint(words):
+        from zbot_cli.output.examples import epilog  # noqa: PLC0415 - needed only for help
+
+        for name, one in (found or {"": command}).items():
+            one.epilog = epilog(f"{noun} {name}".strip())
     return command
 
 

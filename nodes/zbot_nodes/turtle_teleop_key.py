@@ -11,7 +11,7 @@ from typing import Any
 
 import zbot
 from zbot.action import ActionClient
-from zbot_nodes.turtlesim.keyboard import pressed_keys
+from zbot.terminal.keys import pressed_keys
 
 from geometry_msgs.msg import Twist
 from turtlesim.action import RotateAbsolute

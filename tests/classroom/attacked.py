@@ -11,9 +11,10 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from tests.classroom.talk import HERE, Talk, answers, dialling, free_port, open_session
-from tests.conftest import Program, wait_until
+from tests.conftest import Program, allowed, wait_until
+from zbot.classroom.hub_identity import dialled_identity
 from zbot.classroom.keys import ADMISSION_KEY, COMMAND_KEY, here_key
-from zbot.security.access import LOBBY, LOBBY_SECRET, credentials
+from zbot.security.access import LOBBY, LOBBY_SECRET, accepted_users, credentials
 from zbot.security.pin import PinClient
 from zbot.security.secret import Secret
 
@@ -36,6 +37,11 @@ class Finished:
     err: str
 
 
+def pin_client(session: zenoh.Session, pin: str) -> PinClient:
+    """Return the laptop's side of a PIN check, for a laptop that has dialled the class."""
+    return PinClient(Secret(pin), "attacked", dialled_identity(session))
+
+
 class Computer:
     """A folder and a port of its own: all that tells one user's zbot from another's."""
 
@@ -53,7 +59,7 @@ class Computer:
             cwd=self.folder,
             capture_output=True,
             encoding="utf-8",
-            timeout=60,
+            timeout=allowed(60),
             check=False,
         )
         assert "Traceback" not in done.stderr, done.stderr
@@ -146,11 +152,37 @@ class AttackedClass:
             self.talk.remove(session)
 
     @contextmanager
+    def as_guest_of_ben(self) -> Iterator[zenoh.Session]:
+        """Open a session behind a router that Ben has configured himself.
+
+        It has Ben's credentials and no access rules, accepts a user of its own, listens on all
+        networks and dials all hubs that it knows.
+        """
+        port, guest = free_port(), Secret("guest")
+        accepted = self.ben.folder / "guests"
+        accepted.write_bytes(accepted_users({"guest": guest}))
+        known = self.ben.membership
+        own = {
+            "mode": "router",
+            "listen/endpoints": [f"tcp/0.0.0.0:{port}"],
+            "connect/endpoints": [f"tcp/{HERE}:{one}" for one in (self.port, self.ana.port)],
+            "connect/timeout_ms": -1,
+            "connect/exit_on_failure": False,
+            **credentials(known["user"], Secret(known["secret"]), accepted),
+        }
+        as_guest = dialling(port, credentials("guest", guest))
+        with open_session(own) as router, open_session(as_guest) as session:
+            self.talk.add(router, 18)
+            yield self.talk.add(session, 18)
+            self.talk.remove(session)
+            self.talk.remove(router)
+
+    @contextmanager
     def as_raw_client(self) -> Iterator[zenoh.Session]:
         """Join as number 19 with a program that is not zbot, and declare its token."""
         with self.as_lobby_user() as lobby_user:
             request = {"machine": "raw", "host": "raw", "name": "Raw", "number": 19}
-            client = PinClient(Secret(PIN))
+            client = pin_client(lobby_user, PIN)
             challenge = self.ask_admission(lobby_user, {"op": "enrol", **client.hello()})
             claim = {"op": "claim", **client.claim(challenge, request)}
             given = client.opened(self.ask_admission(lobby_user, claim))
@@ -202,4 +234,4 @@ class AttackedClass:
             session.close()
         for computer in reversed(self._computers):
             if computer.has_joined:
-                computer.run("leave")
+                computer.run("leave", "--yes")

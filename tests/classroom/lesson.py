@@ -84,7 +84,7 @@ class Lesson:
 
     def domain_of(self, laptop: Machine) -> dict[str, str]:
         """Return the environment in which a laptop's programs are in its own domain."""
-        return {"ZBOT_DOMAIN_ID": str(self.number_of(laptop))}
+        return {"ZBOT_COMMAND_DOMAIN": str(self.number_of(laptop))}
 
     def start_nodes(self, *, by_turns: bool = False) -> None:
         """Start everybody's nodes, and wait until the teacher sees all.

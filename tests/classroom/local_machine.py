@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from tests.classroom.talk import free_port
 from tests.cli.command import Outcome
-from tests.conftest import wait_until
+from tests.conftest import allowed, wait_until
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -49,7 +49,7 @@ class LocalMachine:
             input=stdin,
             capture_output=True,
             encoding="utf-8",
-            timeout=timeout_s,
+            timeout=allowed(timeout_s),
             check=False,
         )
         assert "Traceback" not in done.stderr, done.stderr
@@ -70,7 +70,7 @@ class LocalMachine:
         """Kill its hub, as switching it off does; wait until that is so."""
         pid = json.loads((self.folder() / "hub.json").read_text())["pid"]
         os.kill(pid, getattr(signal, "SIGKILL", signal.SIGTERM))
-        assert wait_until(lambda: not json.loads(self.succeed("status", "--json"))["hub"], 5)
+        assert wait_until(lambda: not json.loads(self.succeed("status", "--json"))["hub"])
 
     def folder(self) -> Path:
         """Return its settings."""

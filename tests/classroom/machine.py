@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import signal
@@ -14,7 +15,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from tests.classroom.network import Batch, ip, processes, tc
-from tests.conftest import Program
+from tests.conftest import Program, allowed
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -183,7 +184,7 @@ class Machine:
             stdin=subprocess.DEVNULL,
             capture_output=True,
             encoding="utf-8",
-            timeout=timeout_s,
+            timeout=allowed(timeout_s),
             check=False,
         )
         return Finished(done.returncode, done.stdout, done.stderr, time.monotonic() - begun)
@@ -200,14 +201,17 @@ class Machine:
     def sleep(self) -> None:
         """Stop every process where it is, and the network with them, as closing the lid does."""
         self.unplug()
-        for pid in self.processes():
-            os.kill(pid, signal.SIGSTOP)
+        self._signal(signal.SIGSTOP)
 
     def wake_up(self) -> None:
         """Undo `sleep()`."""
-        for pid in self.processes():
-            os.kill(pid, signal.SIGCONT)
+        self._signal(signal.SIGCONT)
         self.plug_in()
+
+    def _signal(self, number: signal.Signals) -> None:
+        for pid in self.processes():
+            with contextlib.suppress(ProcessLookupError):  # it ended meanwhile
+                os.kill(pid, number)
 
     def forget_programs(self) -> None:
         """Wait for the programs that were killed."""

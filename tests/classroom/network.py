@@ -62,7 +62,7 @@ def end_processes(within: Iterable[str]) -> None:
     """Kill every process in some namespaces, and wait until they are gone."""
     names = list(within)
     pause = threading.Event()
-    deadline = time.monotonic() + 5
+    deadline = time.monotonic() + 30
     while found := {pid for name in names for pid in processes(name)}:
         if time.monotonic() > deadline:
             message = f"processes {found} survive SIGKILL"

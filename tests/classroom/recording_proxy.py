@@ -21,14 +21,17 @@ class RecordingProxy:
 
     Args:
         target: The other port, of this machine.
+        change: Takes the bytes for the other port, and returns what is sent instead.
     """
 
-    def __init__(self, target: int) -> None:
+    def __init__(self, target: int, change: Callable[[bytes], bytes] = bytes) -> None:
         self._target = target
+        self._change = change
         self._server = socket.create_server((HERE, 0))
         self._open = [self._server]
         self._threads: list[threading.Thread] = []
         self.came = bytearray()  #: all bytes from the other port
+        self.went = bytearray()  #: all bytes to the other port, before they are changed
         self.port = int(self._server.getsockname()[1])  #: to dial
         self._start(self._accept)
 
@@ -42,15 +45,20 @@ class RecordingProxy:
                 near, _ = self._server.accept()
                 far = socket.create_connection((HERE, self._target))
                 self._open += [near, far]
-                self._start(partial(self._carry, near, far, bytearray()))
-                self._start(partial(self._carry, far, near, self.came))
+                self._start(partial(self._carry, near, far, self.went, self._change))
+                self._start(partial(self._carry, far, near, self.came, bytes))
 
     @staticmethod
-    def _carry(source: socket.socket, target: socket.socket, memory: bytearray) -> None:
+    def _carry(
+        source: socket.socket,
+        target: socket.socket,
+        memory: bytearray,
+        change: Callable[[bytes], bytes],
+    ) -> None:
         with contextlib.suppress(OSError):  # either side has closed the connection
             while chunk := source.recv(_CHUNK_BYTES):
                 memory += chunk
-                target.sendall(chunk)
+                target.sendall(change(chunk))
             target.shutdown(socket.SHUT_WR)
 
     def close(self) -> None:

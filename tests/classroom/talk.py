@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import zenoh
 
-from tests.conftest import wait_until
+from tests.conftest import allowed, wait_until
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -65,7 +65,7 @@ def accepts(port: int, paths: Mapping[str, Any]) -> bool:
 
 def answers(session: zenoh.Session, key: str) -> bool:
     """Return whether anybody answers a query."""
-    return any(reply.ok for reply in session.get(key, timeout=1.0))
+    return any(reply.ok for reply in session.get(key, timeout=allowed(1.0)))
 
 
 class Talk:
@@ -112,7 +112,7 @@ class Talk:
         """Return whether a token that one session declares is seen by the other."""
         token = declarer.liveliness().declare_token(key)
         self.settle()
-        found = any(reply.ok for reply in watcher.liveliness().get(key, timeout=1.0))
+        found = any(reply.ok for reply in watcher.liveliness().get(key, timeout=allowed(1.0)))
         token.undeclare()
         return found
 
@@ -120,7 +120,7 @@ class Talk:
         """Return whether a service that one session offers answers the other."""
         queryable = server.declare_queryable(key, lambda query: query.reply(key, b"mine"))
         self.settle()
-        replies = client.get(key, target=zenoh.QueryTarget.ALL, timeout=1.0)
+        replies = client.get(key, target=zenoh.QueryTarget.ALL, timeout=allowed(1.0))
         found = any(reply.ok and reply.ok.payload.to_bytes() == b"mine" for reply in replies)
         queryable.undeclare()
         return found

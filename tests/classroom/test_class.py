@@ -14,9 +14,11 @@ from tests.classroom.conftest import skip_without_namespaces
 from tests.classroom.testbed import LanTestbed
 from tests.classroom.watch import Watch
 from tests.conftest import wait_until
+from zbot.bag import read
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
+    from pathlib import Path
 
     from tests.classroom.machine import Machine
     from tests.conftest import Program
@@ -40,7 +42,7 @@ class Class:
         with ThreadPoolExecutor() as pool:
             list(pool.map(self._join, (self.ana, self.ben), (ANA, BEN), ("Ana", "Ben")))
         self.watch = Watch(self.teacher)
-        self._numbers = itertools.count()
+        self.numbers = itertools.count()
 
     def _join(self, machine: Machine, number: int, name: str) -> None:
         joined = ("join", self.teacher.address, "--number", str(number), "--name", name)
@@ -49,7 +51,7 @@ class Class:
     @contextmanager
     def talking(self, machine: Machine, topic: str, name: str = "") -> Iterator[Program]:
         """Run a greeter for the length of a block, in which the teacher sees it."""
-        name = name or f"greeter{next(self._numbers)}"  # an earlier one's may still be told of
+        name = name or f"greeter{next(self.numbers)}"  # an earlier one's may still be told of
         program = greeter(machine, topic, "-r", f"__node:={name}")
         self.watch.until(lambda nodes: f"/{name}" in {node for _, node in nodes})
         yield program
@@ -67,7 +69,7 @@ def lesson(request: pytest.FixtureRequest) -> Iterator[Class]:
     skip_without_namespaces()
     with LanTestbed(2) as testbed:
         opened = Class(testbed, *(["--pin"] if request.param == "with a PIN" else []))
-        assert wait_until(lambda: opened.is_linked(opened.ana, opened.ben), 10)
+        assert wait_until(lambda: opened.is_linked(opened.ana, opened.ben))
         yield opened
 
 
@@ -79,7 +81,7 @@ def greeter(machine: Machine, topic: str, *rules: str, **env: str) -> Program:
     return program
 
 
-def echo(machine: Machine, topic: str, timeout_s: float = 10) -> str:
+def echo(machine: Machine, topic: str, timeout_s: float = 20) -> str:
     """Return the first message of a topic that comes in time, or nothing."""
     return machine.run(*echoing(topic, timeout_s)).out
 
@@ -91,7 +93,7 @@ def echoing(topic: str, timeout_s: float) -> tuple[str, ...]:
 def test_the_teacher_looks_into_a_students_domain_by_name(lesson: Class) -> None:
     with lesson.talking(lesson.ana, "/chatter", "ana"):
         echoed, topics, nodes, info, value = lesson.teacher.run_all(
-            echoing(f"/{ANA}/chatter", 10),
+            echoing(f"/{ANA}/chatter", 20),
             ("zbot", "topic", "list", f"/{ANA}"),
             ("zbot", "node", "list", f"/{ANA}"),
             ("zbot", "topic", "info", f"/{ANA}/chatter"),
@@ -163,6 +165,27 @@ def test_everybody_sees_what_the_teacher_shares(lesson: Class) -> None:
             assert "/class/news" in machine.run("zbot", "topic", "list").out
 
 
+def test_a_laptop_without_programs_asks_its_hub(lesson: Class) -> None:
+    for talker, listener, topic, shown in (
+        (lesson.teacher, lesson.ana, "/class/news", ("/class/news",)),
+        (lesson.ana, lesson.teacher, "/chatter", ("/chatter", f"/{ANA}")),
+    ):
+        name, *words = shown
+        with lesson.talking(talker, topic):
+            assert wait_until(lambda: not routers(listener), 20)  # noqa: B023 - called at once
+            assert wait_until(
+                lambda: name in listener.run("zbot", "topic", "list", *words).out.split(),  # noqa: B023
+                10,
+            )
+            assert not routers(listener)
+
+
+def routers(machine: Machine) -> list[Path]:
+    """Return the files of the routers that run on a machine."""
+    files = (machine.home / ".config" / "zbot").glob("router-*")
+    return [file for file in files if file.read_text(encoding="utf-8")]
+
+
 def test_students_talk_to_everybody_only_once_the_teacher_allows_it(lesson: Class) -> None:
     with lesson.talking(lesson.ana, "/class/talk") as program:
         said = "in /class/ only after the teacher allowed it with: zbot share class"
@@ -172,7 +195,7 @@ def test_students_talk_to_everybody_only_once_the_teacher_allows_it(lesson: Clas
         lesson.teacher.run("zbot", "share", "class")
         assert "Hello World" in echo(lesson.ben, "/class/talk")
         lesson.teacher.run("zbot", "share", "class", "--stop")
-        assert wait_until(lambda: lesson.is_linked(lesson.ana, lesson.ben), 10)
+        assert wait_until(lambda: lesson.is_linked(lesson.ana, lesson.ben))
         assert echo(lesson.teacher, "/class/talk", SILENCE_S) == ""
 
 
@@ -186,10 +209,35 @@ def test_a_shared_domain_is_seen_by_the_one_it_is_shared_with(lesson: Class) -> 
         sent = ("topic", "pub", f"/{ANA}/orders", "std_msgs/String", "data: hello", "--times", "3")
         lesson.ben.run("zbot", *sent, "--rate", "5", "-w", "0")
         lesson.teacher.run("zbot", "share", str(ANA), str(BEN), "--stop")
-        assert wait_until(lambda: lesson.is_linked(lesson.ana, lesson.ben), 10)
+        assert wait_until(lambda: lesson.is_linked(lesson.ana, lesson.ben))
         assert echo(lesson.ben, f"/{ANA}/chatter", SILENCE_S) == ""
         listener.stop()
         assert "hello" not in listener.output
+
+
+def has_messages(bag: Path) -> bool:
+    file = bag / f"{bag.name}_0.mcap"
+    return file.exists() and file.stat().st_size > 2000
+
+
+def test_a_whole_class_is_recorded_and_its_bags_are_checked(lesson: Class) -> None:
+    folder = lesson.teacher.home / f"recorded{next(lesson.numbers)}"
+    bags = folder / f"{ANA}_Ana", folder / f"{BEN}_Ben"
+    with lesson.talking(lesson.ana, "/chatter"), lesson.talking(lesson.ben, "/words"):
+        record = ("zbot", "class", "record", "-o", str(folder), "--topics", "/chatter", "words")
+        recorder = lesson.teacher.start(*record)
+        assert wait_until(lambda: all(map(has_messages, bags)), 20)
+        assert recorder.stop() == 0
+    assert [{topic for topic, _, _ in read(bag)} for bag in bags] == [{"/chatter"}, {"/words"}]
+    expected = "publishes std_msgs/String on /chatter"
+    marked = lesson.teacher.run("zbot", "class", "check", expected, "--bag", *map(str, bags))
+    assert marked.out.splitlines() == [
+        f"ok     {ANA}  Ana",
+        f"FAIL   {BEN}  Ben  nobody publishes /chatter",
+        "1 of 2 pass",
+    ]
+    refused = lesson.teacher.run("zbot", "class", "record", "--students", "99")
+    assert "nobody in the class has the number 99" in refused.err
 
 
 def test_a_whole_class_is_checked(lesson: Class) -> None:

@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import json
+import os
+import signal
 import socket
+import subprocess
 import sys
 from typing import TYPE_CHECKING, Any
 
@@ -46,7 +49,7 @@ def machines(tmp_path: Path) -> Iterator[Callable[[str], LocalMachine]]:
     yield make
     for machine in reversed(made.values()):
         if machine.has_joined:
-            machine.zbot("leave")
+            machine.zbot("leave", "--yes")
 
 
 class School:
@@ -100,6 +103,11 @@ def school(
     return School(machines, start)
 
 
+def is_linked(machine: LocalMachine) -> bool:
+    """Return whether the hub of a machine is linked with the teacher's."""
+    return bool(json.loads(machine.succeed("status", "--json"))["linked"])
+
+
 # -- joining ---------------------------------------------------------------------------------------
 
 
@@ -121,13 +129,13 @@ def test_students_get_numbers_and_the_teacher_sees_them(school: School) -> None:
     school.open()
     school.join("Ana", "--number", "17")
     ben = school.join("Ben")
-    assert wait_until(lambda: all(row["here"] for row in school.listed().values()), 10)
+    assert wait_until(lambda: all(row["here"] for row in school.listed().values()))
     rows = school.listed()
     assert {number: row["name"] for number, row in rows.items()} == {1: "Ben", 17: "Ana"}
     assert rows[1]["version"]
     assert abs(rows[1]["clock_offset"]) < 1
     assert 'Ben, number 1 in "Robots"' in ben.succeed("status")
-    assert json.loads(ben.succeed("status", "--json"))["linked"]
+    assert wait_until(lambda: is_linked(ben))
 
 
 def test_the_pin_may_come_from_standard_input(school: School) -> None:
@@ -176,6 +184,80 @@ def test_a_list_of_students_keeps_numbers_for_names(school: School, tmp_path: Pa
     assert "9  Ben" in school.teacher.succeed("class", "list")
 
 
+def test_a_name_one_letter_off_is_a_question(school: School, tmp_path: Path) -> None:
+    roster = tmp_path / "roster.csv"
+    roster.write_text("7,Ana\n9,Ben\n")
+    school.open("--students", str(roster))
+    student = school._make("Anna")
+    join = ("join", school.address, "--name", "Anna")
+    refused = student.zbot(*join, ZBOT_PIN=PIN)
+    assert refused.code == 1
+    assert 'no "Anna", but "Ana": type --name "Ana", or add --new-student' in refused.err
+    assert school.listed() == {}
+    student.succeed(*join, "--new-student", ZBOT_PIN=PIN)
+    assert school.listed()[1]["name"] == "Anna"
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="needs a terminal of POSIX")
+def test_a_student_answers_the_question_on_a_terminal(school: School, tmp_path: Path) -> None:
+    import pty  # noqa: PLC0415 - not on Windows
+
+    roster = tmp_path / "roster.csv"
+    roster.write_text("7,Ana\n")
+    school.open("--students", str(roster))
+    student = school._make("Anna")
+    ours, theirs = pty.openpty()
+    os.write(ours, b"y\n")
+    words = [sys.executable, "-m", "zbot_cli", "join", school.address, "--name", "Anna"]
+    env = {**student.environment, "ZBOT_PIN": PIN}
+    done = subprocess.run(words, env=env, stdin=theirs, capture_output=True, check=False)
+    assert b"Are you Ana?" in done.stdout + done.stderr
+    assert b"Ana, you are number 7" in done.stdout
+    os.close(ours)
+    os.close(theirs)
+
+
+def test_a_copied_laptop_gets_a_number_of_its_own(school: School) -> None:
+    school.open()
+    first = school.join("Ana")
+    assert wait_until(lambda: school.listed()[1]["here"])
+    copy = school._make("copy")
+    copy.folder().mkdir(parents=True)
+    (copy.folder() / "machine").write_bytes((first.folder() / "machine").read_bytes())
+    copy.succeed("join", school.address, "--name", "Ben", ZBOT_PIN=PIN)
+    rows = school.listed()
+    assert {number: row["name"] for number, row in rows.items()} == {1: "Ana", 2: "Ben"}
+    assert (copy.folder() / "machine").read_bytes() != (first.folder() / "machine").read_bytes()
+
+
+def test_a_laptop_that_left_while_the_hub_was_reopened_is_not_here(school: School) -> None:
+    school.open()
+    ana = school.join("Ana", "--number", "17")
+    assert wait_until(lambda: school.listed()[17]["here"])
+    pid = json.loads((ana.folder() / "hub.json").read_text())["pid"]
+    school.teacher.succeed("share", "1", "2")  # the hub is opened anew
+    os.kill(pid, getattr(signal, "SIGKILL", signal.SIGTERM))
+    assert wait_until(lambda: not school.listed()[17]["here"])
+    assert school.listed()[17]["clock_offset"] is None
+
+
+@pytest.mark.parametrize(
+    ("variable", "value", "sentence"),
+    [
+        ("ROS_DOMAIN_ID", "7", "ROS_DOMAIN_ID=7 is ignored"),
+        ("ZBOT_DISCOVERY_RANGE", "WORLD", "use LOCALHOST, SUBNET or OFF"),
+    ],
+)
+def test_joining_tells_what_the_environment_says_against_it(
+    school: School, monkeypatch: pytest.MonkeyPatch, variable: str, value: str, sentence: str
+) -> None:
+    school.open()
+    monkeypatch.setenv(variable, value)
+    joined = school._make("Ana").zbot("join", school.address, ZBOT_PIN=PIN)
+    assert joined.code == 0
+    assert sentence in joined.err
+
+
 def test_leaving_releases_the_number(school: School) -> None:
     school.open()
     ana = school.join("Ana", "--number", "17")
@@ -200,7 +282,7 @@ def test_a_class_that_no_longer_runs_does_not_prevent_joining(
     school.open()
     ana = school.join("Ana")
     school.teacher.succeed("class", "stop")
-    assert wait_until(lambda: not json.loads(ana.succeed("status", "--json"))["linked"], 10)
+    assert wait_until(lambda: not is_linked(ana))
     # Nobody is there, so the old class stays joined.
     assert ana.zbot("join", school.address).code == 1
     assert "Robots" in ana.succeed("status")
@@ -225,7 +307,111 @@ def test_a_class_goes_on_after_the_teachers_machine_was_switched_off(school: Sch
     assert "does not run" in school.teacher.zbot("class", "list").err
     again = school.teacher.succeed("class", "start", "Robots")
     assert f"PIN: {PIN}" in again
-    assert wait_until(lambda: school.listed()[17]["here"], 10)
+    assert wait_until(lambda: school.listed()[17]["here"])
+
+
+def test_code_and_pin_can_be_seen_again_by_the_teacher_alone(school: School) -> None:
+    opened = school.open()
+    ana = school.join("Ana")
+    listed = school.teacher.succeed("class", "list")
+    assert f"PIN: {PIN}" in listed
+    assert f"zbot join {opened['code'] or opened['host']}" in listed
+    assert json.loads(school.teacher.succeed("class", "list", "--json"))["join"] == opened
+    assert f"PIN: {PIN}" in school.teacher.succeed("status")
+    assert json.loads(school.teacher.succeed("status", "--json"))["join"] == opened
+    assert PIN not in ana.succeed("status", "--json")
+
+
+@pytest.mark.parametrize("words", [(), ("Robots",), ("Robots", "--pin")])
+def test_starting_an_open_class_shows_how_students_join_it(
+    school: School, words: tuple[str, ...]
+) -> None:
+    opened = school.open()
+    ana = school.join("Ana")
+    assert wait_until(lambda: is_linked(ana))
+    assert json.loads(school.teacher.succeed("class", "start", *words, "--json")) == opened
+    assert is_linked(ana)
+
+
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
+        (("Painting",), 'this machine has the class "Robots"'),
+        (("--port", "7999"), "has another port"),
+        (("--pin",), "has another PIN"),
+    ],
+)
+def test_an_open_class_is_not_replaced(
+    school: School, words: tuple[str, ...], sentence: str
+) -> None:
+    school.open()
+    refused = school.teacher.zbot("class", "start", *words, ZBOT_PIN="1111")
+    assert refused.code == 1
+    assert sentence in refused.err
+    assert f"PIN: {PIN}" in school.teacher.succeed("status")
+
+
+def test_a_class_without_a_pin_gets_none_later(school: School) -> None:
+    school.teacher.succeed("class", "start", "Robots")
+    for has_hub in (True, False):
+        refused = school.teacher.zbot("class", "start", "--pin")
+        assert refused.code == 1
+        assert "has no PIN" in refused.err
+        if has_hub:
+            school.teacher.kill_hub()
+
+
+def test_a_class_that_continues_keeps_name_pin_and_port(school: School) -> None:
+    school.teacher.succeed("class", "start", "Robots", "--pin", "--port", str(free_port()))
+    before = school.teacher.succeed("class", "start", "--json")
+    school.teacher.kill_hub()
+    assert school.teacher.succeed("class", "start", "--pin", "--json") == before
+
+
+def test_a_new_pin_leaves_students_in_the_class(school: School) -> None:
+    school.open()
+    ana = school.join("Ana", "--number", "17")
+    school.teacher.succeed("class", "start", "--new-pin", ZBOT_PIN="5555")
+    assert "wrong PIN" in school._make("Eve").zbot("join", school.address, ZBOT_PIN=PIN).err
+    assert wait_until(lambda: school.listed()[17]["here"])
+    assert wait_until(lambda: is_linked(ana))
+    made = json.loads(school.teacher.succeed("class", "start", "--new-pin", "--json"))["pin"]
+    assert made not in {PIN, "5555"}
+
+
+def test_a_port_in_use_does_not_lose_the_class(school: School) -> None:
+    school.open()
+    school.teacher.kill_hub()
+    with socket.create_server(("0.0.0.0", school.teacher.port)):
+        assert school.teacher.zbot("class", "start").code == 1
+    assert f"PIN: {PIN}" in school.teacher.succeed("class", "start")
+
+
+def test_a_teacher_does_not_close_the_class_by_leaving_without_a_question(school: School) -> None:
+    school.open()
+    refused = school.teacher.zbot("leave")
+    assert refused.code == 1
+    assert "`zbot class stop`, or `zbot leave --yes`" in refused.err
+    assert "is open at" in school.teacher.succeed("status")
+    assert "left Robots" in school.teacher.succeed("leave", "--yes")
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="needs a terminal of POSIX")
+@pytest.mark.parametrize(("answer", "is_open"), [("n", True), ("y", False)])
+def test_a_teacher_who_leaves_is_asked(school: School, answer: str, is_open: bool) -> None:
+    import pty  # noqa: PLC0415 - not on Windows
+
+    school.open()
+    ours, theirs = pty.openpty()
+    os.write(ours, f"{answer}\n".encode())
+    words = [sys.executable, "-m", "zbot_cli", "leave"]
+    env = school.teacher.environment
+    done = subprocess.run(words, env=env, stdin=theirs, capture_output=True, check=False)
+    assert b'closes the class "Robots"' in done.stdout + done.stderr
+    assert done.returncode == is_open
+    assert school.teacher.has_joined == is_open
+    os.close(ours)
+    os.close(theirs)
 
 
 def test_after_the_class_the_hub_is_gone_and_nothing_listens(school: School) -> None:
@@ -273,9 +459,9 @@ def test_the_teacher_sees_nodes_and_last_errors(school: School, domain: int) -> 
     school.open()
     ana = school.join("Ana", "--number", str(domain))
     school.run(ana, TALKER).wait_for("ready")
-    assert wait_until(lambda: school.listed()[domain]["last_error"] is not None, 10)
+    assert wait_until(lambda: school.listed()[domain]["last_error"] is not None)
+    assert wait_until(lambda: school.listed()[domain]["nodes"] == ["/talker"])
     row = school.listed()[domain]
-    assert row["nodes"] == ["/talker"]
     assert row["last_error"] == {"node": "talker", "text": "the motor is hot"}
     assert "talker: the motor is hot" in school.teacher.succeed("class", "list")
 
@@ -285,19 +471,19 @@ def test_what_the_teacher_says_is_on_the_terminals_of_nodes_and_in_the_status(
 ) -> None:
     school.open()
     ana = school.join("Ana", "--number", str(domain))
-    assert wait_until(lambda: school.listed()[domain]["here"], 10)
+    assert wait_until(lambda: school.listed()[domain]["here"])
     program = school.run(ana, TALKER)
     program.wait_for("ready")
     _settle(school, domain)
     assert "sent to 1 student" in school.teacher.succeed("class", "say", "\x1b[2J5 minutes")
     assert "[class]: the teacher says: [2J5 minutes" in program.wait_for("the teacher says")
     late = school.join("Ben")
-    assert wait_until(lambda: "5 minutes" in late.succeed("status"), 10)
+    assert wait_until(lambda: "5 minutes" in late.succeed("status"))
 
 
 def _settle(school: School, number: int) -> None:
     """Wait until a student's node is linked with the teacher's hub."""
-    assert wait_until(lambda: bool(school.listed()[number]["nodes"]), 10)
+    assert wait_until(lambda: bool(school.listed()[number]["nodes"]))
 
 
 def test_a_name_is_never_interpreted(school: School) -> None:

@@ -8,6 +8,7 @@ import pytest
 
 from tests.classroom.attacked import PIN, Computer
 from tests.classroom.talk import accepts
+from tests.classroom.tls_relay import TlsRelay
 from tests.conftest import wait_until
 from zbot.classroom.address import own_addresses
 from zbot.security.access import LOBBY, LOBBY_SECRET, credentials
@@ -17,7 +18,6 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
     from pathlib import Path
 
-pytest.importorskip("cryptography", reason="the extra zbot[security] is not installed")
 
 ADDRESS = next(iter(own_addresses()), "")
 needs_network = pytest.mark.skipif(not ADDRESS, reason="this machine is in no network")
@@ -34,7 +34,7 @@ def computer(tmp_path: Path) -> Iterator[Callable[[str], Computer]]:
 
     yield make
     for one in reversed(made):
-        one.run("leave")
+        one.run("leave", "--yes")
 
 
 @pytest.fixture
@@ -71,6 +71,23 @@ def test_a_class_with_a_keystore(computer: Callable[[str], Computer], enclaves: 
         for protocol in ("tcp", "tls"):
             elsewhere = {"connect/endpoints": [f"{protocol}/{where}"]}
             assert not accepts(0, {**paths, **elsewhere})
+
+
+@needs_network
+def test_join_through_a_relay_with_a_certificate_of_the_keystore(
+    computer: Callable[[str], Computer], enclaves: Path, store: Keystore
+) -> None:
+    teacher, ana = computer("teacher"), computer("ana")
+    key = ("--keystore", str(enclaves / "teacher"))
+    teacher.do("class", "start", "tls", "--pin", *key, "--port", str(teacher.port), ZBOT_PIN=PIN)
+    relay = TlsRelay(store.issue("relay", [ADDRESS]), ADDRESS, teacher.port)
+    own = ("--name", "Ana", "--keystore", str(enclaves / "ana"))
+    refused = ana.run("join", f"{ADDRESS}:{relay.port}", *own, ZBOT_PIN=PIN)
+    relay.close()
+    assert b"enrol" in relay.went
+    assert refused.code == 1
+    assert refused.err.startswith("this laptop did not dial the class's own machine")
+    assert not ana.has_joined
 
 
 @needs_network

@@ -47,7 +47,7 @@ def test_a_new_node_is_seen_at_once(lesson: Lesson) -> None:
     seen_s = lesson.watch.until(lambda nodes: (lesson.number_of(laptop), "/newcomer") in nodes)
 
     made_s = int(newcomer.wait_for("node").split()[1]) / 1e9
-    assert seen_s - made_s < allowed(0.5)
+    assert seen_s - made_s < allowed(1.5)
     newcomer.stop()
     lesson.watch.until(lambda nodes: (lesson.number_of(laptop), "/newcomer") not in nodes)
 
@@ -78,11 +78,11 @@ def test_a_lost_laptop_is_shown_and_comes_back(lesson: Lesson) -> None:
     laptop.reconnect()
     back_s = lesson.watch.until(lambda nodes: gone <= nodes)
 
-    assert lost_s - cut_s < allowed(5)
+    assert lost_s - cut_s < allowed(8)
     assert [number for number, row in shown.items() if not row["here"]] == [1]
     assert shown[1]["host"] == "laptop0"
     assert shown[1]["nodes"] == []
-    assert back_s - mended_s < allowed(3)
+    assert back_s - mended_s < allowed(6)
 
 
 def test_a_laptop_that_slept_comes_back(lesson: Lesson) -> None:
@@ -95,7 +95,7 @@ def test_a_laptop_that_slept_comes_back(lesson: Lesson) -> None:
     laptop.wake_up()
     back_s = lesson.watch.until(lambda nodes: sleeping <= nodes)
 
-    assert back_s - woken_s < allowed(5)
+    assert back_s - woken_s < allowed(8)
 
 
 def test_a_restarted_hub_sees_all_nodes_and_no_laptop_is_disturbed(lesson: Lesson) -> None:
@@ -104,7 +104,7 @@ def test_a_restarted_hub_sees_all_nodes_and_no_laptop_is_disturbed(lesson: Lesso
     lesson.open_class()
     back_s = lesson.watch.until(lesson.all_there)
 
-    assert back_s - restarted_s < allowed(3)
+    assert back_s - restarted_s < allowed(6)
     assert [heard.lost for heard in lesson.end_nodes()] == [0] * LAPTOPS * NODES
     lesson.start_nodes()
 

@@ -62,7 +62,13 @@ HELLO = {"class": "x", "pin": True}
 
 @pytest.mark.parametrize(
     "challenge",
-    [{}, {"salt": 1, "public": 2}, {"wait_s": float("nan")}, {"wait_s": 1e9}, {"wait_s": "x"}],
+    [
+        {},
+        {"visit": 1, "public": 2, "protocol": 2},
+        {"wait_s": float("nan")},
+        {"wait_s": 1e9},
+        {"wait_s": "x"},
+    ],
     ids=str,
 )
 def test_an_invalid_challenge_raises_a_pin_error(
@@ -76,13 +82,13 @@ def test_an_invalid_challenge_raises_a_pin_error(
 def test_a_class_that_does_not_know_the_pin_is_rejected(
     malicious_hub: Callable[[Answer], Address],
 ) -> None:
-    server = PinServer(Secret("000000"))
+    server = PinServer(Secret("000000"), "x", lambda _hub: True)
     seen = threading.Event()
 
     def answer(question: dict[str, Any]) -> dict[str, Any]:
         if question["op"] == "claim":
             seen.set()
-            return {"answer": "00" * 40, "tag": "0" * 64}
+            return {"answer": "00" * 40, "tag": "00" * 32}
         return HELLO if question["op"] == "hello" else server.challenge(question)
 
     with pytest.raises(PinMessageError, match="sender of the answer does not know it"):
@@ -91,7 +97,7 @@ def test_a_class_that_does_not_know_the_pin_is_rejected(
 
 
 def test_an_invalid_membership_is_rejected(malicious_hub: Callable[[Answer], Address]) -> None:
-    server = PinServer(PIN)
+    server = PinServer(PIN, "x", lambda _hub: True)
 
     def answer(question: dict[str, Any]) -> dict[str, Any]:
         if question["op"] == "claim":

@@ -25,7 +25,7 @@ while True:
 DIAL = """
 import socket, sys
 try:
-    socket.create_connection((sys.argv[1], 7000), 1).close()
+    socket.create_connection((sys.argv[1], 7000), 3).close()
     print("reached")
 except OSError as exc:
     print(type(exc).__name__)

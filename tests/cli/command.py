@@ -7,6 +7,8 @@ import sys
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from tests.conftest import allowed
+
 if TYPE_CHECKING:
     from pathlib import Path
 
@@ -20,14 +22,14 @@ class Outcome:
     err: str
 
 
-def zbot(*words: str, stdin: str = "", cwd: Path | None = None, timeout_s: float = 20) -> Outcome:
+def zbot(*words: str, stdin: str = "", cwd: Path | None = None, timeout_s: float = 30) -> Outcome:
     """Run a command line; fail if it prints a traceback."""
     done = subprocess.run(
         [sys.executable, "-m", "zbot_cli", *words],
         input=stdin,
         capture_output=True,
         encoding="utf-8",
-        timeout=timeout_s,
+        timeout=allowed(timeout_s),
         cwd=cwd,
         check=False,
     )

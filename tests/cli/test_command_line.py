@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import signal
 import subprocess
@@ -12,6 +13,8 @@ from typing import TYPE_CHECKING
 import pytest
 
 from tests.cli.command import zbot
+from tests.conftest import allowed
+from zbot.version import __version__
 from zbot_cli.commands import doctor
 from zbot_cli.output.exit_status import Status
 
@@ -61,9 +64,12 @@ def test_a_closed_pipe_is_not_an_error() -> None:
 
 
 def test_help_starts_fast() -> None:
-    begun = time.perf_counter()
-    zbot("--help")
-    assert time.perf_counter() - begun < 2  # 0.08 s on an idle machine
+    took: list[float] = []
+    while len(took) < 5 and min(took, default=2.0) >= 2:  # one idle moment is enough
+        begun = time.perf_counter()
+        zbot("--help")
+        took.append(time.perf_counter() - begun)
+    assert min(took) < allowed(2)  # 0.08 s on an idle machine
 
 
 INTERRUPTED_IMPORT = """
@@ -178,14 +184,42 @@ def test_doctor_finds_nothing_wrong_on_a_healthy_machine(domain: int) -> None:
 
 
 @pytest.mark.usefixtures("domain")
-def test_doctor_warns_of_a_zenoh_that_was_not_tested(
-    monkeypatch: pytest.MonkeyPatch, zbot_command: Command
+@pytest.mark.parametrize("zenoh", ["1.11.0", "1.11.0rc1", "2.0"])
+def test_doctor_warns_of_a_zenoh_that_is_newer_than_the_tested_one(
+    monkeypatch: pytest.MonkeyPatch, zbot_command: Command, zenoh: str
 ) -> None:
-    monkeypatch.setattr(doctor, "version", lambda _: "1.11.0")
+    monkeypatch.setattr(doctor, "version", lambda _: zenoh)
+    done = zbot_command("doctor")
+    assert (done.code, done.err) == (0, "")
+    assert f"WARN  zbot: {__version__}, eclipse-zenoh {zenoh}, " in done.out
+    assert (
+        "      -> zbot was tested with Zenoh 1.10: if something fails, "
+        "try pip install 'eclipse-zenoh==1.10.*'\n"
+    ) in done.out
+    assert done.out.endswith("checks passed, with 1 warning(s)\n")
+    (finding,) = (
+        one for one in json.loads(zbot_command("doctor", "--json").out) if one["check"] == "zbot"
+    )
+    assert (finding["ok"], finding["warning"]) == (True, True)
+
+
+@pytest.mark.usefixtures("domain")
+@pytest.mark.parametrize("zenoh", ["1.9.0", "0.11"])
+def test_doctor_refuses_a_zenoh_that_is_too_old(
+    monkeypatch: pytest.MonkeyPatch, zbot_command: Command, zenoh: str
+) -> None:
+    monkeypatch.setattr(doctor, "version", lambda _: zenoh)
     done = zbot_command("doctor")
     assert done.code == 1
-    assert "eclipse-zenoh 1.11.0" in done.out
-    assert "pip install 'eclipse-zenoh==1.10.*'" in done.out
+    assert f"FAIL  zbot: {__version__}, eclipse-zenoh {zenoh}, " in done.out
+    assert "this Zenoh is too old: pip install 'eclipse-zenoh==1.10.*'" in done.out
+
+
+@pytest.mark.parametrize("zenoh", ["1.10.0", "1.10.99"])
+def test_the_tested_zenoh_needs_no_advice(monkeypatch: pytest.MonkeyPatch, zenoh: str) -> None:
+    monkeypatch.setattr(doctor, "version", lambda _: zenoh)
+    finding = doctor._versions()
+    assert (finding.advice, finding.is_ok, finding.is_warning) == ("", True, False)
 
 
 @pytest.mark.skipif(os.name == "nt", reason="bash is not part of Windows")
@@ -197,3 +231,43 @@ def test_bash_completes_a_verb() -> None:
     )
     done = subprocess.run(["bash", "-c", script], capture_output=True, text=True, check=True)
     assert done.stdout == "echo\n"
+
+
+def in_shell(script: str, *words: str, cwd: Path) -> subprocess.CompletedProcess[str]:
+    """Run a command after the lines of a shell script."""
+    return subprocess.run(
+        ["sh", "-c", f'{script}\nexec "$@"', "sh", sys.executable, "-m", "zbot_cli", *words],
+        cwd=cwd,
+        capture_output=True,
+        encoding="utf-8",
+        timeout=allowed(30),
+        check=False,
+    )
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows does not delete the current folder")
+@pytest.mark.parametrize("words", ["run talker", "launch talker_listener", "test", "pkg create x"])
+def test_a_deleted_current_folder_is_reported(tmp_path: Path, words: str) -> None:
+    done = in_shell("mkdir d && cd d && rmdir ../d", *words.split(), cwd=tmp_path)
+    assert (done.returncode, done.stdout) == (Status.ERROR, "")
+    assert done.stderr == "the current folder was deleted: go to another folder with `cd`\n"
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no such limit")
+@pytest.mark.usefixtures("domain")
+def test_listings_work_in_a_deleted_folder(tmp_path: Path) -> None:
+    done = in_shell("mkdir d && cd d && rmdir ../d", "node", "list", cwd=tmp_path)
+    assert (done.returncode, done.stdout, done.stderr) == (Status.OK, "", "")
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no such limit")
+@pytest.mark.usefixtures("domain")
+@pytest.mark.parametrize("words", ["node list", "run talker", "topic echo /x"])
+@pytest.mark.parametrize("limit", [24, 12])
+def test_a_low_limit_of_open_files_is_reported(tmp_path: Path, words: str, limit: int) -> None:
+    done = in_shell(f"ulimit -n {limit}", *words.split(), cwd=tmp_path)
+    assert (done.returncode, done.stdout) == (Status.ERROR, "")
+    assert done.stderr == (
+        "the limit of open files is too low: zbot needs 40 more files; "
+        "raise the limit, for example with `ulimit -n 1024`\n"
+    )

@@ -9,7 +9,7 @@ from zbot_cli.input.domain_names import SeveralDomainsError, select_domain
 
 @pytest.fixture(autouse=True)
 def no_domain(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("ZBOT_DOMAIN_ID", "")  # restored afterwards
+    monkeypatch.setenv("ZBOT_COMMAND_DOMAIN", "")  # restored afterwards
 
 
 @pytest.mark.parametrize(
@@ -27,13 +27,13 @@ def no_domain(monkeypatch: pytest.MonkeyPatch) -> None:
 )
 def test_a_name_may_begin_with_the_number_of_a_domain(words: str, kept: str) -> None:
     assert select_domain(words.split()) == kept.split()
-    assert os.environ["ZBOT_DOMAIN_ID"] == "17"
+    assert os.environ["ZBOT_COMMAND_DOMAIN"] == "17"
 
 
 @pytest.mark.parametrize("words", ["topic echo /scan", "topic echo /robot17/scan", "topic list"])
 def test_names_in_the_own_domain_are_unchanged(words: str) -> None:
     assert select_domain(words.split()) == words.split()
-    assert not os.environ["ZBOT_DOMAIN_ID"]
+    assert not os.environ["ZBOT_COMMAND_DOMAIN"]
 
 
 def test_a_command_refuses_names_of_two_domains() -> None:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from tests.cli.conftest import write_package
+from zbot.errors import close_matches
 from zbot_cli.commands.run import SeveralExecutablesError, find
 from zbot_cli.packages.executables import all_packages, bundled_packages
 
@@ -87,6 +88,28 @@ def test_scripts_of_a_package_are_found_with_and_without_py(workspace: Path) -> 
     (folder / "scripts" / "wave.py").touch()
     for name in ("wave", "wave.py"):
         assert find(["my_robot", name])[0].target == str(folder / "scripts" / "wave.py")
+
+
+def test_an_exact_name_is_used_before_the_name_with_py(workspace: Path) -> None:
+    folder = write_package(workspace, "my_robot", wave="my_robot.wave:main")
+    (folder / "scripts").mkdir()
+    (folder / "scripts" / "wave.py").touch()
+    assert find(["my_robot", "wave"])[0].target == "my_robot.wave:main"
+    assert find(["wave"])[0].target == "my_robot.wave:main"
+    assert find(["my_robot", "wave.py"])[0].target == str(folder / "scripts" / "wave.py")
+
+
+def test_a_hint_does_not_repeat_what_was_typed(workspace: Path) -> None:
+    folder = write_package(workspace, "my_robot", wave="my_robot.wave:main")
+    (folder / "setup.cfg").write_text(
+        "[options.entry_points]\nconsole_scripts =\n  wave = other:main\n"
+    )
+    write_package(workspace.parent / "src" / "again", "my_robot", wave="my_robot.again:main")
+    with pytest.raises(SeveralExecutablesError) as caught:
+        find(["my_robot", "wave"])
+    assert caught.value.hint == "rename one of them: both are in my_robot"
+    assert close_matches("Wave", ["Wave", "wave"]) == ("wave",)
+    assert close_matches("wave", ["wave"]) == ()
 
 
 def test_a_students_node_hides_a_bundled_one_of_the_same_name(workspace: Path) -> None:

@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+import importlib.util
 import io
 import json
+import shutil
+import subprocess
 import sys
+import zipfile
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
@@ -15,8 +20,6 @@ from zbot.interfaces import interface_names, packages
 from zbot_cli.domain.types import InvalidTypeError, find_types, resolve_message_type
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
     from tests.cli.conftest import Command
 
 TWIST = """\
@@ -268,3 +271,78 @@ def test_a_short_name_without_a_match_is_refused(word: str, hint: str) -> None:
     with pytest.raises(InvalidTypeError, match="The passed message type is invalid") as caught:
         resolve_message_type(word)
     assert caught.value.hint == hint
+
+
+# -- add -----------------------------------------------------------------------------------------
+
+
+def test_types_are_added_for_all_projects(zbot_command: Command, tmp_path: Path) -> None:
+    source = tmp_path / "box_msgs"
+    (source / "msg").mkdir(parents=True)
+    (source / "msg" / "Box.msg").write_text("int32 size\n")
+    result = zbot_command("interface", "add", str(source))
+    assert (result.code, result.out, result.err) == (0, "box_msgs: 1 type added\n", "")
+    shutil.rmtree(source)
+    assert zbot_command("interface", "show", "box_msgs/msg/Box").out == "int32 size\n"
+    assert "box_msgs" in zbot_command("pkg", "list").out.split()
+    assert zbot_command("interface", "remove", "box_msgs").out == "box_msgs: removed\n"
+    result = zbot_command("interface", "remove", "box_msgs")
+    assert (result.code, result.out) == (1, "")
+    assert "'box_msgs' was not added with `zbot interface add`" in result.err
+
+
+def test_what_cannot_be_added_is_one_sentence(zbot_command: Command, tmp_path: Path) -> None:
+    result = zbot_command("interface", "add", "no/such/folder")
+    assert result.code == 1
+    assert "there is no folder or archive 'no/such/folder'" in result.err
+    (tmp_path / "std_msgs" / "msg").mkdir(parents=True)
+    (tmp_path / "std_msgs" / "msg" / "String.msg").write_text("int32 data\n")
+    result = zbot_command("interface", "add", str(tmp_path))
+    assert (result.code, result.out) == (1, "")
+    assert "std_msgs is not added: it is part of ROS 2 and of zbot" in result.err
+    (tmp_path / "box_msgs" / "msg").mkdir(parents=True)
+    (tmp_path / "box_msgs" / "msg" / "Box.msg").write_text("px4_msgs/VehicleStatus status\n")
+    result = zbot_command("interface", "add", str(tmp_path))
+    assert (result.code, result.out) == (1, "box_msgs: 1 type added\n")
+    assert "the types use px4_msgs: download https://github.com/PX4/px4_msgs" in result.err
+
+
+def test_a_missing_package_of_a_known_repository_is_named(zbot_command: Command) -> None:
+    result = zbot_command("interface", "show", "px4_msgs/msg/VehicleStatus")
+    assert "Unknown package 'px4_msgs'" in result.err
+    assert "download https://github.com/PX4/px4_msgs" in result.err
+
+
+@pytest.mark.parametrize("program", ["pip", "uv"])
+def test_a_name_is_downloaded(
+    program: str, zbot_command: Command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def run(command: list[str], **__: object) -> subprocess.CompletedProcess[str]:
+        *_, folder, name = command
+        assert name == "box-msgs"
+        if program == "pip":
+            assert "--only-binary=:all:" in command
+            with zipfile.ZipFile(Path(folder, "a.whl"), "w") as wheel:
+                wheel.writestr("box_msgs/msg/Box.msg", "int32 size\n")
+        else:
+            assert command[:3] == ["/bin/uv", "pip", "install"]
+            (Path(folder) / "share" / "box_msgs" / "msg").mkdir(parents=True)
+            Path(folder, "share/box_msgs/msg/Box.msg").write_text("int32 size\n")
+        return subprocess.CompletedProcess(command, 0, "", "")
+
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(subprocess, "run", run)
+    monkeypatch.setattr(
+        importlib.util, "find_spec", lambda _: program if program == "pip" else None
+    )
+    monkeypatch.setattr(shutil, "which", lambda name: f"/bin/{name}")
+    assert zbot_command("interface", "add", "box-msgs").out == "box_msgs: 1 type added\n"
+    failed = subprocess.CompletedProcess("pip", 1, "", "x\nERROR: No matching distribution\n")
+    monkeypatch.setattr(subprocess, "run", lambda *_, **__: failed)
+    result = zbot_command("interface", "add", "box-msgs")
+    assert result.code == 1
+    assert result.err.strip() == "cannot download box-msgs: No matching distribution"
+    if program == "uv":
+        monkeypatch.setattr(shutil, "which", lambda _: None)
+        result = zbot_command("interface", "add", "box-msgs")
+        assert "neither pip nor uv is installed" in result.err

@@ -115,8 +115,7 @@ def test_a_launch_file_of_a_package_finds_its_package(
     )
     program = start("zbot", "launch", "my_robot_pkg", "temperature_system.launch.py")
     for line in ("[temperature_sensor-1] I am /sensor", "[temperature_sensor-2] I am /unnamed"):
-        if line not in program.output:
-            program.wait_for(line)
+        program.see(line)
     assert program.stop() == 0
 
 
@@ -126,8 +125,7 @@ def test_output_is_prefixed_and_not_buffered(launch: Callable[..., Program]) -> 
         "time.sleep(60)', name='chatty')"
     )
     program.wait_for("[chatty-1] out")
-    if "[chatty-1] err" not in program.output:  # two pipes have no common order
-        program.wait_for("[chatty-1] err")
+    program.see("[chatty-1] err")  # two pipes have no common order
     assert program.stop(timeout_s=15) == 0
 
 
@@ -207,7 +205,7 @@ def test_a_killed_launch_leaves_no_process(launch: Callable[..., Program]) -> No
     pids = [_pid(program.wait_for("process started with pid [")) for _ in range(3)]
     program.wait_for("deaf")
     program.process.kill()
-    assert wait_until(lambda: not any(_is_group_alive(pid) for pid in pids), 2.0)
+    assert wait_until(lambda: not any(_is_group_alive(pid) for pid in pids))
 
 
 def _is_group_alive(group: int) -> bool:
@@ -360,9 +358,9 @@ def test_a_component_container_is_left_out_with_a_sentence(launch: Callable[...,
 def test_a_mistake_is_reported_with_file_and_line(
     launch: Callable[..., Program], actions: str, words: list[str], text: str
 ) -> None:
-    sleeper = "python('import time; time.sleep(60)', name='other'), "
+    sleeper = "python('import time; time.sleep(600)', name='other'), "
     program = launch(f"{sleeper}\n{actions}", *words)
-    assert program.wait(8) == 1
+    assert program.wait() == 1
     (line,) = (line for line in program.lines if line.startswith("[ERROR]"))
     assert "a.launch.py:" in line
     assert text in line
@@ -439,6 +437,21 @@ def test_words_are_completed() -> None:
     assert "talker_listener" in zbot("complete", "--", "launch", "talker").out.split()
     assert zbot("complete", "--", "launch", "talker_listener", "na").out == "namespace:=\n"
     assert "temperature.launch.py" in zbot("complete", "--", "launch", "zbot", "").out.split()
+
+
+def test_a_file_whose_suffix_tells_no_format_is_launched(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = tmp_path / "src" / "harbour_pkg" / "launch"
+    folder.mkdir(parents=True)
+    (folder.parent / "package.xml").write_text("<package><name>harbour_pkg</name></package>")
+    text = "<launch><log message='ships' level='info'/></launch>"
+    (folder / "harbour.launch").write_text(text, encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    assert "it has harbour.launch" in zbot("launch", "harbour_pkg").err
+    outcome = zbot("launch", "harbour_pkg", "harbour.launch")
+    assert outcome.code == 0, outcome.err
+    assert "ships" in outcome.out + outcome.err
 
 
 def test_python_m_zbot_is_the_command_and_runs_programs(tmp_path: Path) -> None:

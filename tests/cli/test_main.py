@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -10,6 +11,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
+from tests.cli.command import zbot
 from zbot.errors import ZbotError
 from zbot_cli import main as main_module
 from zbot_cli.main import NOUNS, main, run_command
@@ -18,9 +20,13 @@ from zbot_cli.output.exit_status import Status
 from zbot_cli.output.report import report
 
 if TYPE_CHECKING:
-    from tests.cli.conftest import Command
+    from pathlib import Path
+
+    from tests.cli.conftest import Command, Write
     from tests.conftest import Start
 
+#: Options that take several words, which `ManyValuesCommand` reads, and the end of the options.
+MANY = {"--", "--dependencies", "--packages-select"}
 LOADED = sorted(set(NOUNS) - {"run"})
 
 
@@ -51,8 +57,16 @@ def test_every_noun_has_help_of_short_phrases(zbot_command: Command, noun: str) 
 
 @pytest.mark.parametrize("noun", LOADED)
 def test_every_verb_has_help_and_describes_its_options(zbot_command: Command, noun: str) -> None:
-    for name, verb in verbs(load(noun)).items():
-        assert zbot_command(noun, name, "--help").code == 0
+    command = load(noun)
+    for name, verb in (verbs(command) or {"": command}).items():
+        words = [noun, name] if name else [noun]
+        result = zbot_command(*words, "--help")
+        assert result.code == 0
+        if not verb.hidden:
+            example = result.out.rpartition("  Example:\n    ")[2]
+            assert example.startswith(f"zbot {' '.join(words)}"), example
+            known = {text for option in verb.params for text in option.opts}
+            assert {word for word in example.split() if word.startswith("--")} <= known | MANY
         for option in verb.params:
             assert option.help, f"{noun} {name} {option.name}"
 
@@ -75,6 +89,12 @@ def test_descriptions_of_nouns_are_short() -> None:
     [
         (["frobnicate"], "No such command 'frobnicate'."),
         (["nod"], "Did you mean 'node'?"),
+        (["topci"], "Did you mean 'topic'?"),
+        (["rqt_graph"], "Type 'zbot web graph'"),
+        (["colcon", "build"], "Type 'zbot build'"),
+        (["rviz2"], "type 'zbot web'"),
+        (["ros2", "topic", "list"], "Leave out 'ros2'"),
+        (["setup-shell", "tcsh"], "choose from bash, zsh, fish, powershell"),
         (["topic", "frobnicate"], "No such command 'frobnicate'."),
         (["topic", "ehco"], "Did you mean 'echo'?"),
         (["interface", "show"], "Missing argument"),
@@ -275,6 +295,16 @@ def test_lists_load_no_definitions(domain: int, noun: str) -> None:  # noqa: ARG
             ["action", "send_goal", "/x", "example_interfaces/action/Fibonacci", ""],
             ["'{\"order\": 0}'"],
         ),
+        (["topic", "echo", "--qos-profile", "sen"], ["sensor_data"]),
+        (["topic", "pub", "--qos-reliability", ""], ["best_effort", "reliable"]),
+        (
+            ["topic", "echo", "/x", "geometry_msgs/msg/Twist", "--field", "linear"],
+            ["linear", "linear.x", "linear.y", "linear.z"],
+        ),
+        (["topic", "pub", "--rate", "2", "/x", "std_srvs/ms"], []),
+        (["topic", "pub", "--rate", "2", "/x", "std_msgs/msg/Strin"], ["std_msgs/msg/String"]),
+        (["topic", "pub", "--rate", ""], []),
+        (["pkg", "create", "--build-type", "ament_p"], ["ament_python"]),
         (["action", "find", "action_t"], ["action_tutorials_interfaces/action/Fibonacci"]),
     ],
 )
@@ -284,6 +314,30 @@ def test_completion_offers_words(
     result = zbot_command("complete", "--", *words)
     assert (result.code, result.err) == (0, "")
     assert result.out.splitlines() == wanted
+
+
+def test_completion_of_launch_offers_files(
+    zbot_command: Command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name in ("robo.launch.py", "robo_launch.xml", "robo.py", "robofolder/x.launch.yaml"):
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).touch()
+    monkeypatch.chdir(tmp_path)
+    found = zbot_command("complete", "--", "launch", "robo").out.split()
+    files = ["robo.launch.py", "robo_launch.xml", "robofolder/"]
+    names = ["robot", "robot_localization", "robot_state_publisher"]
+    assert found == [*files, *names]
+    found = zbot_command("complete", "--", "launch", "robofolder/").out.split()
+    assert found == ["robofolder/x.launch.yaml"]
+    found = zbot_command("complete", "--", "launch", f"{tmp_path}/robofo").out.split()
+    assert found == [f"{tmp_path}/robofolder/"]
+
+
+@pytest.mark.usefixtures("workspace")
+def test_completion_of_build_offers_packages(zbot_command: Command, write: Write) -> None:
+    write("robot")
+    found = zbot_command("complete", "--", "build", "--packages-select", "")
+    assert found.out == "robot\n"
 
 
 @pytest.mark.usefixtures("workspace")
@@ -302,3 +356,54 @@ def test_completion_refuses_an_unknown_shell(zbot_command: Command) -> None:
     result = zbot_command("completion", "tcsh")
     assert result.code == 2
     assert "choose from bash, zsh, fish, powershell" in result.err
+
+
+# -- setup-shell -----------------------------------------------------------------------------------
+
+
+def functions(shell: str, path: str, line: str) -> str:
+    """Return what a shell prints for a line after the functions of `zbot setup-shell`."""
+    program = shutil.which(shell)
+    if program is None:
+        pytest.skip(f"there is no {shell}")
+    text = zbot("setup-shell", shell).out
+    done = subprocess.run(
+        [program, "-c", f"{text}\n{line}"],
+        env={"PATH": f"{path}{os.pathsep}/usr/bin{os.pathsep}/bin"},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    return done.stdout + done.stderr
+
+
+@pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
+def test_the_words_of_ros2_run_zbot(tmp_path: Path, shell: str) -> None:
+    _write_program(tmp_path / "zbot", "zbot")
+    lines = "ros2 topic list; colcon build; rqt_graph; rviz2"
+    said = functions(shell, str(tmp_path), lines)
+    assert said.splitlines() == [
+        "zbot topic list",
+        "zbot build",
+        "zbot web graph",
+        "zbot rviz2",
+    ]
+
+
+@pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
+def test_a_real_ros2_is_run_instead(tmp_path: Path, shell: str) -> None:
+    for name in ("zbot", "ros2"):
+        _write_program(tmp_path / name, name)
+    assert functions(shell, str(tmp_path), "ros2 topic list") == "ros2 topic list\n"
+
+
+def test_setup_shell_says_how_to_install_it(zbot_command: Command) -> None:
+    lines = zbot_command("setup-shell").out
+    for shell in ("bash", "zsh", "fish", "powershell"):
+        assert f"zbot setup-shell {shell} >> " in lines
+        assert zbot_command("setup-shell", shell).code == 0
+
+
+def _write_program(path: Path, name: str) -> None:
+    path.write_text(f'#!/bin/sh\necho {name} "$@"\n')
+    path.chmod(0o755)

@@ -111,6 +111,21 @@ def test_a_file_with_a_syntax_error_is_an_error(write: Write, source: bytes, tex
     assert "\n" not in found
 
 
+@pytest.mark.parametrize("name", ["docs/old.py", "templates/node.py", "tests/test_a.py"])
+def test_a_syntax_error_in_a_file_that_is_not_installed_is_no_error(
+    write: Write, name: str
+) -> None:
+    assert problems(write(**{name: "def {{ name }}("})) == []
+
+
+@pytest.mark.parametrize(
+    "name", ["robot/a.py", "robot/b/c.py", "scripts/a.py", "launch/a.launch.py"]
+)
+def test_a_syntax_error_in_an_installed_file_is_an_error(write: Write, name: str) -> None:
+    (found,) = problems(write(**{name: "def f("}))
+    assert found.startswith(f"{name}:1: SyntaxError: ")
+
+
 def test_an_invalid_escape_is_not_an_error(write: Write) -> None:
     assert problems(write(**{"robot/fine.py": "x = '\\d'"})) == []
 
@@ -154,7 +169,7 @@ def test_a_setup_py_with_a_syntax_error_is_an_error(write: Write) -> None:
         ({"setup.py": b"\x00\xff" * 100}, "setup.py: "),
         ({"setup.py": b"setup(data_files=" + b"[] + " * 9999 + b"[])"}, "setup.py: "),
         ({"package.xml": b"\xff\xfe\x00"}, "package.xml:1: not valid XML: "),
-        ({"package.xml": b"<package>" * 9999}, "package.xml:1: not valid XML: "),
+        ({"package.xml": b"<package>" * 9999}, "package.xml:1: its tags are nested deeper"),
         ({"msg/A.msg": b"int32 \xff\n"}, "msg/A.msg: cannot be read: "),
         ({"srv/A.srv": b"int32 a\n"}, "srv/A.srv: "),
         ({"robot/a.py": b"\xff"}, "robot/a.py"),
@@ -190,7 +205,9 @@ def test_a_compiled_program_is_a_warning(write: Write, zbot_command: Command) ->
     folder = write(build_type="ament_cmake", **{"CMakeLists.txt": "add_executable(drive a.cpp)\n"})
     problem = "drive is not compiled: C++ needs ROS 2, zbot runs Python programs"
     assert problems(folder) == [f"CMakeLists.txt:1: warning: {problem}"]
-    assert "hint: drive is a C++ program" in zbot_command("run", "robot", "drive").err
+    assert "drive of package robot does not run here: it is a C++ program" in (
+        zbot_command("run", "robot", "drive").err
+    )
 
 
 def test_undeclared_imports_are_warnings(write: Write) -> None:

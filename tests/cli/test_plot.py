@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 import zbot
+from tests.conftest import allowed
 
 from std_msgs.msg import Float64
 
@@ -92,7 +93,7 @@ class Terminal:
 
     def read_until(self, condition: Callable[[str], bool]) -> str:
         """Return the output up to when it fulfils a condition or the command has ended."""
-        text, deadline = "", time.monotonic() + 30
+        text, deadline = "", time.monotonic() + allowed(30)
         while not condition(text):
             assert time.monotonic() < deadline, text[-2000:]
             try:
@@ -118,7 +119,7 @@ def test_plot_in_a_terminal_follows_its_size_and_ends_with_ctrl_c() -> None:
         assert frames[-2].count("\n") == 9
         terminal.process.send_signal(signal.SIGINT)
         rest = terminal.read_until(lambda _: False)
-        assert terminal.process.wait(10) == 130
+        assert terminal.process.wait(allowed(30)) == 130
         assert "\033[?1049l" in rest
         assert is_drawn(rest.partition("\033[?1049l")[2])
         assert "Traceback" not in rest

@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING
 import pytest
 
 from tests.cli.command import zbot
+from tests.conftest import wait_until
+from zbot.bag import Reader
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -114,3 +116,15 @@ def test_a_type_that_no_process_has_is_unknown() -> None:
     assert zbot("topic", "echo", "heat", "far_robot/msg/Heat").err.startswith(
         "The passed message type is invalid\n"
     )
+
+
+@pytest.mark.usefixtures("robot")
+def test_bag_record(start: Start, tmp_path: Path) -> None:
+    program = start("zbot", "bag", "record", "-o", "lesson", "/heat")
+    program.wait_for("Subscribed to topic '/heat'")
+    file = tmp_path / "lesson" / "lesson_0.mcap"
+    assert wait_until(lambda: file.exists() and file.stat().st_size > 1000)
+    assert program.stop() == 0
+    with Reader(tmp_path / "lesson") as bag:
+        assert bag.definition("far_robot/msg/Heat").text.startswith(FILES["msg/Heat.msg"])
+        assert bag.metadata.message_count > 0

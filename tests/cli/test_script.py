@@ -66,6 +66,14 @@ def test_a_traceback_begins_at_the_users_line(start: Start, tmp_path: Path) -> N
     assert program.lines[-1] == "ZeroDivisionError: division by zero"
 
 
+def test_a_missing_library_is_one_sentence(start: Start, tmp_path: Path) -> None:
+    source = "import sys\nsys.modules['transforms3d'] = None\nimport tf_transformations\n"
+    (tmp_path / "turn.py").write_text(source)
+    program = start("zbot", "run", "turn.py")
+    assert program.wait() == 1
+    assert program.output == 'tf_transformations needs transforms3d: pip install "zbot[numpy]"'
+
+
 def test_a_syntax_error_is_shown_as_python_shows_it(start: Start, tmp_path: Path) -> None:
     (tmp_path / "bad.py").write_text("def main(:\n")
     program = start("zbot", "run", "bad.py")
@@ -85,3 +93,21 @@ def test_a_file_in_the_folder_cannot_replace_a_module(start: Start, tmp_path: Pa
     (tmp_path / "random.py").write_text("raise SystemExit('the wrong one')\n")
     source = f"import sys; sys.path[0] = {str(tmp_path)!r}; from zbot_cli.main import main; main()"
     start(sys.executable, "-c", source, "run", "sensor").wait_for("Temperature sensor started")
+
+
+def test_a_file_that_hides_a_module_of_python_is_named(tmp_path: Path) -> None:
+    (tmp_path / "colorsys.py").write_text("COLOURS = 7\n")
+    (tmp_path / "node.py").write_text("import colorsys\nprint(colorsys.COLOURS)\n")
+    done = zbot("run", str(tmp_path / "node.py"))
+    hides = f"{tmp_path / 'colorsys.py'} hides Python's module colorsys: rename the file\n"
+    assert (done.code, done.out, done.err) == (0, "7\n", hides)
+
+
+def test_a_file_that_python_does_not_import_is_named(tmp_path: Path) -> None:
+    (tmp_path / "types.py").write_text("")
+    (tmp_path / "enum.py").write_text("")  # nobody asks for it
+    (tmp_path / "node.py").write_text("from types import SimpleNamespace\nprint('works')\n")
+    done = zbot("run", str(tmp_path / "node.py"))
+    reason = "is not imported, because Python uses its own module types: rename the file"
+    assert (done.code, done.out) == (0, "works\n")
+    assert done.err == f"{tmp_path / 'types.py'} {reason}\n"

@@ -16,8 +16,6 @@ from tests.cli.command import zbot
 if TYPE_CHECKING:
     from pathlib import Path
 
-pytest.importorskip("cryptography", reason="the extra zbot[security] is not installed")
-
 
 def security(folder: Path, *words: str) -> str:
     done = zbot("security", *words, cwd=folder)

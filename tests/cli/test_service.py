@@ -12,6 +12,7 @@ import pytest
 
 import zbot as library
 from tests.cli.command import zbot
+from tests.conftest import allowed
 from zbot.node.service_introspection import ServiceIntrospectionState
 
 from example_interfaces.srv import AddTwoInts
@@ -67,8 +68,8 @@ def test_list_leaves_out_the_services_of_every_node(zbot_command: Command) -> No
     assert json.loads(zbot_command("service", "list", "--json").out)[1] == {
         "name": "/set_bool",
         "types": ["std_srvs/srv/SetBool"],
-        "servers": 1,
-        "clients": 0,
+        "server_count": 1,
+        "client_count": 0,
     }
 
 
@@ -123,7 +124,7 @@ def test_info_shows_every_endpoint(node: library.Node, zbot_command: Command) ->
     ends = (endpoint.replace("{}", side) for side in ("CLIENT", "SERVER"))
     assert re.fullmatch(head + "".join(ends), text)
     found = json.loads(zbot_command("service", "info", "/set_bool", "--json").out)
-    assert [end["node"] for end in found["clients"]] == ["minimal_service"]
+    assert [end["node"] for end in found["clients"]] == ["/minimal_service"]
 
 
 @pytest.mark.parametrize("verb", ["info", "type"])
@@ -329,7 +330,7 @@ def test_names_types_and_requests_are_completed() -> None:
     def complete(*words: str) -> list[str]:
         command = [sys.executable, "-m", "zbot_cli", "complete", "--", *words]
         return subprocess.run(
-            command, capture_output=True, encoding="utf-8", check=True, timeout=20
+            command, capture_output=True, encoding="utf-8", check=True, timeout=allowed(30)
         ).stdout.splitlines()
 
     assert "/set_bool" in complete("service", "call", "/set")

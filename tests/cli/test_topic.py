@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 import signal
+import sys
 from typing import TYPE_CHECKING, Any
 
 import pytest
@@ -21,6 +22,7 @@ from std_msgs.msg import Header, Int32, String  # isort: skip
 if TYPE_CHECKING:
     from pathlib import Path
 
+    from tests.cli.conftest import Command
     from tests.conftest import MakeContext, Spin, Start
 
 
@@ -59,7 +61,7 @@ def test_list_shows_the_facts_of_its_options() -> None:
     )
     found = {topic["name"]: topic for topic in json.loads(zbot("topic", "list", "--json").out)}
     assert found["/chatter"]["types"] == ["std_msgs/msg/String"]
-    assert found["/chatter"]["publishers"] == 1
+    assert found["/chatter"]["publisher_count"] == 1
 
 
 @pytest.mark.usefixtures("domain")
@@ -67,6 +69,75 @@ def test_lists_are_empty_in_an_empty_domain() -> None:
     for words in (["topic", "list"], ["node", "list"]):
         done = zbot(*words)
         assert (done.code, done.out, done.err) == (0, "", "")
+
+
+@pytest.mark.usefixtures("domain")
+@pytest.mark.parametrize(
+    "words",
+    [["topic", "list"], ["node", "list"], ["service", "list"], ["action", "list"],
+     ["param", "list"], ["lifecycle", "nodes"]],
+)  # fmt: skip
+def test_an_empty_list_says_in_a_terminal_that_no_node_is_running(
+    zbot_command: Command, monkeypatch: pytest.MonkeyPatch, words: list[str]
+) -> None:
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
+    done = zbot_command(*words)
+    assert (done.code, done.out) == (0, "")
+    assert re.fullmatch(
+        r"no node is running in domain \d+; start one .*zbot run sensor\n", done.err
+    )
+
+
+@pytest.mark.usefixtures("robot")
+@pytest.mark.parametrize(
+    "words",
+    [["echo"], ["echo", "std_msgs/msg/String"], ["hz"], ["bw"], ["delay"], ["hz", "--json"]],
+)
+def test_a_silent_topic_is_told_of_once_with_a_similar_name(start: Start, words: list[str]) -> None:
+    verb, *more = words
+    command = start("zbot", "topic", verb, "/chater", *more)
+    command.wait_for("did you mean /chatter?")
+    command.stop()
+    assert command.output.count("did you mean") == 1
+    assert "misspelt" not in command.output
+
+
+def test_pub_once_names_a_similar_topic_with_a_subscription(
+    start: Start, make_context: MakeContext
+) -> None:
+    node = library.Node("listener", context=make_context())
+    node.create_subscription(String, "chatter", print, 10)
+    command = start("zbot", "topic", "pub", "--once", "/chater", "std_msgs/msg/String")
+    command.wait_for("nobody subscribes to /chater; did you mean /chatter?")
+
+
+@pytest.mark.usefixtures("robot")
+@pytest.mark.parametrize(
+    ("words", "near"),
+    [
+        (["topic", "find", "std_msgs/msg/Strin"], "std_msgs/msg/String"),
+        (["service", "find", "std_srvs/srv/Emty"], "std_srvs/srv/Empty"),
+        (["action", "find", "example_interfaces/action/Fibonaci"], "action/Fibonacci"),
+    ],
+)
+def test_find_refuses_an_unknown_type(words: list[str], near: str) -> None:
+    done = zbot(*words)
+    assert (done.code, done.out) == (1, "")
+    assert f"Unknown type '{words[2]}'" in done.err
+    assert near in done.err
+
+
+@pytest.mark.usefixtures("robot")
+def test_find_lists_the_topics_of_a_type() -> None:
+    assert zbot("topic", "find", "std_msgs/String").out == "/chatter\n"
+    assert zbot("topic", "find", "std_msgs/msg/Bool").code == 0
+
+
+@pytest.mark.parametrize("verb", ["hz", "bw", "delay"])
+def test_a_window_of_no_message_is_refused(verb: str) -> None:
+    done = zbot("topic", verb, "-w", "0", "/chatter")
+    assert done.code == 2
+    assert "0 is not in the range x>=1" in done.err
 
 
 @pytest.mark.usefixtures("robot")
@@ -87,10 +158,12 @@ def test_info_shows_every_endpoint() -> None:
 def test_nodes_are_listed_and_described() -> None:
     assert zbot("node", "list").out == "/robot\n"
     assert zbot("node", "list", "-c").out == "1\n"
-    assert json.loads(zbot("node", "list", "--json").out) == [{"name": "robot", "namespace": "/"}]
+    assert json.loads(zbot("node", "list", "--json").out) == [
+        {"node": "/robot", "name": "robot", "namespace": "/"}
+    ]
     assert zbot("node", "info", "robot").out.startswith("/robot\n  Subscribers:\n\n  Publishers:\n")
     found = json.loads(zbot("node", "info", "/robot", "--json").out)
-    assert found["Publishers"]["/chatter"] == ["std_msgs/msg/String"]
+    assert found["publishers"]["/chatter"] == ["std_msgs/msg/String"]
 
 
 @pytest.mark.usefixtures("robot")
@@ -112,6 +185,7 @@ def test_an_unknown_name_suggests_the_nearest() -> None:
     ],
 )
 @pytest.mark.usefixtures("robot")
+@pytest.mark.own_dialect("one form is the bytes of zbot's own form")
 def test_echo_in_every_form(words: list[str], wanted: str) -> None:
     done = zbot("topic", "echo", "--once", "/chatter", *words)
     assert (done.code, done.out) == (0, wanted)
@@ -119,7 +193,7 @@ def test_echo_in_every_form(words: list[str], wanted: str) -> None:
 
 @pytest.mark.usefixtures("robot")
 def test_echo_of_several_topics_prints_each_topics_name() -> None:
-    done = zbot("topic", "echo", "/chatter", "/robot1/scan", "--timeout", "1")
+    done = zbot("topic", "echo", "/chatter", "/robot1/scan", "--timeout", "4")
     assert done.code == 0
     assert "# /chatter\ndata: hello\n---\n" in done.out
     assert "# /robot1/scan\nheader:\n" in done.out
@@ -150,6 +224,7 @@ def test_echo_waits_for_publishers_that_come_and_go(start: Start) -> None:
 
 
 @pytest.mark.usefixtures("robot")
+@pytest.mark.own_dialect("it expects the sizes of zbot's own form")
 def test_rates_bandwidths_and_delays_are_printed(start: Start) -> None:
     rate = start("zbot", "topic", "hz", "/chatter")
     bandwidth = start("zbot", "topic", "bw", "/chatter")
@@ -159,7 +234,9 @@ def test_rates_bandwidths_and_delays_are_printed(start: Start) -> None:
     bandwidth.wait_for("Subscribed to [/chatter]")
     assert re.fullmatch(r"\d+ B/s from \d+ messages", bandwidth.wait_for("B/s from"))
     assert bandwidth.wait_for("size") == "\tMessage size mean: 12 B min: 12 B max: 12 B"
-    assert 0 <= float(delay.wait_for("average delay: ").rpartition(" ")[2]) < 0.5
+    delays = [float(delay.wait_for("average delay: ").rpartition(" ")[2]) for _ in range(3)]
+    assert min(delays) >= 0
+    assert min(delays) < 0.5  # a busy machine may be late once
     assert [one.stop() for one in (rate, bandwidth, delay)] == [130, 130, 130]
 
 
@@ -194,7 +271,7 @@ def inbox(make_context: MakeContext, spin: Spin) -> list[Any]:
     """Return the list of messages that a subscription of /numbers (Int32) receives."""
     heard: list[Any] = []
     node = library.Node("listener", context=make_context())
-    node.create_subscription(Int32, "numbers", heard.append, 1000)
+    node.create_subscription(Int32, "numbers", heard.append, 2000)
     spin(node)
     return heard
 
@@ -261,6 +338,7 @@ with zenoh.open(config) as session:
 
 
 @pytest.mark.usefixtures("robot")
+@pytest.mark.own_dialect("it sends messages in zbot's own form")
 def test_a_plain_zenoh_program_is_listed_and_measured(start: Start, domain: int) -> None:
     plain = start(str(MEETING_PORT + domain), str(domain), "talk", source=PLAIN)
     plain.wait_for("ready")

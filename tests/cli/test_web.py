@@ -20,17 +20,18 @@ main()
 """
 NOT_IMPORTED = """
 import sys
+EXTRA = "nicegui", "fastapi", "starlette", "uvicorn", "psutil", "PIL", "ifaddr"
 import zbot, zbot.compat, zbot_cli.main
 import zbot_cli.commands.web, zbot_cli.commands.plot, zbot_cli.commands.graph
 import zbot.web.system, zbot.web.server, zbot.web.curve, zbot.web.form
-print("imported:", sorted({"nicegui", "fastapi", "uvicorn", "psutil"} & sys.modules.keys()))
+print("imported:", sorted({*EXTRA} & sys.modules.keys()))
 """
 
 
 def test_a_missing_extra_is_reported_with_the_remedy(start: Callable[..., Program]) -> None:
     program = start(source=WITHOUT_EXTRA)
     assert program.wait(30) == 1
-    assert program.lines == ["the page needs nicegui: pip install 'zbot[web]'"]
+    assert program.lines == ['the page needs nicegui: install it with pip install "zbot[web]"']
 
 
 def test_only_the_running_page_imports_the_extra(start: Callable[..., Program]) -> None:
@@ -39,21 +40,21 @@ def test_only_the_running_page_imports_the_extra(start: Callable[..., Program]) 
 
 
 def test_unknown_panel_is_refused_with_the_nearest_name(start: Callable[..., Program]) -> None:
-    pytest.importorskip("nicegui", reason="the page needs NiceGUI: pip install 'zbot[web]'")
+    pytest.importorskip("nicegui", reason='the page needs NiceGUI: pip install "zbot[web]"')
     program = start("zbot", "web", "topcis", "--no-browser")
     assert program.wait(30) == 1
     assert program.lines == ["there is no panel 'topcis'", "", "hint: did you mean topics?"]
 
 
 def test_host_of_another_machine_is_refused(start: Callable[..., Program]) -> None:
-    pytest.importorskip("nicegui", reason="the page needs NiceGUI: pip install 'zbot[web]'")
+    pytest.importorskip("nicegui", reason='the page needs NiceGUI: pip install "zbot[web]"')
     program = start("zbot", "web", "--no-browser", "--host", "192.0.2.1")
     assert program.wait(30) == 1
     assert program.lines[0].startswith("cannot listen on 192.0.2.1:8080: ")
 
 
 def test_taken_port_is_replaced_by_the_next_port(start: Callable[..., Program]) -> None:
-    pytest.importorskip("nicegui", reason="the page needs NiceGUI: pip install 'zbot[web]'")
+    pytest.importorskip("nicegui", reason='the page needs NiceGUI: pip install "zbot[web]"')
     with socket.socket() as holder:
         holder.bind(("127.0.0.1", 0))
         holder.listen()

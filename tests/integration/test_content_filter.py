@@ -94,6 +94,6 @@ def test_the_message_info_names_the_publisher(node: zbot.Node, spin: Spin) -> No
     spin(node)
     assert wait_until(lambda: bool(infos))
     assert infos[0]["publisher_gid"] == {
-        "implementation_identifier": "rmw_zbot_zenoh",
+        "implementation_identifier": node.context.dialect.identifier,
         "data": publisher.token.gid,
     }

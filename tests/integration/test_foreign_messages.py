@@ -17,6 +17,8 @@ if TYPE_CHECKING:
     from tests.conftest import Spin
     from zbot.log.record import Record
 
+pytestmark = pytest.mark.own_dialect("it sends messages in zbot's own form")
+
 KEEP_ALL = QoSProfile(history=HistoryPolicy.KEEP_ALL)
 
 
@@ -99,6 +101,23 @@ def test_a_plain_put_that_names_another_type_is_refused(
     assert [message.data for message in inbox] == ["good"]
     assert subscription.refused_count == 1
     assert len(lines_about(logged, "it is std_msgs/msg/Float32")) == 1
+
+
+def test_each_kind_of_refusal_is_logged_once(
+    talker: zbot.Node, listener: zbot.Node, spin: Spin, logged: list[Record]
+) -> None:
+    inbox: list[String] = []
+    listener.create_subscription(String, "chatter", inbox.append, 10)
+    publisher = talker.create_publisher(String, "chatter", 10)
+    await_match(publisher)
+    spin(listener)
+    for _ in range(2):
+        put(talker, "/chatter", packed({}), "application/msgpack;std_msgs/msg/Float32")
+        put(talker, "/chatter", packed({}), "application/msgpack;std_msgs/msg/Int8")
+    publisher.publish(String(data="good"))
+    assert wait_until(lambda: bool(inbox))
+    for name in ("Float32", "Int8"):
+        assert len(lines_about(logged, f"it is std_msgs/msg/{name}")) == 1
 
 
 @pytest.mark.parametrize("attachment", [b"", b"short", b"x" * 33, b"x" * 1000])

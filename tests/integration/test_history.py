@@ -184,7 +184,7 @@ def test_an_expired_message_is_not_delivered(
     talker: zbot.Node, listener: zbot.Node, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     inbox: list[Int64] = []
-    short = QoSProfile(depth=10, lifespan=zbot.Duration(seconds=1))
+    short = QoSProfile(depth=10, lifespan=zbot.Duration(seconds=60))
     listener.create_subscription(Int64, "count", inbox.append, short)
     publisher = talker.create_publisher(Int64, "count", 10)
     executor = zbot.SingleThreadedExecutor(context=listener.context)

@@ -39,11 +39,16 @@ from zbot.launch.event_handler import (
     OnProcessExit,
     OnProcessIO,
     OnProcessStart,
+    OnShutdown,
 )
 from zbot.launch.lifecycle_event import ChangeState, OnStateTransition
 from zbot.launch.process_event import ProcessStdin, ShutdownProcess, matches_action, matches_name
 from zbot.launch.ros_node import LaunchNode
-from zbot.launch.substitutions import EnvironmentVariable, LaunchConfiguration
+from zbot.launch.substitutions import (
+    EnvironmentVariable,
+    LaunchConfiguration,
+    TextSubstitution,
+)
 
 if TYPE_CHECKING:
     from zbot.launch import LaunchContext
@@ -174,6 +179,36 @@ def test_processes_follow_one_another(capsys: pytest.CaptureFixture[str]) -> Non
     assert _run(RegisterEventHandler(handler), first, _python("import time; time.sleep(60)")) == 0
     out = capsys.readouterr().out
     assert out.index("[first-1] first") < out.index("[second-3] second")
+
+
+@pytest.mark.parametrize(
+    ("on_exit", "ends"),
+    [
+        (LaunchConfiguration("end"), True),
+        ([LaunchConfiguration("end"), None], True),
+        ("shutdown", True),
+        (LaunchConfiguration("no_end"), False),
+        ([], False),
+    ],
+    ids=["substitution", "list", "text", "empty substitution", "empty list"],
+)
+def test_on_exit_can_be_a_text(on_exit: Any, ends: bool) -> None:
+    first = _python("", name="first", on_exit=on_exit)
+    reasons: list[str] = []
+    code = _run(
+        SetLaunchConfiguration("end", "shutdown"),
+        SetLaunchConfiguration("no_end", ""),
+        RegisterEventHandler(OnShutdown(on_shutdown=lambda event, _: reasons.append(event.reason))),
+        first,
+    )
+    assert code == 0
+    assert ("process ended" in reasons) is ends
+
+
+def test_a_wrong_text_in_on_exit_is_refused(capsys: pytest.CaptureFixture[str]) -> None:
+    assert _run(_python("", name="first", on_exit=TextSubstitution(text="stop"))) == 1
+    text = "on_exit must be an action, 'shutdown' or an empty text, not str: 'stop'"
+    assert text in "".join(capsys.readouterr())
 
 
 def test_the_service_runs_in_a_thread_until_its_shutdown() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import socket
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -18,7 +19,10 @@ LISTENS = "0A"
 
 def open_addresses(pid: int) -> set[str]:
     """Return the addresses that a process listens on, by TCP or by UDP (Linux)."""
-    links = [str(link.readlink()) for link in Path(f"/proc/{pid}/fd").iterdir()]
+    links = []
+    for link in Path(f"/proc/{pid}/fd").iterdir():
+        with contextlib.suppress(FileNotFoundError):  # it was closed meanwhile
+            links.append(str(link.readlink()))
     inodes = {link[8:-1] for link in links if link.startswith("socket:[")}
     found = set()
     for name in ("tcp", "tcp6", "udp", "udp6"):

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import contextlib
+import errno
 import os
 import signal
+import subprocess
 import sys
 from pathlib import Path
+from types import SimpleNamespace
 from typing import TYPE_CHECKING
 
 import pytest
@@ -14,8 +17,8 @@ import pytest
 import zbot
 from tests.cli.command import zbot as zbot_command
 from tests.conftest import wait_until
-from zbot.transport import config, router_process
-from zbot.transport.router_process import is_idle, is_stopped
+from zbot.transport import config, router_process, session
+from zbot.transport.router_process import IdleWatch, is_stopped
 from zbot.transport.session import MeetingPoint
 
 from std_msgs.msg import Int64, String
@@ -23,10 +26,15 @@ from std_msgs.msg import Int64, String
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
+    import zenoh
+
     from tests.conftest import MakeContext, Program, Spin, Start
     from zbot.log.record import Record
 
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
+pytestmark = [
+    pytest.mark.own_dialect("ROS 2 has a router that the user starts, and no meeting port"),
+    pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals"),
+]
 
 NODES = 4
 
@@ -47,9 +55,10 @@ SILENT_ROUTER = """
 import json, os, sys, threading, zenoh
 from zbot.transport import background_process, membership
 
+
 domain = int(os.environ["ZBOT_DOMAIN_ID"])
 membership.folder().mkdir(parents=True, exist_ok=True)
-file = (membership.folder() / f"router-{domain}.lock").open("w")
+file = background_process.lock_path(f"router-{domain}").open("w")
 assert background_process.lock(file)
 print(os.getpid(), end="", file=file, flush=True)
 config = zenoh.Config()
@@ -175,6 +184,45 @@ def test_nothing_is_lost_while_the_router_is_replaced(
     assert wait_until(lambda: router_process.pid(domain) is not None)
 
 
+@pytest.mark.skipif(not Path("/proc").is_dir(), reason="needs Linux's list of processes")
+def test_a_killed_router_does_not_stay_as_a_zombie(domain: int, make_context: MakeContext) -> None:
+    zbot.Node("only", context=make_context())
+    killed = router_of(domain)
+    os.kill(killed, signal.SIGKILL)
+    assert wait_until(lambda: router_process.pid(domain) not in {killed, None})
+    assert wait_until(lambda: not Path(f"/proc/{killed}").exists())
+
+
+@pytest.mark.skipif(not hasattr(os, "geteuid") or os.geteuid() != 0, reason="mounting needs root")
+def test_one_router_starts_if_the_disk_is_full(
+    free_domain: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    words = ["mount", "-t", "tmpfs", "-o", "size=64k", "zbot-test", str(tmp_path)]
+    if subprocess.run(words, check=False, capture_output=True).returncode:
+        pytest.skip("this system refuses to mount a small file system")
+    started: list[int] = []
+
+    def note(domain: int, *_: object, **__: object) -> object:
+        started.append(domain)
+        return SimpleNamespace(pid=12345)
+
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path))
+    monkeypatch.setattr(router_process, "_start", note)
+    try:
+        ballast = (tmp_path / "ballast").open("wb", buffering=0)
+        with ballast, contextlib.suppress(OSError):
+            while ballast.write(bytes(4096)):
+                continue
+        assert router_process.start(free_domain)
+        assert started == [free_domain]
+        (tmp_path / "ballast").unlink()
+        router_process.note_end(free_domain)
+        assert router_process.start(free_domain)
+        assert router_process._read(free_domain) == "12345"
+    finally:
+        subprocess.run(["umount", str(tmp_path)], check=True)
+
+
 def test_programs_that_start_together_start_one_router(start: Start, domain: int) -> None:
     programs = [start(f"talker_{number}", source=TALKER) for number in range(8)]
     for program in programs:
@@ -217,7 +265,7 @@ def test_the_state_of_a_process_is_known(
     program.wait_for("ready")
     process = program.process.pid
     os.kill(process, number)
-    assert wait_until(lambda: (is_stopped(process), is_idle(process, 0.3)) == state)
+    assert wait_until(lambda: (is_stopped(process), IdleWatch(process).is_idle(0.3)) == state)
 
 
 def test_a_router_that_works_is_not_killed(domain: int, make_context: MakeContext) -> None:
@@ -227,3 +275,47 @@ def test_a_router_that_works_is_not_killed(domain: int, make_context: MakeContex
     router = router_of(domain)
     assert not meeting.end_stuck_router()
     assert router_of(domain) == router
+
+
+def test_a_program_that_is_slow_itself_does_not_kill_the_router(
+    domain: int, make_context: MakeContext, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    zbot.Node("only", context=make_context())
+    meeting = MeetingPoint(config.load(), domain, config.discovery_range(), {})
+    router = router_of(domain)
+    answers = iter([False, True])  # the first answer is heard too late
+    monkeypatch.setattr(router_process, "is_machine_busy", lambda *_: True)
+    monkeypatch.setattr(router_process, "age_s", lambda _: 60.0)
+    monkeypatch.setattr(MeetingPoint, "_answers", lambda _: next(answers))
+    monkeypatch.setattr(IdleWatch, "is_idle", lambda *_: True)
+    assert not meeting.end_stuck_router()
+    assert router_of(domain) == router
+    assert next(answers, None) is None
+
+
+def test_a_router_is_started_as_soon_as_there_are_descriptors_again(
+    domain: int, make_context: MakeContext, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    zbot.Node("only", context=make_context())
+    start_router, errors = MeetingPoint.start_router, [OSError(errno.EMFILE, "Too many open files")]
+
+    def start(meeting: MeetingPoint) -> bool:
+        if errors:
+            raise errors.pop()
+        return start_router(meeting)
+
+    monkeypatch.setattr(MeetingPoint, "start_router", start)
+    router = router_of(domain)
+    os.kill(router, signal.SIGKILL)
+    assert wait_until(lambda: router_process.pid(domain) not in {router, None})
+    assert not errors
+
+
+def test_nodes_do_not_give_up_a_dial_early(domain: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    # A dial that is given up can leave a link that never reads (docs/design/zenoh-faults.md).
+    opened: list[zenoh.Config] = []
+    monkeypatch.setattr(session, "open_session", lambda _, given: opened.append(given))
+    meeting = MeetingPoint(config.load(), domain, config.discovery_range(), {})
+    meeting.open_node_session()
+    meeting.close()
+    assert int(opened[0].get_json("transport/unicast/open_timeout")) >= 5000

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import threading
 import time
 from typing import TYPE_CHECKING, Any
@@ -22,13 +23,14 @@ from zbot.tf2 import (
 
 from geometry_msgs.msg import PointStamped, PoseStamped, TransformStamped
 from std_msgs.msg import String
+from tf2_msgs.srv import FrameGraph
 
 if TYPE_CHECKING:
     from tests.conftest import MakeContext, Spin
     from zbot.log.record import Record
 
 NOW = zbot.Time()
-SECOND = zbot.Duration(seconds=1)
+PATIENCE = zbot.Duration(seconds=10)
 
 
 def make_transform(parent: str, child: str, x: float = 1.0) -> TransformStamped:
@@ -59,7 +61,7 @@ def test_a_listener_receives_dynamic_and_static_transforms(
     listener = TransformListener(buffer, watcher)
     spin(watcher)
     TransformBroadcaster(robot).sendTransform(make_transform("map", "base"))
-    assert buffer.can_transform("map", "laser", NOW, SECOND)
+    assert buffer.can_transform("map", "laser", NOW, PATIENCE)
     found = buffer.lookup_transform("map", "imu", NOW)
     assert found.transform.translation.x == 2
     listener.unregister()
@@ -75,7 +77,7 @@ def test_a_static_listener_receives_only_static_transforms(
     listener = StaticTransformListener(buffer, watcher)
     spin(watcher)
     assert moving.pub_tf.get_subscription_count() == 0
-    assert buffer.can_transform("base", "laser", NOW, SECOND)
+    assert buffer.can_transform("base", "laser", NOW, PATIENCE)
     listener.unregister()
 
 
@@ -85,7 +87,7 @@ def test_static_transforms_accumulate(robot: zbot.Node, watcher: zbot.Node) -> N
     broadcaster.sendTransform(make_transform("base", "imu"))
     buffer = Buffer()
     TransformListener(buffer, watcher, spin_thread=True)
-    assert buffer.can_transform("laser", "imu", NOW, SECOND)
+    assert buffer.can_transform("laser", "imu", NOW, PATIENCE)
 
 
 def test_a_message_may_be_reused_after_sending(robot: zbot.Node, watcher: zbot.Node) -> None:
@@ -96,7 +98,7 @@ def test_a_message_may_be_reused_after_sending(robot: zbot.Node, watcher: zbot.N
     broadcaster.sendTransform(message)
     buffer = Buffer()
     TransformListener(buffer, watcher, spin_thread=True)
-    assert buffer.can_transform("laser", "imu", NOW, SECOND)
+    assert buffer.can_transform("laser", "imu", NOW, PATIENCE)
 
 
 def test_a_jump_back_clears_dynamic_transforms(watcher: zbot.Node, logged: list[Record]) -> None:
@@ -147,7 +149,8 @@ def test_a_callback_may_wait_for_a_transform_of_its_own_executor(
 
     def look() -> None:
         timer.cancel()
-        outcomes.append(buffer.can_transform("map", "base", NOW, zbot.Duration(seconds=0.5)))
+        wait = PATIENCE if is_there else zbot.Duration(seconds=0.1)
+        outcomes.append(buffer.can_transform("map", "base", NOW, wait))
 
     broadcaster = TransformBroadcaster(robot)
     if is_there:
@@ -189,3 +192,23 @@ def test_points_and_poses_change_frames() -> None:
     assert buffer.transform(pose, "base").pose.position.x == -5
     with pytest.raises(TypeException, match="String"):
         buffer.transform(String(), "map")
+
+
+def test_a_buffer_with_a_node_has_the_service_tf2_frames(
+    robot: zbot.Node, watcher: zbot.Node, spin: Spin
+) -> None:
+    buffer = Buffer(node=watcher)
+    buffer.set_transform_static(make_transform("base", "laser"))
+    spin(watcher)
+    client = robot.create_client(FrameGraph, "tf2_frames")
+    assert client.wait_for_service(5)
+    answer = client.call(FrameGraph.Request(), timeout_sec=5)
+    assert answer is not None
+    assert answer.frame_yaml == buffer.all_frames_as_yaml()
+    assert "parent: 'base'" in answer.frame_yaml
+
+
+def test_the_topics_of_a_listener_have_names() -> None:
+    transform_listener = importlib.import_module("tf2_ros.transform_listener")
+    assert transform_listener.DEFAULT_TF_TOPIC == "/tf"
+    assert transform_listener.DEFAULT_STATIC_TF_TOPIC == "/tf_static"

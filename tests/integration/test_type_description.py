@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 import pytest
 
 import zbot
 from tests.conftest import wait_until
+from zbot.graph.endpoint_info import TypeHash
 from zbot.interfaces import MessageSpec, get_message, get_spec, type_hash
+from zbot.interfaces.errors import DefinitionLimitError
 from zbot.interfaces.parser import parse
-from zbot.interfaces.remote_definition import hash_among
+from zbot.interfaces.remote_definition import hash_among, specs_from_sources
 from zbot.node.remote_types import learn_type
 from zbot.node.type_description import SERVICE_TYPE
 from zbot.wire.tokens import EntityKind
@@ -19,7 +22,7 @@ from type_description_interfaces.msg import TypeSource
 from type_description_interfaces.srv import GetTypeDescription
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterator
     from pathlib import Path
 
     from tests.conftest import MakeContext, Spin, Start
@@ -57,6 +60,12 @@ def test_a_description_includes_nested_types(describe: Callable[..., Any]) -> No
         "std_msgs/msg/Header": ("msg", get_spec("std_msgs/msg/Header").text),
         "builtin_interfaces/msg/Time": ("msg", get_spec("builtin_interfaces/msg/Time").text),
     }
+
+
+def test_a_request_takes_the_hash_that_the_graph_shows(describe: Callable[..., Any]) -> None:
+    shown: Any = TypeHash.parse(type_hash("std_msgs/Header"))
+    assert Request(type_hash=shown).type_hash == type_hash("std_msgs/Header")
+    assert describe(type_name="std_msgs/msg/Header", type_hash=shown).successful
 
 
 def test_request_and_response_have_their_services_source(describe: Callable[..., Any]) -> None:
@@ -104,24 +113,23 @@ def services_of(context: zbot.Context) -> set[str]:
     return {name for name, _ in context.graph.snapshot().services()}
 
 
-@pytest.mark.parametrize(
-    ("text", "is_believed"), [("int32 truth\n", False), ("int64 truth\n", True), ("int32", False)]
-)
-def test_a_description_with_another_hash_is_rejected(
-    make_context: MakeContext, spin: Spin, text: str, is_believed: bool
-) -> None:
-    name = f"liars/msg/Text{len(text)}{is_believed}"
+@contextmanager
+def teller(
+    make_context: MakeContext, spin: Spin, name: str, texts: dict[str, str], type_hash: str
+) -> Iterator[zbot.Context]:
+    """Run a node that publishes a type with a hash and describes it by texts."""
     node = zbot.Node("teller", context=make_context(), parameter_overrides=[OFF])
 
     def describe(_: Any, response: Any) -> Any:
         response.successful = True
-        response.type_sources = [TypeSource(type_name=name, encoding="msg", raw_file_contents=text)]
+        response.type_sources = [
+            TypeSource(type_name=one, encoding="msg", raw_file_contents=text)
+            for one, text in texts.items()
+        ]
         return response
 
-    spec = parse(name, "int64 truth\n")
-    used = (name, hash_among(name, [spec]))
     token = node.handle.named_endpoint(
-        EntityKind.PUBLISHER, "/text", used, zbot.QoSProfile(depth=1)
+        EntityKind.PUBLISHER, "/text", (name, type_hash), zbot.QoSProfile(depth=1)
     )
     announcement = node.context.graph.announce(token)
     node.create_service(GetTypeDescription, "~/get_type_description", describe)
@@ -133,8 +141,36 @@ def test_a_description_with_another_hash_is_rejected(
             and "/teller/get_type_description" in services_of(context)
         )
     )
-    assert learn_type(context, name) == (spec if is_believed else None)
+    yield context
     announcement.undeclare()
+
+
+@pytest.mark.parametrize(
+    ("text", "is_believed"), [("int32 truth\n", False), ("int64 truth\n", True), ("int32", False)]
+)
+def test_a_description_with_another_hash_is_rejected(
+    make_context: MakeContext, spin: Spin, text: str, is_believed: bool
+) -> None:
+    name = f"liars/msg/Text{len(text)}{is_believed}"
+    spec = parse(name, "int64 truth\n")
+    with teller(make_context, spin, name, {name: text}, hash_among(name, [spec])) as context:
+        assert learn_type(context, name) == (spec if is_believed else None)
+
+
+def test_a_definition_that_would_fill_the_memory_is_refused(
+    make_context: MakeContext, spin: Spin
+) -> None:
+    name = "evil_msgs/msg/Bomb"
+    texts = {f"evil_msgs/msg/A{i}": f"A{i + 1} a\nA{i + 1} b\n" for i in range(29)}
+    texts |= {"evil_msgs/msg/A29": "int32 x\n", name: "A0 a\nA0 b\n"}
+    type_hash = hash_among(name, specs_from_sources(name, texts))
+    with (
+        teller(make_context, spin, name, texts, type_hash) as context,
+        pytest.raises(DefinitionLimitError, match=f"^{name}: zbot does not use this definition"),
+    ):
+        learn_type(context, name)
+    with pytest.raises(LookupError):
+        get_message(name)
 
 
 PROGRAM = """

@@ -103,8 +103,12 @@ def test_paused_watch_has_no_subscription(system: System, node: zbot.Node) -> No
 
 def test_history_is_kept_on_request(system: System, node: zbot.Node) -> None:
     publisher = node.create_publisher(Float64, "x", 10)
+    assert wait_until(lambda: bool(system.snapshot().publishers("/x")))
     with system.watch("/x") as plain, system.watch("/x", keep=5) as watch:
-        publish_until(publisher, Float64(data=1.0), lambda: watch.count >= 9)
+        assert wait_until(lambda: publisher.get_subscription_count() == 1)
+        for _ in range(9):
+            publisher.publish(Float64(data=1.0))
+        assert wait_until(lambda: watch.count == 9)
         records = watch.since(0)
         assert len(records) == 5
         assert [one.number for one in records] == list(

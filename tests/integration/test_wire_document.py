@@ -5,10 +5,13 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import pytest
+
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    import pytest
+
+pytestmark = pytest.mark.own_dialect("it runs the examples of zbot's own form")
 
 DOCUMENT = Path(__file__).parents[2] / "docs" / "wire.md"
 
@@ -33,6 +36,7 @@ def test_the_programs_of_the_wire_document_communicate_with_a_node(
     assert re.search(
         r"^\{'data': 2\d\.\d+\}\napplication/msgpack;std_msgs/msg/Float32$", printed, re.MULTILINE
     )
+
     assert re.search(r"^message \d+, \d+\.\d ms ago, from [0-9a-f]{32}$", printed, re.MULTILINE)
     assert "{'angle_min': -1.57, 'ranges': [1.0, 1.5, 2.0]}" in printed
     assert "node /temperature_sensor\n" in printed

@@ -241,5 +241,5 @@ def test_the_package_is_launched(start: Start, tmp_path: Path) -> None:
     nodes = start("zbot", "node", "list")
     assert nodes.wait() == 0
     assert nodes.output == "/monitor\n/sensor"
-    launch.stop(timeout_s=10)
+    launch.stop()
     assert "Traceback" not in launch.output

@@ -15,7 +15,7 @@ import pytest
 
 import zbot as zbot_api
 from tests.cli.command import zbot
-from tests.conftest import Program, wait_until
+from tests.conftest import Program, allowed, wait_until
 
 from turtlesim.msg import Pose
 
@@ -141,7 +141,7 @@ class Poses:
         """Do something that moves the turtle for a while; return where that ends."""
         self._is_at_rest.clear()
         act()
-        assert self._is_at_rest.wait(15), "the turtle did not move, or did not stop"
+        assert self._is_at_rest.wait(allowed(30)), "the turtle did not move, or did not stop"
         return self._last
 
 
@@ -153,7 +153,7 @@ def poses(
     node = zbot_api.Node("_watcher", context=make_context())
     found = Poses(node)
     spin(node)
-    assert node.wait_for_node("turtlesim", 5)
+    assert node.wait_for_node("turtlesim", allowed(15))
     return found
 
 

@@ -71,6 +71,17 @@ class Student(zbot.Node):
     def x(self) -> float:
         return pose_of(self.heard["/odom"]).x
 
+    @property
+    def speed(self) -> float:
+        return float(self.heard["/odom"].twist.twist.linear.x)
+
+    def aim(self, x: float, y: float) -> None:
+        """Publish a goal when the navigation listens."""
+        goal = PoseStamped()
+        goal.pose.position.x, goal.pose.position.y = x, y
+        assert wait_until(lambda: self.goal.get_subscription_count() > 0)
+        self.goal.publish(goal)
+
 
 @pytest.fixture
 def student(make_context: MakeContext, spin: Spin) -> Student:
@@ -103,25 +114,24 @@ def test_the_base_publishes_its_odometry(student: Student) -> None:
 def test_the_base_moves_when_commanded_and_stops_without_commands(student: Student) -> None:
     assert student.hears("/odom")
     student.order(0.5, 1.0)
-    assert wait_until(lambda: student.x > 0.1, 10)
+    assert wait_until(lambda: student.x > 0.1 and student.speed == pytest.approx(0.5))
     odom = student.heard["/odom"]
-    assert odom.twist.twist.linear.x == pytest.approx(0.5)
     assert odom.twist.twist.angular.z == pytest.approx(1.0)
     assert pose_of(odom).yaw > 0.1
-    left, right = student.heard["/joint_states"].velocity
-    assert (left, right) == (pytest.approx(7.0), pytest.approx(13.0))
-    (moving,) = student.heard["/tf"].transforms
-    assert moving.transform.translation.x > 0
+    assert student.hears("/joint_states", "/tf")
+    assert wait_until(
+        lambda: list(student.heard["/joint_states"].velocity) == pytest.approx([7.0, 13.0])
+    )
+    assert wait_until(lambda: student.heard["/tf"].transforms[0].transform.translation.x > 0)
     student.drives = False
-    assert wait_until(lambda: student.heard["/odom"].twist.twist.linear.x == 0.0, 10)
+    assert wait_until(lambda: student.speed == 0.0)
 
 
 def test_the_base_stops_at_walls(student: Student, base: Program) -> None:
     assert student.hears("/odom")
     student.order(-9.0, 0.0)  # faster than its motors
     base.wait_for("Bump: something is in the way at (-1.", 10)
-    assert wait_until(lambda: student.heard["/odom"].twist.twist.linear.x == 0.0, 10)
-    assert -1.8 <= student.x < -1.77
+    assert wait_until(lambda: student.speed == 0.0 and -1.8 <= student.x < -1.77)
     student.order(0.5, 0.0)
     assert wait_until(lambda: student.x > -1.7, 10)
 
@@ -137,7 +147,7 @@ def test_the_laser_shows_the_distance_to_the_walls(student: Student, start: Star
     student.order(0.5, 0.5)
     assert wait_until(lambda: student.x > 0.2, 10)
     student.order(0.0, 0.0)
-    assert wait_until(lambda: student.heard["/odom"].twist.twist.linear.x == 0.0, 10)
+    assert wait_until(lambda: student.speed == 0.0)
 
     def is_seen_from_here() -> bool:
         x, y, yaw = pose_of(student.heard["/odom"])
@@ -202,13 +212,11 @@ def navigation(start: Start, base: Program) -> Callable[..., Program]:
 def test_navigation_drives_to_a_goal(student: Student, navigation: Callable[..., Program]) -> None:
     program = navigation()
     assert student.hears("/odom", "/scan")
-    goal = PoseStamped()
-    goal.pose.position.x, goal.pose.position.y = 0.4, 0.1
-    student.goal.publish(goal)
+    student.aim(0.4, 0.1)
     program.wait_for("New goal: (0.40, 0.10)")
     program.wait_for("Arrived at (0.")
-    x, y, _ = pose_of(student.heard["/odom"])
-    assert math.dist((x, y), (0.4, 0.1)) < 0.2
+    assert wait_until(lambda: math.dist(pose_of(student.heard["/odom"])[:2], (0.4, 0.1)) < 0.2)
+    assert student.hears("/plan")
     points = [pose.pose.position for pose in student.heard["/plan"].poses]
     assert (points[-1].x, points[-1].y) == (0.4, 0.1)
 
@@ -221,12 +229,10 @@ def test_navigation_stops_before_an_obstacle(
     assert wait_until(lambda: student.x > 3.2, 15)
     student.drives = False
     program = navigation()
-    goal = PoseStamped()
-    goal.pose.position.x = 9.0  # behind the wall
     assert student.hears("/scan")
-    student.goal.publish(goal)
+    student.aim(9.0, 0.0)  # behind the wall
     program.wait_for("Obstacle ahead: giving up at (3.", 30)
-    assert wait_until(lambda: student.heard["/odom"].twist.twist.linear.x == 0.0, 10)
+    assert wait_until(lambda: student.speed == 0.0)
     assert 3.5 < student.x < 3.8
 
 
@@ -261,11 +267,13 @@ def test_one_command_starts_the_whole_robot(student: Student, start: Start) -> N
 
     assert wait_until(lambda: driven() == {"base_controller", "navigation"})
     # The topic between base and sensors is hidden.
-    shown = {topic for topic, _ in student.get_topic_names_and_types()}
-    assert {topic for topic in shown if is_hidden(topic)} == {"/_ground_truth"}
-    goal = PoseStamped()
-    goal.pose.position.x = 0.2
-    student.goal.publish(goal)
+    assert wait_until(
+        lambda: (
+            {one for one, _ in student.get_topic_names_and_types() if is_hidden(one)}
+            == {"/_ground_truth"}
+        )
+    )
+    student.aim(0.2, 0.0)
     robot.wait_for("[navigation]: Arrived at (0.")
     assert robot.stop(timeout_s=15) == 0
     assert wait_until(lambda: "navigation" not in student.get_node_names(), 10)

@@ -41,7 +41,7 @@ while tower.ticks < 3:
     executor.spin_once(timeout_sec=1)
 print("waiting", tower.strokes, [task.done() for task in tasks])
 threading.Thread(target=tower.rope.trigger).start()
-executor.spin_until_future_complete(tasks[1], timeout_sec=10)
+executor.spin_until_future_complete(tasks[1], timeout_sec=60)
 print("after", tower.strokes[2:], [task.result() for task in tasks])
 executor.shutdown()
 rclpy.shutdown()

@@ -24,7 +24,7 @@ class Canteen(Node):
 
     def cook(self) -> None:
         with contextlib.suppress(threading.BrokenBarrierError):  # the canteen closes
-            self.both.wait(20)  # passes only when both are here
+            self.both.wait(60)  # passes only when both are here
             self.cooked.publish(String(data="soup"))
 
     def pay(self) -> None:
@@ -58,7 +58,7 @@ threads = [
 ]
 for thread in threads:
     thread.start()
-print("served", served.wait(20), set(plates))
+print("served", served.wait(60), set(plates))
 canteen.both.abort()
 table.shutdown()
 kitchen.shutdown()

@@ -66,7 +66,7 @@ ended = rclpy.Future()
 executor = MultiThreadedExecutor()
 for node in (Drive(), Hook(ended)):
     executor.add_node(node)
-executor.spin_until_future_complete(ended, timeout_sec=10)
+executor.spin_until_future_complete(ended, timeout_sec=60)
 print(ended.result())
 executor.shutdown()
 rclpy.shutdown()

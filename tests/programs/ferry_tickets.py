@@ -19,7 +19,7 @@ class Passenger(Node):
 
     def until_complete(self) -> str:
         future = self.ferry.call_async(Trigger.Request())
-        rclpy.spin_until_future_complete(self, future, timeout_sec=10)
+        rclpy.spin_until_future_complete(self, future, timeout_sec=60)
         return str(future.result().message)
 
     def polled(self) -> str:
@@ -31,7 +31,7 @@ class Passenger(Node):
     def with_a_callback(self) -> str:
         future = self.ferry.call_async(Trigger.Request())
         future.add_done_callback(partial(self.land, bags=2))
-        rclpy.spin_until_future_complete(self, self.ashore, timeout_sec=10)
+        rclpy.spin_until_future_complete(self, self.ashore, timeout_sec=60)
         return str(self.ashore.result())
 
     def land(self, future: Future, bags: int) -> None:
@@ -47,7 +47,7 @@ class Passenger(Node):
             ended.set_result(f"{first.message} and {second.message}")
 
         timer = self.create_timer(0.01, travel)
-        rclpy.spin_until_future_complete(self, ended, timeout_sec=10)
+        rclpy.spin_until_future_complete(self, ended, timeout_sec=60)
         return str(ended.result())
 
 

@@ -20,12 +20,12 @@ node.create_subscription(
     Float64, "humidity", lambda m: measured.set_result(m.data) if m.data > 60 else None, 10
 )
 client = AsyncParameterClient(node, "probe")
-assert client.wait_for_services(10)
+assert client.wait_for_services(60)
 
 
 def set_to(name: str, value: object) -> str:
     future = client.set_parameters([Parameter(name, value=value)])
-    rclpy.spin_until_future_complete(node, future, timeout_sec=10)
+    rclpy.spin_until_future_complete(node, future, timeout_sec=60)
     (result,) = future.result().results
     return f"{name}={value}: {'set' if result.successful else result.reason}"
 
@@ -34,9 +34,9 @@ print(set_to("target", 95.0))
 print(set_to("bed", "melons"))
 print(set_to("target", 61.5))
 for waited in (changed, measured):
-    rclpy.spin_until_future_complete(node, waited, timeout_sec=10)
+    rclpy.spin_until_future_complete(node, waited, timeout_sec=60)
 print("event", changed.result(), "measured", measured.result())
 values = client.get_parameters(["target", "bed"])
-rclpy.spin_until_future_complete(node, values, timeout_sec=10)
+rclpy.spin_until_future_complete(node, values, timeout_sec=60)
 print([one.double_value or one.string_value for one in values.result().values])
 rclpy.shutdown()

@@ -23,7 +23,7 @@ def on_transition(event: TransitionEvent) -> None:
 
 
 def waited(future: Future) -> Any:
-    rclpy.spin_until_future_complete(node, future, timeout_sec=10)
+    rclpy.spin_until_future_complete(node, future, timeout_sec=60)
     return future.result()
 
 
@@ -36,7 +36,7 @@ def lead(transition: int) -> str:
 node.create_subscription(TransitionEvent, "/pump/transition_event", on_transition, 10)
 node.create_subscription(UInt32, "flow", water.set_result, 10)
 for client in (change, state):
-    assert client.wait_for_service(10)
+    assert client.wait_for_service(60)
 print("too early:", lead(Transition.TRANSITION_ACTIVATE))
 print(lead(Transition.TRANSITION_CONFIGURE), "| water", water.done())
 print(lead(Transition.TRANSITION_ACTIVATE), "| water", waited(water).data > 0)

@@ -39,12 +39,12 @@ async def main() -> None:
     client = ActionClient(node, Fibonacci, "breed")
     spinning = threading.Thread(target=rclpy.spin, args=(node,), daemon=True)
     spinning.start()
-    await asyncio.to_thread(client.wait_for_server, 10)
+    await asyncio.to_thread(client.wait_for_server, 60)
     print(*await asyncio.gather(grown(client, 4), grown(client, 6)))
     publisher.publish(String(data="a litter was born"))
-    print("news:", await asyncio.wait_for(news.get(), 10))
+    print("news:", await asyncio.wait_for(news.get(), 60))
     await loop.run_in_executor(None, rclpy.shutdown)
-    spinning.join(10)
+    spinning.join(60)
     print("spinning", spinning.is_alive())
 
 

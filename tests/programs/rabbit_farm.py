@@ -37,7 +37,7 @@ class Farm(Node):
             if handle.is_cancel_requested:
                 handle.canceled()
                 return Fibonacci.Result(sequence=pairs)
-            pairs.append(pairs[-2] + pairs[-1])
+            pairs.append((pairs[-2] + pairs[-1]) % 1000)  # the farm sells them by the thousand
             handle.publish_feedback(Fibonacci.Feedback(sequence=pairs))
             self.seasons.sleep()
         if pairs[-1] == 13:

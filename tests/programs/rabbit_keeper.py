@@ -42,7 +42,7 @@ class Keeper(Node):
 
 
 def waited(node: Node, future: Future) -> Any:
-    rclpy.spin_until_future_complete(node, future, timeout_sec=10)
+    rclpy.spin_until_future_complete(node, future, timeout_sec=60)
     return future.result()
 
 

@@ -22,9 +22,9 @@ class Postman(Node):
         self.create_subscription(Pose, "turtle1/pose", self.on_pose, 1)
 
     def build(self) -> str:
-        self.builder.wait_for_service(10)
+        self.builder.wait_for_service(60)
         building = self.builder.call_async(Spawn.Request(x=7.5, y=6.5, name="house"))
-        rclpy.spin_until_future_complete(self, building, timeout_sec=10)
+        rclpy.spin_until_future_complete(self, building, timeout_sec=60)
         self.pen.call_async(SetPen.Request(r=200, width=3))
         return str(building.result().name)
 
@@ -48,6 +48,6 @@ class Postman(Node):
 rclpy.init()
 postman = Postman()
 print("built the", postman.build())
-rclpy.spin_until_future_complete(postman, postman.delivered, timeout_sec=20)
+rclpy.spin_until_future_complete(postman, postman.delivered, timeout_sec=60)
 print("letter delivered", postman.delivered.result() < 0.2)
 rclpy.shutdown()

@@ -40,6 +40,6 @@ class Vineyard(Node):
 
 rclpy.init()
 node = Vineyard()
-rclpy.spin_until_future_complete(node, node.grapes, timeout_sec=10)
+rclpy.spin_until_future_complete(node, node.grapes, timeout_sec=60)
 print(node.grapes.result())
 rclpy.shutdown()

@@ -54,13 +54,13 @@ executor = SingleThreadedExecutor()
 executor.add_node(office)
 spinning = threading.Thread(target=executor.spin)
 spinning.start()
-print("complete", office.complete.wait(20))
+print("complete", office.complete.wait(60))
 for key in sorted(office.told):
     print(key, office.told[key])
 executor.shutdown()
 spinning.join()
 found, reading = wait_for_message(
-    FluidPressure, office, "pressure", qos_profile=qos_profile_sensor_data, time_to_wait=10
+    FluidPressure, office, "pressure", qos_profile=qos_profile_sensor_data, time_to_wait=60
 )
 print("waited", found, reading.header.frame_id)
 rclpy.shutdown()

@@ -1,5 +1,8 @@
 from __future__ import annotations
 
+import sys
+from types import ModuleType
+
 import pytest
 
 from zbot import errors
@@ -38,3 +41,10 @@ def test_a_parameter_error_lists_the_names() -> None:
     error = errors.ParameterError("unknown parameters", ["a", "b"])
     assert error.parameters == ["a", "b"]
     assert str(error) == "unknown parameters: 'a', 'b'"
+
+
+def test_a_missing_init_names_the_library_of_the_program(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delitem(sys.modules, "rclpy", raising=False)
+    assert "needs zbot.init() first" in str(errors.NotInitializedError())
+    monkeypatch.setitem(sys.modules, "rclpy", ModuleType("rclpy"))
+    assert "needs rclpy.init() first" in str(errors.NotInitializedError())

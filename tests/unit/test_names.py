@@ -221,6 +221,8 @@ def test_a_part_with_a_leading_underscore_hides_the_name(name: str, hidden: bool
         ("/temprature", ["/temperature", "/humidity"], "/temperature"),
         ("/cmd_vle", ["/cmd_vel", "/odom"], "/cmd_vel"),
         ("/turtle1/cmdvel", ["/turtle1/cmd_vel", "/turtle1/pose"], "/turtle1/cmd_vel"),
+        ("topci", ["topic", "action"], "topic"),
+        ("tpocis", ["topic", "action"], None),
         ("/scan", ["/scam", "/scans"], "/scam"),
         ("/robot1/scan", ["/robot2/scan"], None),
         ("/a", ["/b"], None),

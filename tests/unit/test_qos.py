@@ -86,7 +86,9 @@ def test_policies_can_be_set_and_are_checked() -> None:
 
 
 def test_a_depth_of_zero_warns_at_the_caller() -> None:
-    with pytest.warns(UserWarning, match="a depth of 0 keeps no message") as caught:
+    with pytest.warns(
+        UserWarning, match="A zero depth with KEEP_LAST doesn't make sense"
+    ) as caught:
         QoSProfile(depth=0)
     assert caught[0].filename == __file__
 
@@ -175,9 +177,50 @@ def test_rosout_lifespan_is_ten_seconds() -> None:
     assert QoSPresetProfiles.ROSOUT_DEFAULT.value.lifespan == Duration(seconds=10)
 
 
-def test_every_pair_of_profiles_is_compatible() -> None:
-    picky = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
-    assert qos_check_compatible(qos_profile_sensor_data, picky) == (QoSCompatibility.OK, "")
+SECOND, MINUTE = Duration(seconds=1), Duration(seconds=60)
+AUTOMATIC = LivelinessPolicy.AUTOMATIC
+
+
+@pytest.mark.parametrize(
+    ("offered", "requested", "reason"),
+    [
+        ({}, {}, ""),
+        ({"reliability": ReliabilityPolicy.BEST_EFFORT}, {}, "reliability is BEST_EFFORT and"),
+        ({}, {"reliability": ReliabilityPolicy.BEST_EFFORT}, ""),
+        ({}, {"durability": DurabilityPolicy.TRANSIENT_LOCAL}, "durability is VOLATILE and"),
+        ({"durability": DurabilityPolicy.TRANSIENT_LOCAL}, {}, ""),
+        ({}, {"liveliness": LivelinessPolicy.MANUAL_BY_TOPIC}, "liveliness is AUTOMATIC and"),
+        ({}, {"deadline": SECOND}, "subscription deadline is shorter than publisher deadline;"),
+        ({"deadline": MINUTE}, {"deadline": SECOND}, "subscription deadline is shorter"),
+        ({"deadline": SECOND}, {"deadline": MINUTE}, ""),
+        ({"deadline": SECOND}, {}, ""),
+        (
+            {"liveliness_lease_duration": MINUTE},
+            {"liveliness_lease_duration": SECOND},
+            "subscription liveliness_lease_duration is shorter",
+        ),
+    ],
+)
+def test_profiles_are_compared_by_the_rules_of_dds(
+    offered: dict[str, Any], requested: dict[str, Any], reason: str
+) -> None:
+    profiles = (QoSProfile(**{"depth": 1, "liveliness": AUTOMATIC, **each})
+                for each in (offered, requested))  # fmt: skip
+    result, text = qos_check_compatible(*profiles)
+    assert result is (QoSCompatibility.ERROR if reason else QoSCompatibility.OK)
+    assert reason in text
+    assert text.startswith("ERROR: ") is bool(reason)
+
+
+def test_a_system_default_may_be_incompatible() -> None:
+    offer = QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT, liveliness=AUTOMATIC)
+    request = QoSProfile(
+        depth=1, reliability=ReliabilityPolicy.SYSTEM_DEFAULT, liveliness=AUTOMATIC
+    )
+    result, reason = qos_check_compatible(offer, request)
+    assert result is QoSCompatibility.WARNING
+    assert reason.startswith("WARNING: publisher reliability is BEST_EFFORT and subscription")
+    assert qos_check_compatible(request, offer) == (QoSCompatibility.OK, "")
 
 
 def test_policies_can_be_exported_and_imported() -> None:

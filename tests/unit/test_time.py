@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import operator
 import sys
 from types import ModuleType, SimpleNamespace
 from typing import TYPE_CHECKING, Any
@@ -53,6 +54,12 @@ def test_arithmetic_keeps_the_clock_type() -> None:
     assert Duration(seconds=1) + time == Time(seconds=6, clock_type=ROS)
     assert time - Duration(seconds=1) == Time(seconds=4, clock_type=ROS)
     assert time - Time(seconds=7, clock_type=ROS) == Duration(seconds=-2)
+
+
+@pytest.mark.parametrize("factor", [float("nan"), float("-inf")])
+def test_a_duration_is_not_multiplied_by_nan(factor: float) -> None:
+    with pytest.raises(ValueError, match="duration out of range"):
+        operator.mul(Duration(seconds=1), factor)
 
 
 def test_durations_add_subtract_and_scale() -> None:

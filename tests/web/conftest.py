@@ -7,7 +7,7 @@ import shutil
 import sys
 from contextlib import ExitStack
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 from urllib.parse import urlsplit
 
 import pytest
@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 
     from playwright.sync_api import Browser, Locator, Page
 
+Value = TypeVar("Value")
+
 _LOCAL = {"127.0.0.1", "localhost"}
 _ARGUMENTS = [
     "--no-sandbox",  # Chromium refuses to run as root otherwise
@@ -33,7 +35,7 @@ _ARGUMENTS = [
 COMMAND = ("zbot", "web", "--no-browser", "--port", "0")
 ENDED_BY_CTRL_C = 130
 #: Long, because other tests use the cores at the same time.
-PAGE_TIMEOUT_MS = 20_000
+PAGE_TIMEOUT_MS = 40_000
 
 
 def chromium() -> str | None:
@@ -98,7 +100,7 @@ class SharedBrowser:
 
     @cached_property
     def browser(self) -> Browser:
-        pytest.importorskip("nicegui", reason="the page needs NiceGUI: pip install 'zbot[web]'")
+        pytest.importorskip("nicegui", reason='the page needs NiceGUI: pip install "zbot[web]"')
         playwright = pytest.importorskip("playwright.sync_api", reason="no Playwright is installed")
         path = chromium()
         if path is None:
@@ -268,6 +270,20 @@ def turtlesim(start: Callable[..., Program]) -> Program:
     program = start("zbot", "run", "turtlesim", "turtlesim_node", "--no-browser")
     program.wait_for("Spawning turtle [turtle1]")
     return program
+
+
+def settled(page: Page, look: Callable[[], Value]) -> Value:
+    """Return what `look` returns when that has stopped changing."""
+    last = look()
+
+    def is_still() -> bool:
+        nonlocal last
+        page.wait_for_timeout(400)  # longer than an animation of the page
+        before, last = last, look()
+        return before == last
+
+    assert wait_until(is_still), f"this still changes: {last}"
+    return last
 
 
 def command(page: Page) -> Locator:

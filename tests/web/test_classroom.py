@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import json
 import re
 from typing import TYPE_CHECKING
 
 import pytest
 
 from tests.classroom.local_machine import LocalMachine
+from tests.conftest import reserved_domain
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -31,11 +33,20 @@ with zbot.init():
 
 
 @pytest.fixture
-def teacher(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[LocalMachine]:
+def domain(monkeypatch: pytest.MonkeyPatch) -> Iterator[int]:
+    """Reserve a domain for the class alone: a router of the shared one knows no hub of the test."""
+    with reserved_domain() as number:
+        monkeypatch.setenv("ZBOT_DOMAIN_ID", str(number))
+        yield number
+
+
+@pytest.fixture
+def teacher(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, domain: int) -> Iterator[LocalMachine]:
     """Open a class on this machine; the programs of the test see it as the teacher's machine."""
     machine = LocalMachine(tmp_path / "teacher")
     for name in ("XDG_CONFIG_HOME", "ZBOT_HUB_PORT"):
         monkeypatch.setenv(name, machine.environment[name])
+    monkeypatch.setenv("ZBOT_COMMAND_DOMAIN", str(domain))  # not that of other tests' teachers
     machine.succeed("class", "start", "Robots")
     yield machine
     machine.zbot("class", "stop")
@@ -87,3 +98,19 @@ def test_a_student_who_leaves_the_network_is_shown_as_lost(
 def test_page_without_a_class_says_how_to_open_one(page: Page, server: object) -> None:
     page.goto(f"{getattr(server, 'address', '')}/class")
     page.get_by_text("no class is open on this machine").wait_for()
+
+
+def test_the_teachers_browser_shows_code_pin_and_qr_code(
+    page: Page, teacher: LocalMachine, serve: Callable[..., object]
+) -> None:
+    teacher.succeed("class", "stop")
+    told = teacher.succeed("class", "start", "Secrets", "--pin", "--json", ZBOT_PIN="4711")
+    page.goto(f"{getattr(serve(), 'address', '')}/class")
+    page.get_by_role("button", name="Show the code").click()
+    card = page.locator(".zb-invitation")
+    card.get_by_text("PIN 4711").wait_for()
+    card.get_by_text(f"zbot join {json.loads(told)['host']}:{teacher.port}").first.wait_for()
+    width = "() => document.querySelector('.zb-invitation img').naturalWidth > 100"
+    page.wait_for_function(width)
+    page.get_by_role("button", name="Hide the code").click()
+    card.wait_for(state="hidden")

@@ -8,6 +8,9 @@ from typing import TYPE_CHECKING
 import pytest
 
 import zbot
+from zbot.qos import qos_profile_rosout_default
+
+from rcl_interfaces.msg import Log
 
 pytest.importorskip("playwright.sync_api", reason="Playwright is not installed")
 
@@ -66,6 +69,17 @@ def test_lines_are_filtered_by_level_node_and_text(
     choose(page, "Node", "All nodes")
     page.get_by_label("Text", exact=True).fill("WALL")
     expect(lines(page)).to_have_text([re.compile("a wall ahead")])
+
+
+def test_lines_are_sorted_by_time_whenever_they_arrive(
+    page: Page, loggers: tuple[zbot.Node, zbot.Node]
+) -> None:
+    left, right = loggers
+    left.get_logger().info("now")
+    expect(lines(page)).to_have_count(1)
+    rosout = right.create_publisher(Log, "/rosout", qos_profile_rosout_default)
+    rosout.publish(Log(level=20, name="right", msg="in 1970"))
+    expect(lines(page)).to_have_text([re.compile("in 1970"), re.compile("now")])
 
 
 def test_a_pause_keeps_lines_and_clear_forgets_them(

@@ -3,23 +3,29 @@
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING
+import time
+from typing import TYPE_CHECKING, Any
 
 import pytest
 
+import zbot as zbot_library
 from tests.cli.command import zbot
+from tests.conftest import wait_until
 from tests.web.conftest import command
 
 pytest.importorskip("playwright.sync_api", reason="Playwright is not installed")
 
 from playwright.sync_api import expect
 
+from rcl_interfaces.msg import Parameter, ParameterEvent, ParameterValue
+from rcl_interfaces.srv import ListParameters, SetParameters
+
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from playwright.sync_api import Locator, Page
 
-    from tests.conftest import Program, Start
+    from tests.conftest import MakeContext, Program, Spin, Start
     from tests.web.conftest import Server
 
 
@@ -55,6 +61,7 @@ def test_a_slider_changes_the_background_of_the_turtles(
     expect(turtles.locator(".zb-stage")).to_have_css(
         "background-color", re.compile(r"rgb\(25[3-5], 86, 255\)")
     )
+    expect(field(page, "background_r")).to_have_value(re.compile("25[3-5]"))
     value = field(page, "background_r").input_value()
     expect(command(page)).to_have_text(f"zbot param set /turtlesim background_r {value}")
 
@@ -97,3 +104,42 @@ def test_a_read_only_page_shows_values(start: Start, read_only_server: Server, p
     page.goto(f"{read_only_server.address}/parameters?node=/parameter_demo")
     expect(entry(page, "driver")).to_contain_text("Ada")
     expect(field(page, "driver")).to_have_count(0)
+
+
+def publish_events(node: zbot_library.Node, number: int, event: ParameterEvent) -> None:
+    publisher = node.create_publisher(ParameterEvent, "/parameter_events", 1000)
+    assert wait_until(lambda: publisher.get_subscription_count() > 0)
+    for _ in range(number):
+        publisher.publish(event)
+
+
+def test_a_forged_event_does_not_stop_the_page(demo: Page, make_context: MakeContext) -> None:
+    changed = Parameter(name="driver", value=ParameterValue(type=77, string_value="Mallory"))
+    event = ParameterEvent(node="/parameter_demo", changed_parameters=[changed])
+    publish_events(zbot_library.Node("forger", context=make_context()), 500, event)
+    assert zbot("param", "set", "/parameter_demo", "driver", "Grace").code == 0
+    expect(field(demo, "driver")).to_have_value("Grace")
+    expect(demo.get_by_text("This section of the page has stopped")).to_have_count(0)
+
+
+def test_a_flood_of_events_does_not_load_the_parameters_each_time(
+    make_context: MakeContext, spin: Spin, server: Server, page: Page
+) -> None:
+    node = zbot_library.Node("flooded", context=make_context(), start_parameter_services=False)
+    loads: list[Any] = []
+
+    def list_parameters(request: Any, response: Any) -> Any:
+        loads.append(request)
+        return response
+
+    node.create_service(ListParameters, "flooded/list_parameters", list_parameters)
+    node.create_service(SetParameters, "flooded/set_parameters", lambda _, response: response)
+    spin(node)
+    page.goto(f"{server.address}/parameters?node=/flooded")
+    expect(page.get_by_text("This node has no parameters.")).to_be_visible()
+    event = ParameterEvent(node="/flooded", new_parameters=[Parameter(name="one")])
+    begun_s = time.monotonic()
+    publish_events(node, 2000, event)
+    assert wait_until(lambda: len(loads) > 1)
+    page.wait_for_timeout(500)
+    assert len(loads) < 6 + (time.monotonic() - begun_s)  # one a second

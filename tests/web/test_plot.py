@@ -6,18 +6,22 @@ import math
 import time
 from pathlib import Path
 from typing import TYPE_CHECKING
+from urllib.parse import parse_qs, urlsplit
 
 import pytest
+from playwright.sync_api import expect
 
 import zbot
 from tests.conftest import wait_until
+from tests.web.conftest import command, settled
 
+from geometry_msgs.msg import Twist
 from std_msgs.msg import Float64, Float64MultiArray, String
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from playwright.sync_api import Page
+    from playwright.sync_api import Locator, Page
 
     from tests.conftest import Program, Spinner
     from tests.web.conftest import Server
@@ -26,6 +30,10 @@ if TYPE_CHECKING:
 POINTS = """() => Object.fromEntries(
     [...zbot.plot.plots.values()].flatMap(plot => [...plot.curves].map(
         ([name, curve]) => [name, curve.times.map((time, at) => [time, curve.values[at]])])))"""
+
+#: The points of each drawn line: [[[x, y], ...], ...]
+DRAWN = """() => [...zbot.plot.plots.keys()].flatMap(id =>
+    getElement(id).chart.getOption().series.map(one => one.data))"""
 
 
 @pytest.fixture
@@ -74,7 +82,7 @@ def test_curves_are_added_and_removed_by_hand(server: Server, page: Page, node: 
     page.fill("input[aria-label=Curve]", "wave/data")
     page.click("button:has-text('Add')")
     points(page, "/wave.data", 5)
-    assert page.inner_text(".zb-command") == "zbot plot '/pair.data[1]' /wave.data"
+    expect(command(page)).to_have_text("zbot plot '/pair.data[1]' /wave.data")
     page.click("button[aria-label='Remove /pair.data[1]']")
     page.wait_for_function(f"!({POINTS})()['/pair.data[1]']")
     assert wait_until(lambda: node.count_subscribers("/pair") == 0, 10)
@@ -105,7 +113,7 @@ def test_pause_stops_the_drawing_and_no_point_is_lost(server: Server, page: Page
     points(page, "/wave.data", 20)
     page.click("button:has-text('Pause')")
     page.wait_for_selector("button:has-text('Resume')")
-    drawn = page.inner_html(".zb-chart")
+    drawn = settled(page, lambda: page.inner_html(".zb-chart"))
     count = len(page.evaluate(POINTS)["/wave.data"])
     points(page, "/wave.data", count + 30)
     assert page.inner_html(".zb-chart") == drawn
@@ -159,3 +167,62 @@ def test_zbot_plot_serves_the_plot_at_its_address(
     page.goto(address)
     points(page, "/wave.data", 5)
     points(page, "/pair.data[1]", 5)
+
+
+@pytest.mark.usefixtures("node")
+def test_fields_are_ticked_in_a_tree(server: Server, page: Page, node: zbot.Node) -> None:
+    node.create_publisher(Twist, "cmd_vel", 1)
+    page.goto(f"{server.address}/plot")
+    page.get_by_role("button", name="Fields").click()
+    menu = page.locator(".zb-fields")
+    branch(menu, "/cmd_vel").locator(".q-tree__arrow").first.click()
+    branch(menu, "linear").locator(".q-tree__arrow").first.click()
+    box = branch(menu, "x").get_by_role("checkbox")
+    box.click()
+    expect(page.locator(".zb-command")).to_have_text("zbot plot /cmd_vel.linear.x")
+    box.click()
+    expect(page.locator(".zb-command")).to_have_text("zbot plot")
+    branch(menu, "/wave").get_by_role("checkbox").click()
+    expect(page.locator(".zb-command")).to_have_text("zbot plot /wave.data")
+    page.keyboard.press("Escape")
+    page.get_by_label("Remove /wave.data").click()
+    page.get_by_role("button", name="Fields").click()
+    expect(branch(menu, "/wave").get_by_role("checkbox")).not_to_be_checked()
+
+
+@pytest.mark.usefixtures("node")
+def test_curves_share_or_have_their_own_axis(server: Server, page: Page) -> None:
+    page.goto(f"{server.address}/plot?curve=/wave.data,/pair.data[0]")
+    points(page, "/wave.data", 10)
+    page.get_by_label("Axis of /wave.data").click()
+    axes = "() => [...zbot.plot.plots.keys()].map(id => getElement(id).chart.getOption().series"
+    page.wait_for_function(f"({axes}.map(one => one.yAxisIndex)))()[0].join() === '1,0'")
+    page.wait_for_url(
+        lambda url: parse_qs(urlsplit(url).query).get("right") == ["/wave.data"],
+        wait_until="commit",
+    )
+
+
+@pytest.mark.usefixtures("node")
+def test_a_curve_is_drawn_over_another(server: Server, page: Page) -> None:
+    page.goto(f"{server.address}/plot?curve=/wave.data,/pair.data[0]")
+    points(page, "/wave.data", 50)
+    points(page, "/pair.data[0]", 50)
+    page.get_by_label("X axis").click()
+    page.get_by_role("option", name="over /wave.data", exact=True).click()
+    over = f"() => {{ const [x, y] = ({DRAWN})(); return x.length === 0 && y.length > 20; }}"
+    page.wait_for_function(over)  # before, both were drawn over the time
+    drawn = page.evaluate(DRAWN)
+    assert {y for _, y in drawn[1]} == {1.0}
+    assert all(-1 <= x <= 1 for x, _ in drawn[1])
+    assert max(x for x, _ in drawn[1]) > 0.5 > -0.5 > min(x for x, _ in drawn[1])
+    page.reload()
+    expect(page.get_by_label("X axis")).to_have_value("over /wave.data")
+    page.get_by_label("Remove /wave.data").click()
+    expect(page.get_by_label("X axis")).to_have_value("over time")
+
+
+def branch(menu: Locator, label: str) -> Locator:
+    """Return the branch of the tree with this label."""
+    heading = menu.page.get_by_text(label, exact=True)
+    return menu.locator(".q-tree__node-header").filter(has=heading).first

@@ -111,3 +111,15 @@ def test_other_machines_need_the_token(browser: Browser, serve: Callable[..., Se
         page.wait_for_function("window.socket?.connected")
         page.goto(f"{bare}/plot")
         page.wait_for_selector(".zb-plot")
+
+
+def test_a_page_on_another_port_cannot_use_the_cookie(
+    browser: Browser, serve: Callable[..., Server]
+) -> None:
+    parts = urlsplit(serve("--host", "0.0.0.0").address)
+    bare = f"http://127.0.0.1:{parts.port}"
+    with another_site() as evil, unsafe_page(browser) as page:
+        page.goto(f"{bare}/topics?{parts.query}")
+        page.wait_for_selector(".zb-list")
+        page.goto(evil.replace("localhost", "127.0.0.1"))  # all ports of a host share cookies
+        assert page.evaluate(ATTACK, bare) == ["refused"] * 4

@@ -11,7 +11,7 @@ import pytest
 
 from tests.cli.command import zbot
 from tests.conftest import wait_until
-from tests.web.conftest import command
+from tests.web.conftest import command, settled
 
 pytest.importorskip("playwright.sync_api", reason="Playwright is not installed")
 
@@ -105,23 +105,17 @@ def test_a_later_page_shows_the_drawing(turtles: Page, another_page: Callable[[]
 
 
 def test_letters_turn_the_turtle_until_f_is_pressed(turtles: Page) -> None:
-    turtles.keyboard.press("r")
+    turtles.keyboard.press("d")
     expect(command(turtles)).to_have_text(
         "zbot action send_goal /turtle1/rotate_absolute turtlesim/action/RotateAbsolute "
-        '"{theta: 1.5708}"'
+        '"{theta: 3.1416}"'
     )
-    assert wait_in_page(turtles, lambda: place(turtles)[2] > 0.3)
-    turtles.keyboard.press("f")
-    turned = place(turtles)[2]
-    assert wait_in_page(turtles, lambda: place(turtles)[2] == place_later(turtles)[2])
-    assert turned <= place(turtles)[2] < 1.5
+    assert wait_in_page(turtles, lambda: abs(place(turtles)[2]) > 0.1)
+    turtles.keyboard.press("f")  # 3 s before the turtle would stop
+    turned = abs(place(turtles)[2])
+    assert turned <= abs(settled(turtles, partial(place, turtles))[2]) < 3.1
     turtles.keyboard.press("g")
     assert wait_in_page(turtles, lambda: abs(place(turtles)[2]) <= 0.02)
-
-
-def place_later(page: Page) -> tuple[float, float, float]:
-    page.wait_for_timeout(300)
-    return place(page)
 
 
 def test_turtles_are_spawned_with_their_pens_and_killed(turtles: Page) -> None:

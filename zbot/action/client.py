@@ -31,7 +31,7 @@ from zbot.qos import (
     qos_profile_action_status_default,
     qos_profile_services_default,
 )
-from zbot.time import S_TO_NS, ClockType
+from zbot.time import S_TO_NS, ClockType, as_seconds
 
 from action_msgs.srv import CancelGoal
 from unique_identifier_msgs.msg import UUID
@@ -41,6 +41,7 @@ if TYPE_CHECKING:
 
     from zbot.executor.callback_group import CallbackGroup
     from zbot.node.node import Node
+    from zbot.time import Duration
 
     from action_msgs.msg import GoalStatus
 
@@ -61,7 +62,12 @@ class _Goal:
         self.is_over = False  #: whether the result has come
 
     def set_state(self, state: GoalState) -> None:
-        """Set the goal's state. If the state comes before the handle, the handle gets it later."""
+        """Set the goal's state. If the state comes before the handle, the handle gets it later.
+
+        After the result, the goal keeps the result's state: an older state may come later.
+        """
+        if self.is_over:
+            return
         self.state = state
         handle = self.handle() if self.handle is not None else None
         if handle is not None:
@@ -171,24 +177,30 @@ class ActionClient(ActionEndpoint[GoalT, ResultT, FeedbackT]):
         topics = (self._feedback.topic_name, self._status.topic_name)
         return all(snapshot.publishers(topic) for topic in topics)
 
+    def _has_one_server(self) -> bool:
+        return len(self._node.context.graph.snapshot().publishers(self._status.topic_name)) == 1
+
     def wait_for_goal_service(self, timeout_sec: float) -> bool:
         """Wait for the service that takes goals. Ignore the other parts of an action server."""
         return self._goal_client.wait_for_service(timeout_sec)
 
-    def wait_for_server(self, timeout_sec: float | None = None) -> bool:
+    def wait_for_server(self, timeout_sec: float | Duration | None = None) -> bool:
         """Wait for a server.
 
         Args:
-            timeout_sec: Seconds. `None` or a number below 0 waits until the context is shut down.
+            timeout_sec: Seconds, or a `Duration`. `None` or a number below 0 waits until the
+                context is shut down.
 
         Returns:
             Whether there is a server.
 
         Raises:
             InvalidHandleError: The client or its node was destroyed.
+            ArgumentTypeError: `timeout_sec` is neither a number nor a `Duration`.
         """
-        endless = timeout_sec is None or timeout_sec < 0
-        deadline = time.monotonic() + (0 if timeout_sec is None or endless else timeout_sec)
+        timeout_s = as_seconds("timeout_sec", timeout_sec)
+        endless = timeout_s is None or timeout_s < 0
+        deadline = time.monotonic() + (0 if timeout_s is None or endless else timeout_s)
 
         def left() -> float | None:
             return None if endless else max(0.0, deadline - time.monotonic())
@@ -288,12 +300,17 @@ class ActionClient(ActionEndpoint[GoalT, ResultT, FeedbackT]):
         with self._lock:
             self._goals.pop(key, None)
 
-    def _finish(self, key: bytes) -> None:
+    def _finish(
+        self, handle: ClientGoalHandle[GoalT, ResultT, FeedbackT], status: int | None = None
+    ) -> None:
         """Forget a goal after its result and after the callback for its last feedback."""
+        with self._lock:
+            if status is not None:
+                handle.status = status
+            if (goal := self._goals.get(handle.key)) is not None:
+                goal.is_over = True
         if self._feedback.is_empty:
-            self._forget(key)
-        elif (goal := self._goals.get(key)) is not None:
-            goal.is_over = True
+            self._forget(handle.key)
 
     def _on_goal_response(
         self,
@@ -313,12 +330,13 @@ class ActionClient(ActionEndpoint[GoalT, ResultT, FeedbackT]):
 
     def _handle(self, goal_id: UUID, response: Any) -> ClientGoalHandle[GoalT, ResultT, FeedbackT]:
         handle = ClientGoalHandle(self, goal_id, response)
-        goal = self._goals.get(handle.key)
-        if not handle.accepted:
-            self._forget(handle.key)
-        elif goal is not None:
-            goal.handle = weakref.ref(handle)
-            handle.status = goal.state.value
+        with self._lock:
+            goal = self._goals.get(handle.key)
+            if not handle.accepted:
+                self._forget(handle.key)
+            elif goal is not None:
+                goal.handle = weakref.ref(handle)
+                handle.status = goal.state.value
         return handle
 
     def send_goal(
@@ -374,18 +392,21 @@ class ActionClient(ActionEndpoint[GoalT, ResultT, FeedbackT]):
             continue  # run the callbacks for all feedback before the result is set
         error = response.exception()
         if error is None:
-            handle.status = cast("Any", response.result()).status
-        self._finish(handle.key)
-        if error is None:
-            future.set_result(response.result())
+            result: Any = response.result()
+            self._finish(handle, result.status)
+            future.set_result(result)
         else:
+            self._finish(handle)
             future.set_exception(error)
 
     def get_result(self, goal_handle: ClientGoalHandle[GoalT, ResultT, FeedbackT]) -> Any:
         """Wait for a goal's result and return it (see `ClientGoalHandle`)."""
-        response = self._result_client.call(self._result_request(goal_handle))
-        goal_handle.status = response.status
-        self._finish(goal_handle.key)
+        try:
+            response = self._result_client.call(self._result_request(goal_handle))
+        except ServiceError:
+            self._finish(goal_handle)
+            raise
+        self._finish(goal_handle, response.status)
         return response
 
     def cancel_goal_async(
@@ -400,6 +421,10 @@ class ActionClient(ActionEndpoint[GoalT, ResultT, FeedbackT]):
         """Ask the server to cancel a goal, and wait for the response (see `ClientGoalHandle`)."""
         return cast("CancelGoal.Response", self._cancel_client.call(_cancel_request(goal_handle)))
 
+    # rclpy's private names of these methods. Programs such as smach_ros use them.
+    _get_result, _get_result_async = get_result, get_result_async
+    _cancel_goal, _cancel_goal_async = cancel_goal, cancel_goal_async
+
     def _on_feedback(self, message: Any) -> Any:
         goal = self._goals.get(bytes(message.goal_id.uuid))
         if goal is None or goal.feedback_callback is None:
@@ -407,16 +432,18 @@ class ActionClient(ActionEndpoint[GoalT, ResultT, FeedbackT]):
         return goal.feedback_callback(message)
 
     def _on_status(self, message: Any) -> None:
+        status: GoalStatus
         with self._lock:
             known = dict(self._goals)
-        status: GoalStatus
-        for status in message.status_list:
-            goal = known.pop(bytes(status.goal_info.goal_id.uuid), None)
-            if goal is not None:
-                goal.set_state(GoalState(status.status))
+            for status in message.status_list:
+                goal = known.pop(bytes(status.goal_info.goal_id.uuid), None)
+                if goal is not None:
+                    goal.set_state(GoalState(status.status))
         for key, goal in known.items():
             # The server's list lacks this goal. If the goal has ended, the server has forgotten it.
-            if goal.is_over or goal.state.is_terminal:
+            # If an earlier list had the goal, this is another server, and the goal's is gone.
+            was_listed = goal.state is not GoalState.UNKNOWN
+            if goal.is_over or goal.state.is_terminal or (was_listed and self._has_one_server()):
                 self._forget(key)
 
     def get_num_entities(self) -> NumberOfEntities:

@@ -68,7 +68,7 @@ class FeedbackSubscription:
         )
         self._decode = context.dialect.codec_for(msg_type).decode
         receive: Any = zenoh.handlers.Callback(self._receive, indirect=False)
-        key = context.dialect.topic_key(context.get_domain_id(), name)
+        key = context.dialect.data_key(self.token)
         self._subscriber: Any = context.session.declare_subscriber(key, receive)
         self._liveliness = context.graph.announce(self.token)
         callback_group.add_entity(self)

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import contextlib
 import socket
-import sys
 from dataclasses import dataclass
 
 from zbot.classroom.errors import AddressError
@@ -14,6 +12,7 @@ from zbot.transport.config import HUB_PORT
 #: the socket's local address. The first target is a documentation address (RFC 5737), which uses
 #: the default route.
 _PROBES = ("192.0.2.1", "10.255.255.254", "172.31.255.254", "192.168.255.254")
+_MAX_DIGITS = 9  # Python raises an error for thousands of digits
 _MAX_PORT = 65535
 
 EVERYWHERE = "0.0.0.0"  #: all interfaces of a machine  # noqa: S104 - the user wants this
@@ -48,7 +47,12 @@ def parse_address(text: str, default_port: int = HUB_PORT) -> Address:
         raise AddressError(text, "a name or IP address cannot contain / # ? or ;")
     if port is None:
         return Address(host, default_port)
-    if not (port.isascii() and port.isdigit() and 0 < int(port) <= _MAX_PORT):
+    if not (
+        port.isascii()
+        and port.isdigit()
+        and len(port) <= _MAX_DIGITS
+        and 0 < int(port) <= _MAX_PORT
+    ):
         raise AddressError(text, f"its port must be a number from 1 to {_MAX_PORT}")
     return Address(host, int(port))
 
@@ -66,13 +70,13 @@ def _split(text: str) -> tuple[str, str | None]:
 def own_addresses() -> list[str]:
     """Return this machine's IPv4 addresses without loopback. The default route's address is first.
 
-    The function sends nothing, because all addresses come from the operating system. An interface
-    without a route may be missing.
+    The function sends nothing, because all addresses come from the operating system. Addresses that
+    an interface gives itself because no server gave it one (169.254.x.x) are last.
     """
-    found = [_source_towards(probe) for probe in _PROBES]
-    found += _addresses_of_interfaces() or _addresses_of_host_name()
+    found = [_source_towards(probe) for probe in _PROBES] + _addresses_of_interfaces()
     known = dict.fromkeys(address for address in found if address)
-    return [address for address in known if not address.startswith(("127.", "0."))]
+    usable = [address for address in known if not address.startswith(("127.", "0."))]
+    return sorted(usable, key=lambda address: address.startswith("169.254."))
 
 
 def _source_towards(target: str) -> str:
@@ -84,30 +88,11 @@ def _source_towards(target: str) -> str:
             return ""
 
 
-def _addresses_of_host_name() -> list[str]:
-    """Return the addresses of the host's own name.
-
-    Only Windows uses this, because it needs no name server for its own name. Other systems may ask
-    a name server, and wait 10 s if the server is unreachable.
-    """
-    try:
-        return socket.gethostbyname_ex(socket.gethostname())[2]
-    except OSError:
-        return []
-
-
 def _addresses_of_interfaces() -> list[str]:
-    """Return the address of each interface. The list is empty on Windows."""
+    import ifaddr  # noqa: PLC0415 - it imports ctypes, which takes 10 ms
+
     try:
-        import fcntl  # noqa: PLC0415 - Windows has none
-    except ImportError:
+        adapters = list(ifaddr.get_adapters())
+    except OSError:  # some systems, such as Android, do not let programs list their interfaces
         return []
-    # SIOCGIFADDR in linux/sockios.h and in sys/sockio.h of macOS
-    request = 0xC0206921 if sys.platform == "darwin" else 0x8915
-    found = []
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as asking:
-        for _, name in socket.if_nameindex():
-            with contextlib.suppress(OSError):
-                answer = fcntl.ioctl(asking.fileno(), request, name.encode()[:15].ljust(40, b"\0"))
-                found.append(socket.inet_ntoa(answer[20:24]))
-    return found
+    return [str(one.ip) for adapter in adapters for one in adapter.ips if one.is_IPv4]

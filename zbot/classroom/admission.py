@@ -11,7 +11,8 @@ import hmac
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from zbot.classroom.register import Register, TakenError, clean_name
+from zbot.classroom.errors import ClassroomError
+from zbot.classroom.register import Register, SimilarNameError, TakenError, clean_name
 from zbot.errors import SetupError
 from zbot.security.pin import PinServer, TooManyGuessesError, WrongPinError
 from zbot.security.secret import Secret
@@ -24,11 +25,25 @@ _MACHINE_LENGTH = 64
 
 Document = dict[str, Any]
 
+
+class CopiedMachineError(ClassroomError):
+    """A connected laptop has the identifier of the laptop that joins."""
+
+    def __init__(self, number: int, name: str) -> None:
+        self.number, self.name = number, name
+        super().__init__(
+            f"the laptop of {name} (number {number}) is connected and has the identifier of this "
+            "laptop: both may have been copied from one image"
+        )
+
+
 # The value of `refused` in a reply, for each kind of error. The first match counts.
 _REFUSALS: tuple[tuple[type[SetupError], str], ...] = (
     (WrongPinError, "pin"),
     (TooManyGuessesError, "wait"),
     (TakenError, "taken"),
+    (SimilarNameError, "similar"),
+    (CopiedMachineError, "copied"),
     (SetupError, "question"),
 )
 
@@ -41,6 +56,7 @@ class AdmissionRequest:
     host: str  #: the laptop's host name
     name: str | None = None  #: the student's name
     number: int | None = None  #: the student's number, or `None` if the class shall choose it
+    is_new: bool = False  #: whether the student is not in the list, although a similar name is
 
     @classmethod
     def of(cls, document: Document) -> AdmissionRequest:
@@ -51,15 +67,26 @@ class AdmissionRequest:
             clean_name(str(document.get("host") or "")) or "a laptop",
             clean_name(str(document.get("name") or "")) or None,
             number if isinstance(number, int) else None,
+            document.get("is_new") is True,
         )
 
 
-def release_proof(claim: str) -> str:
-    """Return the proof that the sender of a `release` owns the number.
+def proof(claim: str, purpose: str) -> str:
+    """Return the proof that the sender of a query owns its number.
 
     The claim is a random text. Only the owner knows it, because the class sent it encrypted.
+
+    Args:
+        claim: The claim of the number.
+        purpose: What the query asks for: `release` or `nodes`.
     """
-    return hmac.new(claim.encode(), b"release", "sha256").hexdigest()
+    return hmac.new(claim.encode(), purpose.encode(), "sha256").hexdigest()
+
+
+def is_proof(given: object, claim: str, purpose: str) -> bool:
+    """Return whether a value from a laptop is the proof of a claim."""
+    text = str(given).encode(errors="backslashreplace")
+    return hmac.compare_digest(proof(claim, purpose).encode(), text)
 
 
 class AdmissionService:
@@ -69,8 +96,10 @@ class AdmissionService:
         class_name: The class's name, which `hello` returns.
         pin: The class's PIN. Empty if the class has no PIN.
         register: The numbers of the class.
+        is_own_hub: Takes what a laptop has dialled, and returns whether this is the class's hub.
         credentials: Takes a number and returns the credentials that its laptop needs for the hub.
         changed: Called with a student's number after the register has changed.
+        is_here: Takes a number, and returns whether its laptop is connected now.
     """
 
     def __init__(
@@ -79,15 +108,18 @@ class AdmissionService:
         pin: str,
         register: Register,
         *,
+        is_own_hub: Callable[[str], bool],
         credentials: Callable[[int], Document],
         changed: Callable[[int], None],
+        is_here: Callable[[int], bool] = lambda _number: False,
     ) -> None:
         self._class_name = class_name
         self._has_pin = bool(pin)
-        self._pin_server = PinServer(Secret(pin))
+        self._pin_server = PinServer(Secret(pin), class_name, is_own_hub)
         self._register = register
         self._credentials = credentials
         self._changed = changed
+        self._is_here = is_here
 
     def answer(self, question: Document) -> Document:
         """Return the reply to a query. A refusal is `{"refused": kind, "sentence": reason}`."""
@@ -105,7 +137,8 @@ class AdmissionService:
         except SetupError as error:
             kind = next(word for known, word in _REFUSALS if isinstance(error, known))
             wait_s = getattr(error, "wait_s", None)
-            return {"refused": kind, "sentence": str(error), "wait_s": wait_s}
+            known = getattr(error, "known", None)
+            return {"refused": kind, "sentence": str(error), "wait_s": wait_s, "known": known}
 
     def _hello(self, _question: Document) -> Document:
         return {"class": self._class_name, "pin": self._has_pin, "version": __version__}
@@ -113,7 +146,10 @@ class AdmissionService:
     def _claim(self, question: Document) -> Document:
         admission = self._pin_server.admit(question)
         request = AdmissionRequest.of(admission.request)
-        student = self._register.claim(request.number, request.name, request.machine, request.host)
+        self._check_copied(request.machine)
+        student = self._register.claim(
+            request.number, request.name, request.machine, request.host, is_new=request.is_new
+        )
         self._changed(student.number)
         return admission.seal(
             {
@@ -125,14 +161,17 @@ class AdmissionService:
             }
         )
 
+    def _check_copied(self, machine: str) -> None:
+        for student in self._register.students.values():
+            if student.machine == machine and self._is_here(student.number):
+                raise CopiedMachineError(student.number, student.name)
+
     def _release(self, question: Document) -> Document:
         number = question.get("number")
         student = self._register.students.get(number) if isinstance(number, int) else None
         if student is None:
             return {"released": False}
-        proof = release_proof(student.claim)
-        given = str(question.get("proof")).encode(errors="backslashreplace")
-        if not hmac.compare_digest(proof.encode(), given):
+        if not is_proof(question.get("proof"), student.claim, "release"):
             return {"released": False}
         self._register.free(student.number)
         self._changed(student.number)

@@ -13,10 +13,8 @@ import zenoh
 from zbot.classroom.hub_queries import document_of
 from zbot.classroom.keys import facts_key, here_key
 from zbot.classroom.register import clean_name
-from zbot.names import fully_qualified, is_hidden
-from zbot.transport import admin_query
+from zbot.classroom.running_nodes import RunningNodes
 from zbot.transport.foreign_call import called_by_zenoh
-from zbot.wire.tokens import NodeToken, parse_token
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -24,8 +22,8 @@ if TYPE_CHECKING:
     from zbot.classroom.hub_process import HubProcess
 
 _FACTS_TIMEOUT_S = 1.0
+_RETURN_S = 5.0  # laptops reconnect within a second after the hub was reopened
 _MAX_TIME_NS = 1 << 63  # limit for `time_ns`: a number in JSON may have thousands of digits
-_NODE_TOKENS = "@zbot/*/*/*/*/NN/**"
 
 
 @dataclass
@@ -44,10 +42,13 @@ class Attendance:
     """Records which laptops are connected. All methods may be called from any thread."""
 
     def __init__(self) -> None:
+        self.nodes = RunningNodes()  #: the nodes on the laptops
         self._laptops: dict[int, ConnectedLaptop] = {}
         self._lock = threading.Lock()
         self._serving: HubProcess | None = None
         self._watched: dict[int, Any] = {}
+        self._unconfirmed: set[int] = set()  #: numbers of laptops that were here before a reopening
+        self._confirm_until_s = 0.0
         self._arrivals: queue.SimpleQueue[tuple[int, bool] | None] = queue.SimpleQueue()
 
     def attach(self, serving: HubProcess, numbers: Iterable[int]) -> None:
@@ -55,6 +56,10 @@ class Attendance:
         with self._lock:
             self._serving = serving
             self._watched.clear()
+            # A laptop may have left while the hub was closed, and then nobody reports it.
+            self._unconfirmed = {n for n, one in self._laptops.items() if one.is_here}
+            self._confirm_until_s = time.monotonic() + _RETURN_S
+        self.nodes.watch(serving)
         for number in numbers:
             self.watch(number)
 
@@ -78,6 +83,7 @@ class Attendance:
 
     def _note(self, number: int, is_here: bool) -> None:
         with self._lock:
+            self._unconfirmed.discard(number)
             laptop = self._laptops.setdefault(number, ConnectedLaptop())
             if laptop.is_here != is_here:
                 laptop.is_here, laptop.since_ns = is_here, time.time_ns()
@@ -93,11 +99,21 @@ class Attendance:
     def laptop(self, number: int) -> ConnectedLaptop:
         """Return the facts about a laptop."""
         with self._lock:
+            self._drop_unconfirmed()
             return self._laptops.setdefault(number, ConnectedLaptop())
+
+    def _drop_unconfirmed(self) -> None:
+        """Note as lost the laptops that have not returned since the hub was reopened."""
+        if time.monotonic() > self._confirm_until_s:
+            for number in self._unconfirmed & self._laptops.keys():
+                laptop = self._laptops[number]
+                laptop.is_here, laptop.since_ns = False, time.time_ns()
+            self._unconfirmed = set()
 
     def present(self) -> list[int]:
         """Return the numbers of the connected laptops."""
         with self._lock:
+            self._drop_unconfirmed()
             return [number for number, laptop in self._laptops.items() if laptop.is_here]
 
     def refresh(self) -> None:
@@ -144,25 +160,3 @@ class Attendance:
                 "node": clean_name(str(error.get("node"))),
                 "text": clean_name(str(error.get("text"))),
             }
-
-    def nodes(self) -> dict[int, list[str]]:
-        """Return the full names of all nodes by domain. Hidden nodes are left out."""
-        serving = self._serving
-        found: dict[int, list[str]] = {}
-        if serving is None:
-            return found
-        for key in admin_query.tokens(serving.session, _NODE_TOKENS, _FACTS_TIMEOUT_S):
-            token = _node_of(key)
-            if token is not None:
-                name = fully_qualified(token.namespace, token.node)
-                if not is_hidden(name):
-                    found.setdefault(token.domain, []).append(name)
-        return found
-
-
-def _node_of(key: str) -> NodeToken | None:
-    try:
-        token = parse_token(key)
-    except ValueError:
-        return None  # a student's program may declare any token in its domain
-    return token if isinstance(token, NodeToken) else None

@@ -17,8 +17,10 @@ from dataclasses import asdict, dataclass
 from typing import IO, TYPE_CHECKING
 
 from zbot.classroom.errors import AlreadyJoinedError, HubStartError
+from zbot.json_reader import read_json_object
 from zbot.security.secret import make_private_folder, write_private
-from zbot.transport import background_process
+from zbot.transport import background_process, config, router_process
+from zbot.transport.errors import DomainIdError
 from zbot.transport.membership import folder
 
 if TYPE_CHECKING:
@@ -90,7 +92,7 @@ def find() -> RunningHub | None:
     if not _is_locked():
         return None
     try:
-        return RunningHub(**json.loads(_state_path().read_text(encoding="utf-8")))
+        return RunningHub(**read_json_object(_state_path().read_text(encoding="utf-8")))
     except (OSError, ValueError, TypeError):
         return None  # it is starting or ending
 
@@ -129,6 +131,18 @@ def report_ready() -> None:
     print(READY, flush=True)
     sys.stdout = sys.stderr
     os.dup2(2, 1)
+
+
+def end_router() -> None:
+    """End the router of this machine's domain after the machine has joined or left something.
+
+    The router has the former user name and the former port of the hub. Programs start another.
+    """
+    with contextlib.suppress(DomainIdError):
+        domain = config.domain_id()
+        number = router_process.pid(domain)
+        if number is not None:
+            router_process.kill(domain, number)
 
 
 def stop() -> bool:

@@ -64,7 +64,7 @@ def check(
         number = student["number"]
         problems = ["is not here"]
         if number in graphs:
-            problems = [one.problem(graphs[number], rates[number]) for one in expectations]
+            problems = [one.problem(graphs[number], rates[number]) for one in expectations]  # pyright: ignore[reportArgumentType] - see Observed
         verdicts.append(Verdict(number, student["name"], tuple(filter(None, problems))))
     return verdicts
 

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.classroom.errors import ClassroomError, NoClassError
 from zbot.classroom.register import Register, Student
+from zbot.json_reader import read_json_object
 from zbot.security.access import LOBBY, LOBBY_SECRET, TEACHER
 from zbot.security.secret import make_private_folder, write_private
 from zbot.transport.config import MAX_DOMAIN_ID
@@ -80,7 +81,7 @@ class ClassRecord:
         """Return the credentials with which the teacher's hub accepts a student's laptop.
 
         With a PIN, they are the id of the laptop's hub, a user name and a secret. Without a PIN,
-        they are only the id, so any Zenoh program can use a laptop's nodes without a secret.
+        they are only the id: a Zenoh program then needs no secret.
         """
         found = {"hub_id": self.hub_id(number)}
         if self.pin:
@@ -119,10 +120,10 @@ def load_record() -> ClassRecord:
     """
     path = record_path()
     try:
-        return _parsed(json.loads(path.read_text(encoding="utf-8")))
+        return _parsed(read_json_object(path.read_text(encoding="utf-8")))
     except FileNotFoundError as exc:
         raise NoClassError from exc
-    except (OSError, ValueError, TypeError, KeyError) as exc:
+    except (OSError, ValueError, TypeError, KeyError, AttributeError) as exc:
         raise RecordError(path, str(exc)) from exc
 
 

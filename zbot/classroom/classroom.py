@@ -9,14 +9,16 @@ import time
 from typing import TYPE_CHECKING, Any
 
 from zbot.classroom.address import EVERYWHERE, Address
-from zbot.classroom.admission import AdmissionService
+from zbot.classroom.admission import AdmissionService, is_proof
 from zbot.classroom.attendance import Attendance
 from zbot.classroom.class_record import MAX_NOTICES, ClassRecord, user_of
 from zbot.classroom.errors import ClassroomError
 from zbot.classroom.hub import HubSettings
+from zbot.classroom.hub_identity import certificate_identity, own_identities
 from zbot.classroom.keys import ADMISSION_KEY, COMMAND_KEY, NOTICES_KEY
 from zbot.classroom.link import Link
 from zbot.classroom.register import NumberError
+from zbot.classroom.robots import Robots
 from zbot.log.teacher_notice import NOTICE_KEY
 from zbot.security.access import TEACHER, Share, teacher_access
 from zbot.transport import membership
@@ -45,14 +47,18 @@ class Classroom:
         self._record = record
         self._port = port
         self._attendance = Attendance()
+        self._robots = Robots()
         self._lock = threading.RLock()  # each of the three queryables has a thread
         self._serving: HubProcess | None = None
+        self._fingerprint = ""
         self._admission = AdmissionService(
             record.name,
             record.pin,
             record.register,
+            is_own_hub=self._is_own_hub,
             credentials=record.credentials,
             changed=self._on_claim,
+            is_here=lambda number: self._attendance.laptop(number).is_here,
         )
 
     def settings(self) -> HubSettings:
@@ -61,7 +67,12 @@ class Classroom:
         listen = link.listening(Address(EVERYWHERE, self._port))
         students = {user_of(number): number for number in _NUMBERS}
         shares = [Share(owner, user_of(reader)) for owner, reader in self._record.shares]
-        settings = teacher_access(students, shared_is_open=self._record.is_open, shares=shares)
+        settings = teacher_access(
+            students,
+            shared_is_open=self._record.is_open,
+            shares=shares,
+            drivers={user_of(number): robot for robot, number in self._robots.drivers.items()},
+        )
         if not self._record.pin:
             self._use_hub_ids(settings["access_control"])
         settings |= link.settings
@@ -82,14 +93,35 @@ class Classroom:
     def attach(self, serving: HubProcess) -> None:
         """Begin to answer laptops and the teacher through a hub that was opened."""
         self._serving = serving
+        self._fingerprint = Link(self._record.keystore).fingerprint()
         serving.answer_queries(ADMISSION_KEY, self._answer_admission)
         serving.answer_queries(COMMAND_KEY, self._answer_command)
-        serving.answer_queries(NOTICES_KEY, lambda _question: {"notices": self._record.notices})
+        serving.answer_queries(NOTICES_KEY, self._answer_student)
         self._attendance.attach(serving, self._record.register.students)
 
     def _answer_admission(self, question: Document) -> Document:
         with self._lock:
             return self._admission.answer(question)
+
+    def _answer_student(self, question: Document) -> Document:
+        """Return the notices. The owner of a number also gets the names of its nodes."""
+        found: Document = {"notices": self._record.notices}
+        student = self._record.register.students.get(_number_or_0(question))
+        if student is not None and is_proof(question.get("proof"), student.claim, "nodes"):
+            found["nodes"] = self._attendance.nodes.listed(student.number)[0]
+        return found
+
+    def _is_own_hub(self, dialled: str) -> bool:
+        """Return whether a laptop has dialled this hub, and not a program that forwards to it.
+
+        Without a PIN the answer protects nothing, because such a program can join by itself.
+        """
+        assert self._serving is not None
+        if not self._record.pin:
+            return True
+        if self._fingerprint and dialled == certificate_identity(self._fingerprint):
+            return True
+        return dialled in own_identities(self._serving.session)
 
     def _on_claim(self, number: int) -> None:
         student = self._record.register.students.get(number)
@@ -109,6 +141,9 @@ class Classroom:
             "free": self._free,
             "share": self._share,
             "open": self._open,
+            "close": self._close,
+            "robot": self._robot,
+            "give": self._give,
         }
         verb = verbs.get(str(question.get("op")))
         if verb is None:
@@ -123,21 +158,25 @@ class Classroom:
 
     def _list(self, _question: Document) -> Document:
         self._attendance.refresh()
-        nodes = self._attendance.nodes()
         students = sorted(self._record.register.students.values(), key=lambda one: one.number)
         missing = self._record.register.expected.keys() - self._record.register.students.keys()
         return {
             "class": self._record.name,
-            "students": [self._row(one, nodes.get(one.number, [])) for one in students],
+            "students": [self._row(one) for one in students],
             "expected": [
                 {"number": number, "name": self._record.register.expected[number]}
                 for number in sorted(missing)
             ],
-            "open": self._record.is_open,
+            "students_can_publish": self._record.is_open,
             "shares": [list(share) for share in self._record.shares],
+            "robots": [
+                {"name": name, "driver": self._robots.drivers.get(name)}
+                for name in self._robots.connected()
+            ],
         }
 
-    def _row(self, student: Student, nodes: list[str]) -> Document:
+    def _row(self, student: Student) -> Document:
+        nodes, more_nodes = self._attendance.nodes.listed(student.number)
         laptop = self._attendance.laptop(student.number)
         return {
             "number": student.number,
@@ -145,9 +184,10 @@ class Classroom:
             "host": student.host,
             "here": laptop.is_here,
             "since": laptop.since_ns / 1e9 or None,
-            "nodes": sorted(nodes),
+            "nodes": nodes,
+            "more_nodes": more_nodes,
             "last_error": laptop.last_error,
-            "clock_offset": laptop.clock_offset_s,
+            "clock_offset": laptop.clock_offset_s if laptop.is_here else None,
             "version": laptop.version,
             "system": laptop.system,
         }
@@ -160,6 +200,16 @@ class Classroom:
         self._serving.session.put(NOTICE_KEY, json.dumps(notice))
         return {"heard": len(self._attendance.present())}
 
+    def _close(self, _question: Document) -> Document:
+        """Tell all students that the class is closed. The teacher's command then ends the hub."""
+        assert self._serving is not None
+        text = f'the class "{self._record.name}" is closed'
+        notice = {"text": text, "time": time.time(), "closed": True}
+        self._serving.session.put(NOTICE_KEY, json.dumps(notice))
+        # The answers of the laptops come after they have received the notice.
+        self._attendance.refresh()
+        return {"heard": len(self._attendance.present())}
+
     def _free(self, question: Document) -> Document:
         number = _number(question.get("number"))
         student = self._record.register.free(number)
@@ -169,6 +219,26 @@ class Classroom:
         self._on_claim(number)
         self._apply()
         return {"freed": number, "name": student.name}
+
+    def _robot(self, question: Document) -> Document:
+        """Remember that a robot's bridge runs, and tell the bridge who drives."""
+        return {"driver": self._robots.note(str(question.get("robot")))}
+
+    def _give(self, question: Document) -> Document:
+        """Let one student drive a robot. Without a number, nobody drives."""
+        assert self._serving is not None
+        robot, given = str(question.get("robot")), question.get("number")
+        number = None if given is None else _number(given)
+        student = None if number is None else self._record.register.students.get(number)
+        if number is not None and student is None:
+            return {"error": f"no student has number {number}"}
+        before = self._robots.drivers
+        self._robots.give(robot, number)
+        # This comes before the hub closes for a moment, so that the robot stops at once.
+        self._robots.publish(self._serving.session)
+        if self._robots.drivers != before:
+            self._apply()
+        return {"robot": robot, "number": number, "name": student.name if student else ""}
 
     def _share(self, question: Document) -> Document:
         share = (_number(question.get("owner")), _number(question.get("reader")))
@@ -188,6 +258,11 @@ class Classroom:
         self._record.save()
         membership.save_users(self._record.users())
         self._serving.reopen()
+
+
+def _number_or_0(question: Document) -> int:
+    number = question.get("number")
+    return number if isinstance(number, int) else 0
 
 
 def _number(value: object) -> int:

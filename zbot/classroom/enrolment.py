@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 import time
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
-from zbot.classroom.admission import release_proof
+from zbot.classroom.admission import proof
 from zbot.classroom.errors import NoHubError, PinNeededError, RefusedError, SilentHubError
+from zbot.classroom.hub_identity import certificate_identity, dialled_identity
 from zbot.classroom.hub_queries import ask
 from zbot.classroom.keys import ADMISSION_KEY
 from zbot.classroom.link import PLAINTEXT, Link
@@ -15,6 +17,7 @@ from zbot.classroom.register import clean_name, clean_sentence
 from zbot.security.access import LOBBY, LOBBY_SECRET, credentials
 from zbot.security.pin import PinClient, WrongPinError
 from zbot.security.secret import Secret
+from zbot.transport.config import MAX_DOMAIN_ID
 from zbot.transport.membership import Membership
 from zbot.transport.session import open_hub_client
 
@@ -29,12 +32,17 @@ if TYPE_CHECKING:
     AskPin = Callable[[str], str | None]
 
 _ANSWER_TIMEOUT_S = 5.0
+_WORD = re.compile("[0-9A-Za-z_-]{0,128}")
 _RELEASE_TIMEOUT_S = 1.0
 _LONGEST_WAIT_S = 30.0  # after too many wrong PINs in the class, every laptop must wait
 
 
 def request_admission(
-    address: Address, request: AdmissionRequest, ask_pin: AskPin, link: Link = PLAINTEXT
+    address: Address,
+    request: AdmissionRequest,
+    ask_pin: AskPin,
+    link: Link = PLAINTEXT,
+    certificate: str = "",
 ) -> Membership:
     """Join the class of the hub at an address, or only the hub if it has no class.
 
@@ -44,6 +52,7 @@ def request_admission(
         ask_pin: Called with the class's name if the class has a PIN. Returns the PIN, or `None` if
             it is unknown.
         link: Plain TCP or TLS.
+        certificate: Fingerprint of the certificate that the hub has shown, if the link uses TLS.
 
     Returns:
         The membership in the class or the hub. Without a class, the membership has no number.
@@ -51,6 +60,7 @@ def request_admission(
     Raises:
         NoHubError: The program at the address is not a hub.
         WrongPinError: The PIN is wrong.
+        PinError: The PIN could not be checked. The message says why.
         PinNeededError: `ask_pin` returned `None`.
         RefusedError: The number is taken or invalid.
         SilentHubError: The class does not answer.
@@ -61,13 +71,20 @@ def request_admission(
         session = open_hub_client(link.endpoint(address), {**settings, **link.settings})
         if session is not None:
             with session:
-                return _Enrolment(session, address, is_class=bool(settings)).enrol(request, ask_pin)
+                hub = (
+                    certificate_identity(certificate) if certificate else dialled_identity(session)
+                )
+                enrolment = _Enrolment(session, address, hub, is_class=bool(settings))
+                return enrolment.enrol(request, ask_pin)
     raise NoHubError(address.host, address.port)
 
 
 class _Enrolment:
-    def __init__(self, session: zenoh.Session, address: Address, *, is_class: bool) -> None:
+    def __init__(
+        self, session: zenoh.Session, address: Address, hub: str, *, is_class: bool
+    ) -> None:
         self._session = session
+        self._hub = hub
         self._address = address
         self._is_class = is_class  # only the hub of a class has users
 
@@ -80,15 +97,16 @@ class _Enrolment:
             # The query ended before its timeout, so there is no queryable for admission.
             return Membership("partner", self._address.host, self._address.port)
         hello = greetings[0]
-        pin = ask_pin(clean_name(str(hello.get("class")))) if hello.get("pin") else ""
+        class_name = str(hello.get("class"))
+        pin = ask_pin(clean_name(class_name)) if hello.get("pin") else ""
         if pin is None:
             raise PinNeededError
-        client = PinClient(Secret(pin))
+        client = PinClient(Secret(pin), class_name, self._hub)
         challenge = self._ask("enrol", client.hello())
         sealed = self._ask("claim", client.claim(challenge, asdict(request)))
         given = client.opened(sealed)
         try:
-            return _membership(self._address, given)
+            return membership_from(self._address, given)
         except (KeyError, TypeError, ValueError) as exc:
             raise NoHubError(self._address.host, self._address.port) from exc
 
@@ -117,23 +135,40 @@ def _checked(answer: dict[str, Any]) -> dict[str, Any]:
     if kind == "pin":
         raise WrongPinError
     if kind is not None:
-        raise RefusedError(str(kind), clean_sentence(str(answer.get("sentence"))))
+        known = clean_name(str(answer.get("known") or ""))
+        raise RefusedError(str(kind), clean_sentence(str(answer.get("sentence"))), known)
     return answer
 
 
-def _membership(address: Address, given: dict[str, Any]) -> Membership:
+def membership_from(address: Address, given: dict[str, Any]) -> Membership:
+    """Return the membership in a class's answer.
+
+    Raises:
+        KeyError: A part is missing.
+        ValueError: A part has an unexpected form.
+    """
+    number = given["number"]
+    if not isinstance(number, int) or not 1 <= number <= MAX_DOMAIN_ID:
+        raise ValueError(f"{number!r} is not a number of a student")
     return Membership(
         "student",
         address.host,
         address.port,
         class_name=clean_name(str(given["class"])),
-        number=int(given["number"]),
+        number=number,
         name=clean_name(str(given["name"])),
-        user=str(given.get("user", "")),
-        secret=str(given.get("secret", "")),
-        claim=str(given["claim"]),
-        hub_id=str(given["hub_id"]),
+        user=_word(given.get("user", "")),
+        secret=_word(given.get("secret", "")),
+        claim=_word(given["claim"]),
+        hub_id=_word(given["hub_id"]),
     )
+
+
+def _word(value: object) -> str:
+    # These words become parts of Zenoh's settings and of its file of users.
+    if not isinstance(value, str) or not _WORD.fullmatch(value):
+        raise ValueError(f"{value!r} is not a word of letters and digits")
+    return value
 
 
 def release(session: zenoh.Session, joined: Membership) -> bool:
@@ -146,7 +181,7 @@ def release(session: zenoh.Session, joined: Membership) -> bool:
     question = {
         "op": "release",
         "number": joined.number,
-        "proof": release_proof(joined.claim),
+        "proof": proof(joined.claim, "release"),
     }
     answers = ask(session, ADMISSION_KEY, question, timeout_s=_RELEASE_TIMEOUT_S)
     return any(answer.get("released") is True for answer in answers)

@@ -102,11 +102,58 @@ class NotJoinedError(ClassroomError):
         super().__init__("this machine has not joined anything: join with `zbot join CODE`")
 
 
+class RobotError(ClassroomError, LookupError):
+    """The class has no such robot."""
+
+    def __init__(self, robot: str, connected: list[str], near: str | None) -> None:
+        self.robot, self.connected = robot, connected
+        if near:
+            advice = f"did you mean {near!r}?"
+        elif connected:
+            advice = f"the robots are {', '.join(connected)}"
+        else:
+            advice = "connect one with `zbot class start --robot dds`"
+        super().__init__(f"no robot {robot!r} is connected: {advice}")
+
+
 class NoClassError(ClassroomError):
     """No class is open on this machine."""
 
     def __init__(self) -> None:
         super().__init__("no class is open on this machine: open one with `zbot class start`")
+
+
+class OtherClassError(ClassroomError):
+    """Another class is open on this machine, or was open when the machine was switched off."""
+
+    def __init__(self, class_name: str) -> None:
+        self.class_name = class_name
+        super().__init__(
+            f'this machine has the class "{class_name}": `zbot class start` shows or continues it, '
+            "and `zbot class stop` closes it"
+        )
+
+
+class OpenClassError(ClassroomError):
+    """The class on this machine has other options than the teacher wants."""
+
+    def __init__(self, class_name: str, reason: str) -> None:
+        self.class_name, self.reason = class_name, reason
+        super().__init__(
+            f'the class "{class_name}" {reason}: `zbot class start` without options shows or '
+            "continues it; to change it, close it with `zbot class stop`, and start it again"
+        )
+
+
+class ConfirmationError(ClassroomError):
+    """A command would close a class, and nobody can be asked whether it should."""
+
+    def __init__(self, class_name: str) -> None:
+        self.class_name = class_name
+        super().__init__(
+            f'leaving closes the class "{class_name}" for all students: type `zbot class stop`, '
+            "or `zbot leave --yes`"
+        )
 
 
 class PinNeededError(ClassroomError, PermissionError):
@@ -117,10 +164,15 @@ class PinNeededError(ClassroomError, PermissionError):
 
 
 class RefusedError(ClassroomError, PermissionError):
-    """The class refuses this machine. The message comes from the class."""
+    """The class refuses this machine. The message comes from the class.
 
-    def __init__(self, kind: str, sentence: str) -> None:
-        self.kind = kind
+    Attributes:
+        kind: Why, e.g. `taken`.
+        known: A similar name in the teacher's list of students, or an empty text.
+    """
+
+    def __init__(self, kind: str, sentence: str, known: str = "") -> None:
+        self.kind, self.known = kind, known
         super().__init__(sentence)
 
 

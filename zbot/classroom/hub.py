@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING, Any
 from zbot.classroom.errors import HubPortError
 from zbot.transport.config import port_of
 from zbot.transport.errors import SessionError
-from zbot.transport.session import open_hub, process_facts
+from zbot.transport.process_facts import process_facts
+from zbot.transport.session import open_hub
 from zbot.version import __version__
 
 if TYPE_CHECKING:

@@ -146,5 +146,17 @@ def serve(
             report = _do_nothing
 
 
+def serve_session(open_session: Callable[[], zenoh.Session], on_ready: Callable[[], None]) -> None:
+    """Keep a session open until SIGTERM or SIGINT.
+
+    Args:
+        open_session: Opens the session.
+        on_ready: Called when the session is open.
+    """
+    with _signals() as signals, open_session():
+        on_ready()
+        signals.wait()
+
+
 def _do_nothing() -> None:
     """Take the place of `on_ready` when the hub is reopened."""

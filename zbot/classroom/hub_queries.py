@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import zenoh
 
+from zbot.json_reader import JsonError, read_json_object
 from zbot.log import get_logger
 
 if TYPE_CHECKING:
@@ -15,7 +16,7 @@ if TYPE_CHECKING:
 
 _QUEUE = 256
 _LARGEST = 64 * 1024  # bytes (a valid query of a laptop that joins has a few hundred bytes)
-_LARGEST_ANSWER = 16 * 1024 * 1024  # bytes (for 232 students who have a hundred nodes each)
+_LARGEST_ANSWER = 16 * 1024 * 1024  # bytes (for 232 students who have 200 nodes each)
 
 Answer = dict[str, Any]
 
@@ -77,10 +78,9 @@ def document_of(payload: zenoh.ZBytes | None, largest: int = _LARGEST) -> Answer
     if payload is None or len(payload) > largest:
         return {}
     try:
-        found = json.loads(payload.to_bytes())
-    except (ValueError, RecursionError):
+        return read_json_object(payload.to_bytes(), largest)
+    except JsonError:
         return {}
-    return found if isinstance(found, dict) else {}
 
 
 def ask(

@@ -78,17 +78,33 @@ class Link:
 
             check_listening(self._identity, host)
 
-    def check_dialling(self, address: Address) -> None:
+    def fingerprint(self) -> str:
+        """Return the fingerprint of this machine's certificate, or an empty text for plain TCP.
+
+        Raises:
+            SecurityError: This machine's certificate is missing or damaged.
+        """
+        if not self.keystore:
+            return ""
+        from zbot.security.certificate import facts  # noqa: PLC0415 - few use certificates
+
+        return facts(self._identity.certificate).fingerprint
+
+    def check_dialling(self, address: Address) -> str:
         """Check that this machine and the hub at an address accept each other's certificates.
+
+        Returns:
+            The fingerprint of the hub's certificate, or an empty text for plain TCP.
 
         Raises:
             SecurityError: One side does not accept the other's certificate. The message says which
                 certificate is wrong and why.
         """
-        if self.keystore:
-            from zbot.security.tls import check_dialling  # noqa: PLC0415 - few use certificates
+        if not self.keystore:
+            return ""
+        from zbot.security.tls import check_dialling  # noqa: PLC0415 - few use certificates
 
-            check_dialling(self._identity, address.host, address.port)
+        return check_dialling(self._identity, address.host, address.port).fingerprint
 
 
 PLAINTEXT = Link()

@@ -11,11 +11,13 @@ from typing import TYPE_CHECKING, Any
 
 import zenoh
 
-from zbot.classroom.hub_queries import ask
+from zbot.classroom.admission import proof
+from zbot.classroom.hub_queries import ask, document_of
 from zbot.classroom.keys import NOTICES_KEY, facts_key, here_key, nodes_selector
 from zbot.interfaces import get_message
-from zbot.log.teacher_notice import notice_text
+from zbot.log.teacher_notice import NOTICE_KEY, notice_text
 from zbot.transport import admin_query
+from zbot.transport.foreign_call import called_by_zenoh
 from zbot.version import __version__
 from zbot.wire.codec import codec_for
 from zbot.wire.errors import CodecError
@@ -27,7 +29,7 @@ if TYPE_CHECKING:
 _ERROR_LEVEL = 40  # ERROR in rcl_interfaces/msg/Log (FATAL is 50)
 _QUEUE = 64
 _MAX_TEXT = 300
-_NOTICES_TIMEOUT_S = 0.5
+_NOTICES_TIMEOUT_S = 1.5  # the class answers at once, and a slow network needs more
 _QUERY_TIMEOUT_S = 0.5
 _MAX_LOG_BYTES = 64 * 1024
 
@@ -55,9 +57,32 @@ class Presence:
         thread = threading.Thread(target=self._read_logs, name="zbot last error", daemon=True)
         thread.start()
         serving.join_on_close(thread)
-        serving.extra_facts["notices"] = lambda: earlier_notices(serving.session)
+        self._is_closed = False
+        self._notices = serving.session.declare_subscriber(
+            NOTICE_KEY, called_by_zenoh(self._hear_notice)
+        )
+        serving.extra_facts["of_class"] = self._of_class
+        serving.extra_facts["closed"] = lambda: self._is_closed
         serving.answer_queries(facts_key(number), self._facts)
         self._token = serving.session.liveliness().declare_token(here_key(number))
+
+    def _hear_notice(self, sample: zenoh.Sample) -> None:
+        self._is_closed = document_of(sample.payload).get("closed") is True
+
+    def _of_class(self) -> dict[str, Any] | None:
+        """Return the notices and the nodes that the class sees, or `None` without an answer.
+
+        A class does not answer a laptop that it does not accept.
+        """
+        number = self._joined.number
+        question = {"number": number, "proof": proof(self._joined.claim, "nodes")}
+        answers = ask(self._session, NOTICES_KEY, question, timeout_s=_NOTICES_TIMEOUT_S)
+        if not answers:
+            return None
+        notices = answers[0].get("notices")
+        notices = notices if isinstance(notices, list) else []
+        texts = [notice_text(json.dumps(one).encode()) for one in notices]
+        return {"notices": texts, "nodes": answers[0].get("nodes")}
 
     def _facts(self, _question: dict[str, Any]) -> dict[str, Any]:
         self._query_earlier_logs()
@@ -114,10 +139,3 @@ class Presence:
                 "text": line.msg[:_MAX_TEXT],
                 "time_ns": stamp_ns,
             }
-
-
-def earlier_notices(session: zenoh.Session) -> list[str]:
-    """Return the teacher's notices, oldest first, or none if the teacher's hub does not answer."""
-    answers = ask(session, NOTICES_KEY, timeout_s=_NOTICES_TIMEOUT_S)
-    notices = answers[0].get("notices") if answers else None
-    return [notice_text(json.dumps(one).encode()) for one in notices or []]

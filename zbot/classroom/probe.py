@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import ipaddress
 import queue
 import socket
 import threading
@@ -25,6 +26,7 @@ if TYPE_CHECKING:
 #: A connection in one building takes milliseconds, but TCP repeats a lost packet after 1 s.
 _TIMEOUT_S = 1.25
 _LOOK_UP_S = 0.3
+_LATE_S = 5.0  # by which a busy machine may run a thread late
 _PAUSE_S = 0.05  # between attempts if the port refuses the connection
 # A machine that is on usually accepts or refuses a connection on at least one of these ports.
 _COMMON_PORTS = (22, 80, 135, 445, 5000, 7)
@@ -50,11 +52,13 @@ def first_reachable(candidates: Sequence[Address], timeout_s: float = _TIMEOUT_S
 
     for candidate in candidates:
         threading.Thread(target=look, args=(candidate,), daemon=True).start()
+    # A name look-up has no timeout of its own and may take longer than a connection.
+    has_names = not all(_is_ip(candidate.host) for candidate in candidates)
+    patience_s = _LOOK_UP_S if has_names else _LATE_S
     problems: list[ClassroomError] = []
     for candidate in candidates:
         try:
-            # A name look-up has no timeout of its own and may take longer than a connection.
-            address, problem = answers.get(timeout=timeout_s + _LOOK_UP_S)
+            address, problem = answers.get(timeout=timeout_s + patience_s)
         except queue.Empty:
             raise AddressError(
                 candidate.host, "no name server answers: use the IP address"
@@ -63,6 +67,14 @@ def first_reachable(candidates: Sequence[Address], timeout_s: float = _TIMEOUT_S
             return address
         problems.append(problem)
     raise min(problems, key=_rank)
+
+
+def _is_ip(host: str) -> bool:
+    try:
+        ipaddress.ip_address(host)
+    except ValueError:
+        return False
+    return True
 
 
 def _rank(problem: ClassroomError) -> int:

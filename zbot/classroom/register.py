@@ -12,7 +12,9 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from zbot.classroom.errors import ClassroomError
-from zbot.terminal_text import single_line
+from zbot.errors import shortened
+from zbot.names import nearest
+from zbot.terminal.text import single_line
 from zbot.transport.config import MAX_DOMAIN_ID
 
 if TYPE_CHECKING:
@@ -20,6 +22,7 @@ if TYPE_CHECKING:
 
 MAX_NAME_LENGTH = 64
 MAX_SENTENCE_LENGTH = 500
+_MAX_DIGITS = 9
 _CLAIM_BYTES = 8
 
 
@@ -47,6 +50,17 @@ class FullClassError(ClassroomError):
 
     def __init__(self) -> None:
         super().__init__(f"the class is full: all {MAX_DOMAIN_ID} numbers are taken")
+
+
+class SimilarNameError(ClassroomError, ValueError):
+    """A name is not in the list of students, but a similar name is."""
+
+    def __init__(self, name: str, known: str) -> None:
+        self.name, self.known = name, known
+        super().__init__(
+            f'the teacher\'s list has no "{name}", but "{known}": type --name "{known}", '
+            "or add --new-student if you are somebody else"
+        )
 
 
 class RosterError(ClassroomError, ValueError):
@@ -89,22 +103,34 @@ class Register:
     expected: dict[int, str] = field(default_factory=dict)  #: names by number, from the teacher
     students: dict[int, Student] = field(default_factory=dict)
 
-    def claim(self, number: int | None, name: str | None, machine: str, host: str) -> Student:
+    def claim(
+        self,
+        number: int | None,
+        name: str | None,
+        machine: str,
+        host: str,
+        *,
+        is_new: bool = False,
+    ) -> Student:
         """Give a number to a laptop, and return the laptop's student.
 
         Args:
             number: The requested number. If it is `None`, the laptop keeps its number. A laptop
                 with no number gets the student's number in the list, else the lowest free number.
             name: The student's name. If it is `None`, the name in the list is used, or else the
-                host name.
+                host name. If another student has the host name already, the number follows it.
             machine: The laptop's identifier.
             host: The laptop's host name.
+            is_new: Whether the student is not in the list, although a similar name is.
 
         Raises:
             NumberError: The number is out of range.
             TakenError: Another laptop has the number, or the list keeps it for another name.
             FullClassError: No number is free.
+            SimilarNameError: The list does not have the name, but a similar name without a laptop.
         """
+        if name and not is_new:
+            self._check_similar(name, machine)
         wanted = self._number(number, name, machine)
         holder = self.students.get(wanted)
         if holder is not None and holder.machine != machine:
@@ -112,11 +138,27 @@ class Register:
         kept_for = self.expected.get(wanted)
         if kept_for and name and name.casefold() != kept_for.casefold():
             raise TakenError(wanted, kept_for)
-        student = Student(wanted, kept_for or name or host, machine, host)
+        student = Student(wanted, kept_for or name or self._name(host, wanted), machine, host)
         # This makes a new dictionary, because another thread may iterate over the old dictionary.
         others = {n: one for n, one in self.students.items() if one.machine != machine}
         self.students = {**others, wanted: student}
         return student
+
+    def _check_similar(self, name: str, machine: str) -> None:
+        missing = {
+            listed.casefold(): listed
+            for number, listed in self.expected.items()
+            if number not in self.students or self.students[number].machine == machine
+        }
+        everybody = {listed.casefold() for listed in self.expected.values()}
+        guess = nearest(name.casefold(), missing)
+        if guess is not None and name.casefold() not in everybody:
+            raise SimilarNameError(name, missing[guess])
+
+    def _name(self, host: str, number: int) -> str:
+        """Return a name for a student who gave none. Laptops may have equal host names."""
+        others = {one.name for n, one in self.students.items() if n != number}
+        return f"{host}-{number}" if host in others else host
 
     def _number(self, number: int | None, name: str | None, machine: str) -> int:
         if number is not None:
@@ -163,18 +205,31 @@ def read_roster(text: str) -> dict[int, str]:
     Raises:
         RosterError: A line has no number from 1 to 232, or two lines have the same number.
     """
-    dialect = ";" if text.count(";") > text.count(",") else ","
     found: dict[int, str] = {}
-    for line, row in enumerate(
-        csv.reader(io.StringIO(text.lstrip("\ufeff")), delimiter=dialect), 1
-    ):
+    for line, row in enumerate(_rows(text), 1):
         cells = [cell.strip() for cell in row]
         if not any(cells) or (line == 1 and not cells[0].isdigit()):
             continue
-        number = int(cells[0]) if cells[0].isascii() and cells[0].isdigit() else 0
+        number = int(cells[0]) if _is_short_number(cells[0]) else 0
         if not 1 <= number <= MAX_DOMAIN_ID:
-            raise RosterError(line, f"{cells[0]!r} is not a number from 1 to {MAX_DOMAIN_ID}")
+            raise RosterError(
+                line, f"{shortened(cells[0])} is not a number from 1 to {MAX_DOMAIN_ID}"
+            )
         if number in found:
             raise RosterError(line, f"number {number} appears twice")
         found[number] = clean_name(" ".join(cells[1:]))
     return found
+
+
+def _is_short_number(text: str) -> bool:
+    # Python raises an error for thousands of digits.
+    return text.isascii() and text.isdigit() and len(text) <= _MAX_DIGITS
+
+
+def _rows(text: str) -> list[list[str]]:
+    separator = ";" if text.count(";") > text.count(",") else ","
+    rows = csv.reader(io.StringIO(text.lstrip("\ufeff")), delimiter=separator)
+    try:
+        return list(rows)
+    except csv.Error as exc:
+        raise RosterError(rows.line_num, str(exc)) from exc

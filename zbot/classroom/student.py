@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import contextlib
+import functools
 import secrets
 import socket
+import time
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -12,7 +14,7 @@ from zbot.classroom import background, teacher
 from zbot.classroom.address import Address, own_addresses, parse_address
 from zbot.classroom.admission import AdmissionRequest
 from zbot.classroom.enrolment import release, request_admission
-from zbot.classroom.errors import AlreadyJoinedError
+from zbot.classroom.errors import AlreadyJoinedError, RefusedError
 from zbot.classroom.hub import HubSettings
 from zbot.classroom.hub_process import serve
 from zbot.classroom.join_code import decode, looks_like_code
@@ -22,15 +24,21 @@ from zbot.classroom.probe import first_reachable
 from zbot.classroom.state import hub_facts
 from zbot.security.secret import make_private_folder, write_private
 from zbot.transport import membership
+from zbot.transport.config import hub_port
 from zbot.transport.session import hub_endpoint, open_hub_client
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
     from pathlib import Path
 
+    from zbot.classroom.enrolment import AskPin
     from zbot.transport.membership import Membership
 
+    AskName = Callable[[str, str], bool | None]
+
 _MACHINE_BYTES = 8
+_NOTICED_S = 5.0  # a hub notices within 4 s that a laptop is away
+_PAUSE_S = 0.5
 
 
 def find_hub(target: str) -> Address:
@@ -53,8 +61,10 @@ def join(
     *,
     name: str | None = None,
     number: int | None = None,
+    is_new: bool = False,
     keystore: Path | None = None,
-    ask_pin: Callable[[str], str | None] = lambda _class_name: None,
+    ask_pin: AskPin = lambda _class_name: None,
+    ask_name: AskName = lambda _given, _known: None,
 ) -> Membership:
     """Join the class or hub at a code or address, and start a hub in the background.
 
@@ -62,8 +72,11 @@ def join(
         target: Code or address, as the teacher gives it.
         name: The student's name.
         number: The student's number. If it is `None`, the class chooses a number.
+        is_new: Whether the student is not in the teacher's list, although a similar name is.
         keystore: Folder of this machine's certificate. `None` means plain TCP.
         ask_pin: Takes the name of the class and returns its PIN, or `None` if it is unknown.
+        ask_name: Takes the given name and a similar name in the teacher's list. Returns whether the
+            similar name is meant, or `None` if nobody can be asked.
 
     Raises:
         AlreadyJoinedError: This machine has joined a class or hub, or runs a hub.
@@ -74,10 +87,16 @@ def join(
     _check_not_joined()
     link = Link.named(keystore)
     address = find_hub(target)
-    link.check_dialling(address)
-    request = AdmissionRequest(machine_id(), socket.gethostname(), name, number)
+    certificate = link.check_dialling(address)
+    request = AdmissionRequest(machine_id(), socket.gethostname(), name, number, is_new)
+    pin = functools.cache(ask_pin)  # a student types the PIN once
+
+    def send(request: AdmissionRequest) -> Membership:
+        return request_admission(address, request, pin, link, certificate)
+
     with _without_membership():
-        joined = replace(request_admission(address, request, ask_pin, link), keystore=link.keystore)
+        joined = _admitted(request, send, ask_name)
+    joined = replace(joined, keystore=link.keystore, hub_port=hub_port())
     background.stop()
     membership.save(joined, [(joined.user, joined.secret)])
     try:
@@ -85,7 +104,36 @@ def join(
     except BaseException:
         membership.forget()
         raise
+    background.end_router()
     return joined
+
+
+def _admitted(
+    request: AdmissionRequest, send: Callable[[AdmissionRequest], Membership], ask_name: AskName
+) -> Membership:
+    """Send a request. If the class has a question, change the request and send it again."""
+    deadline, known = time.monotonic() + _NOTICED_S, request.machine
+    while True:
+        try:
+            joined = send(request)
+        except RefusedError as refusal:
+            if refusal.kind == "similar" and not request.is_new:
+                is_meant = ask_name(request.name or "", refusal.known)
+                if is_meant is None:
+                    raise
+                name = refusal.known if is_meant else request.name
+                request = replace(request, name=name, is_new=True)
+            elif refusal.kind == "copied" and request.machine == known:
+                # This may be the laptop itself, if the class has not noticed yet that it was away.
+                if time.monotonic() > deadline:
+                    request = replace(request, machine=secrets.token_hex(_MACHINE_BYTES))
+                time.sleep(_PAUSE_S)
+            else:
+                raise
+        else:
+            if request.machine != known:
+                _write_machine_id(request.machine)
+            return joined
 
 
 def _check_not_joined() -> None:
@@ -116,14 +164,17 @@ def _without_membership() -> Iterator[None]:
 
 def machine_id() -> str:
     """Return the identifier of this user's machine. It is random and stored in a file."""
-    path = membership.folder() / "machine"
     try:
-        return path.read_text(encoding="utf-8").strip()
+        return (membership.folder() / "machine").read_text(encoding="utf-8").strip()
     except FileNotFoundError:
         made = secrets.token_hex(_MACHINE_BYTES)
-        make_private_folder(membership.folder())
-        write_private(path, made.encode())
+        _write_machine_id(made)
         return made
+
+
+def _write_machine_id(machine: str) -> None:
+    make_private_folder(membership.folder())
+    write_private(membership.folder() / "machine", machine.encode())
 
 
 def leave() -> Membership | None:
@@ -144,6 +195,7 @@ def leave() -> Membership | None:
                 release(session, present)
     background.stop()
     membership.forget()
+    background.end_router()
     return present
 
 

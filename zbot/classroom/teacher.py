@@ -2,23 +2,32 @@
 
 from __future__ import annotations
 
+import contextlib
 import secrets
 import time
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from zbot.classroom import background
-from zbot.classroom.address import Address, own_addresses
+from zbot.classroom.address import own_addresses
 from zbot.classroom.class_check import check, snapshots
 from zbot.classroom.class_record import ClassRecord, load_record, record_path
 from zbot.classroom.classroom import Classroom
-from zbot.classroom.errors import AlreadyJoinedError, ClassCommandError, NoClassError
+from zbot.classroom.errors import (
+    AlreadyJoinedError,
+    ClassCommandError,
+    NoClassError,
+    OpenClassError,
+    OtherClassError,
+)
 from zbot.classroom.hub_process import serve
 from zbot.classroom.hub_queries import ask
 from zbot.classroom.keys import COMMAND_KEY
 from zbot.classroom.link import Link
 from zbot.security.access import TEACHER
+from zbot.security.pin import random_pin
 from zbot.transport import membership
+from zbot.transport.config import hub_port
 from zbot.transport.membership import Membership
 from zbot.transport.session import LOOPBACK, open_hub_client
 
@@ -32,49 +41,100 @@ if TYPE_CHECKING:
     from zbot.classroom.expectation import Expectation
     from zbot.graph.snapshot import Snapshot
 
+#: Name of a class if the teacher gives none.
+DEFAULT_NAME = "class"
+
 _MASTER_BYTES = 32
 _REOPENING_S = 3.0  # a hub usually reopens in 0.2 s
 _PAUSE_S = 0.05
 _ANSWER_TIMEOUT_S = 5.0
 
 
-def start(
-    name: str,
-    port: int,
-    *,
-    pin: str = "",
-    expected: dict[int, str] | None = None,
-    keystore: Path | None = None,
-) -> tuple[Membership, ClassRecord]:
+@dataclass(frozen=True)
+class ClassOptions:
+    """What the teacher wants of a class. `None` and `False` mean: as it is, or the default."""
+
+    name: str | None = None  #: by default, the name of the class that continues, or `class`
+    port: int | None = None  #: TCP port of the hub; by default that of this machine's own hub
+    with_pin: bool = False  #: whether students must know a PIN
+    pin: str = ""  #: the PIN that the teacher has chosen; by default a random one
+    new_pin: bool = False  #: whether the class gets another PIN
+    expected: dict[int, str] | None = None  #: names of students by number
+    keystore: Path | None = None  #: folder of this machine's certificate; by default plain TCP
+
+
+def start(options: ClassOptions) -> tuple[Membership, ClassRecord]:
     """Open a class: start its hub in the background, so that students can join.
 
-    If a class with the same name was open when this machine was switched off, that class continues.
-    Its laptops reconnect by themselves and keep their numbers.
-
-    Args:
-        name: The class's name, shown to students.
-        port: TCP port of the hub.
-        pin: PIN that students must know. If empty, a class that continues keeps its PIN, and a new
-            class has no PIN.
-        expected: Names of students by number.
-        keystore: Folder of this machine's certificate. If it is `None`, a class that continues
-            keeps its keystore, and a new class uses plain TCP.
+    If a class was open when this machine was switched off, that class continues. Its laptops
+    reconnect by themselves and keep their numbers, and its PIN stays the same. If the class is open
+    now, it stays open. It gets a new PIN if `new_pin` is true.
 
     Returns:
         The teacher's membership and the record of the class.
 
     Raises:
         AlreadyJoinedError: This machine has joined a class or hub, or runs a hub.
+        OtherClassError: Another class is open, or was open when this machine was switched off.
+        OpenClassError: The class has other options.
         HubStartError: Another program uses the port.
         SecurityError: This machine's certificate is not suitable for a class.
     """
-    record = _present_record(name)
-    record.pin = pin or record.pin
-    record.register.expected = expected or record.register.expected
+    present, runs = membership.load(), background.find() is not None
+    if present is None or present.role != "teacher":
+        _check_free(present, runs=runs)
+        name = options.name or DEFAULT_NAME
+        return _open(name, ClassRecord(name, secrets.token_hex(_MASTER_BYTES)), options)
+    if options.name not in {None, present.class_name}:
+        raise OtherClassError(present.class_name)
+    record = load_record()
+    _check_options(present, record, options, runs=runs)
+    if runs and not options.new_pin:
+        return present, record
+    background.stop()
+    # A hub that runs writes the record, so it is read after the hub's end.
+    return _open(present.class_name, load_record(), options, present)
+
+
+def _check_free(present: Membership | None, *, runs: bool) -> None:
+    if present is not None:
+        raise AlreadyJoinedError(f"has joined {present.class_name or present.host}")
+    if runs:
+        raise AlreadyJoinedError("runs a hub")
+
+
+def _check_options(
+    present: Membership, record: ClassRecord, options: ClassOptions, *, runs: bool
+) -> None:
+    """Raise `OpenClassError` if the options need another class than the one that exists."""
+    if (options.with_pin or options.new_pin) and not record.pin:
+        raise OpenClassError(present.class_name, "has no PIN")
+    if options.pin and options.pin != record.pin and not options.new_pin:
+        raise OpenClassError(present.class_name, "has another PIN (`--new-pin` changes it)")
+    if not runs:
+        return
+    keystore = Link.named(options.keystore).keystore
+    wanted = {
+        "port": (options.port, present.port),
+        "list of students": (options.expected, record.register.expected),
+        "keystore": (keystore, record.keystore),
+    }
+    for what, (given, known) in wanted.items():
+        if given and given != known:
+            raise OpenClassError(present.class_name, f"has another {what}")
+
+
+def _open(
+    name: str, record: ClassRecord, options: ClassOptions, present: Membership | None = None
+) -> tuple[Membership, ClassRecord]:
+    if options.new_pin or (options.with_pin and not record.pin):
+        record.pin = options.pin or random_pin().reveal()
+    record.register.expected = options.expected or record.register.expected
     host = next(iter(own_addresses()), LOOPBACK)
-    record.keystore = Link.named(keystore).keystore or record.keystore
+    record.keystore = Link.named(options.keystore).keystore or record.keystore
     Link(record.keystore).check_listening(host)
-    opened = Membership("teacher", host, port, class_name=name)
+    port = options.port or (present.port if present is not None else hub_port())
+    opened = Membership("teacher", host, port, class_name=name, hub_port=hub_port())
     if record.pin:
         opened = replace(opened, user=TEACHER, secret=record.secret_of(TEACHER))
     record.save()
@@ -82,20 +142,11 @@ def start(
     try:
         background.start("teacher")
     except BaseException:
-        _forget()
+        if present is None:
+            _forget()
         raise
+    background.end_router()
     return opened, record
-
-
-def _present_record(name: str) -> ClassRecord:
-    present, runs = membership.load(), background.find() is not None
-    if present is not None and (runs or present.role != "teacher"):
-        raise AlreadyJoinedError(f"has joined {present.class_name or present.host}")
-    if runs:
-        raise AlreadyJoinedError("runs a hub")
-    if present is not None and present.class_name == name:
-        return load_record()
-    return ClassRecord(name, secrets.token_hex(_MASTER_BYTES))
 
 
 def stop() -> Membership:
@@ -107,8 +158,12 @@ def stop() -> Membership:
     present = membership.load()
     if present is None or present.role != "teacher":
         raise NoClassError
+    # A hub that does not run, or that does not answer, cannot tell the students.
+    with contextlib.suppress(ClassCommandError):
+        command({"op": "close"})
     background.stop()
     _forget()
+    background.end_router()
     return present
 
 
@@ -184,8 +239,3 @@ def run_teacher(opened: Membership, on_ready: Callable[[], None]) -> None:
     """Run the hub of a class until SIGTERM or SIGINT."""
     classroom = Classroom(load_record(), opened.port)
     serve("teacher", classroom.settings, on_ready, classroom.attach)
-
-
-def address_of(opened: Membership) -> Address:
-    """Return the address at which students join a class."""
-    return Address(opened.host, opened.port)

@@ -1,7 +1,8 @@
 """ROS 2's import names. After `import zbot.compat`, `import rclpy` imports zbot.
 
-`zbot run` and `zbot launch` import this before the program. Each folder of `packages/` is for one
-import name, and only re-exports names of zbot. A real package is used instead if it is installed.
+`zbot run` and `zbot launch` import this before the program. In other programs, `zbot_ros2_names`
+imports it at the first import of such a name. Each folder of `packages/` is for one import name,
+and only re-exports names of zbot. A real package is used instead if it is installed.
 """
 
 from __future__ import annotations
@@ -10,6 +11,8 @@ import sys
 from importlib.machinery import ModuleSpec, PathFinder
 from pathlib import Path
 from typing import TYPE_CHECKING
+
+from zbot.package import python_finder
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
@@ -54,6 +57,10 @@ def install_names(preferred: Iterable[str] = ()) -> None:
     if _NameFinder not in sys.meta_path:
         # This finder must be the first: Python's own finder accepts any folder named `rclpy`.
         sys.meta_path.insert(0, _NameFinder)
+    python_finder.install()
+    started = sys.modules.get("zbot_ros2_names")
+    if started is not None:
+        started.remove()
 
 
 install_names()

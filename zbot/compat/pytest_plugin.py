@@ -2,15 +2,19 @@
 
 If zbot is installed, pytest loads this plugin by its entry point. The plugin has no effect on files
 without such tests.
+
+`ros2 pkg create` puts tests into each package that run ROS 2's linters, e.g. `ament_flake8`. Where
+a linter is not installed, these tests are skipped, so that the other tests run.
 """
 
 from __future__ import annotations
 
 import io
+import sys
 import unittest
 from collections import defaultdict
 from contextlib import redirect_stderr
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 import pytest
 
@@ -21,16 +25,48 @@ if TYPE_CHECKING:
     from zbot.launch.testing.test_run import TestRun
 
 _MARKS = {"launch_test", "rostest"}
+_LINTERS = {
+    "ament_clang_format", "ament_clang_tidy", "ament_copyright", "ament_cppcheck", "ament_cpplint",
+    "ament_flake8", "ament_lint", "ament_lint_cmake", "ament_mypy", "ament_pclint", "ament_pep257",
+    "ament_pycodestyle", "ament_uncrustify", "ament_xmllint",
+}  # fmt: skip
 
 
 def pytest_configure(config: pytest.Config) -> None:
     """Register the marks."""
+    sys.meta_path.append(_LinterFinder)
     for line in (
         "launch_test: the function describes the launch for the test cases of its file",
         "rostest: older name of launch_test",
         "launch(fixture, shutdown=False): the test runs with the launch of a launch_pytest.fixture",
     ):
         config.addinivalue_line("markers", line)
+
+
+def pytest_unconfigure() -> None:
+    """Remove the finder of linters."""
+    if _LinterFinder in sys.meta_path:
+        sys.meta_path.remove(_LinterFinder)
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_sessionfinish(session: pytest.Session, exitstatus: int) -> None:
+    """Succeed if all that pytest found was skipped because a linter is missing."""
+    if exitstatus == pytest.ExitCode.NO_TESTS_COLLECTED and _LinterFinder.skipped:
+        session.exitstatus = pytest.ExitCode.OK
+
+
+class _LinterFinder:
+    """Finder that skips the test file that imports a linter of ROS 2 that is not installed."""
+
+    skipped: ClassVar[set[str]] = set()
+
+    @classmethod
+    def find_spec(cls, fullname: str, path: object = None, _: object = None) -> None:
+        """Skip the file if the name is that of a linter. Other finders did not find it."""
+        if path is None and fullname in _LINTERS:
+            cls.skipped.add(fullname)
+            pytest.skip(f"{fullname} is a linter of ROS 2: zbot lacks it", allow_module_level=True)
 
 
 def pytest_pycollect_makemodule(

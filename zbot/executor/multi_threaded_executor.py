@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import os
+import sys
 import threading
 import time
 import warnings
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
 
 def _core_count() -> int:
     # A container or `taskset` may give the process fewer cores than the machine has.
-    if hasattr(os, "sched_getaffinity"):
+    if sys.platform == "linux":  # other systems have no such call
         return len(os.sched_getaffinity(0))
     return os.cpu_count() or 1
 

@@ -42,6 +42,7 @@ class TypeHash:
     version: int = -1
     value: bytes = bytes(_DIGEST_LENGTH)
 
+    _zbot_stands_for: ClassVar[str] = "string"  #: fields of this type take the text of a hash
     _TYPE_HASH_SIZE: ClassVar[int] = _DIGEST_LENGTH
 
     @classmethod

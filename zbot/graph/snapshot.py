@@ -7,7 +7,6 @@ and Zenoh removes the tokens of a process that ends for any reason.
 from __future__ import annotations
 
 import itertools
-import json
 import threading
 import time
 import weakref
@@ -18,7 +17,9 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 import zenoh
 
 from zbot.errors import InvalidNameError
+from zbot.json_reader import JsonError, read_json_object
 from zbot.names import SEND_GOAL, fully_qualified, validate_full_topic_name
+from zbot.terminal.text import single_line
 from zbot.transport import admin_query
 from zbot.transport.foreign_call import without_interruption
 from zbot.transport.wakeup import BinarySemaphore
@@ -34,6 +35,11 @@ _ANSWER_TIMEOUT_S = 2.0  # usually 25 ms are enough
 #: Words in the keys of Zenoh's admin space.
 _FOREIGN_KINDS = {"publisher": EntityKind.PUBLISHER, "subscriber": EntityKind.SUBSCRIPTION}
 _MOST_WITHDRAWN = 1000
+# A context that follows more names watches the whole graph, because Zenoh compares each new token
+# with each name.
+_MOST_FOLLOWED = 50
+_MAX_PID = 1 << 31
+_MAX_FACT = 1000  # characters
 
 NamesAndTypes = list[tuple[str, list[str]]]
 Token = NodeToken | EndpointToken
@@ -169,6 +175,7 @@ class Graph:
         self._lock = threading.RLock()  # re-entrant: a signal handler may use the graph
         self._listeners: list[weakref.ref[Any]] = []
         self._asks_first = asks_first
+        self._followed: set[str] = set()  # key expressions
         self._watching = False
         self._is_complete = False
         self._gone: set[str] = set()
@@ -178,7 +185,7 @@ class Graph:
         self._waiting: set[BinarySemaphore] = set()
 
     def watch(self) -> None:
-        """Subscribe to changes. Before this call, `find` returns None."""
+        """Subscribe to all changes. Before, `find` knows only what `follow` was called for."""
         with self._lock:
             if self._watching:
                 return
@@ -187,6 +194,32 @@ class Graph:
             self._complete()
         for key in self._keys:
             self._declare_subscriber(key, self._receiver(self._on_sample))
+
+    def follow(self, token: Token) -> None:
+        """Subscribe to all tokens with the node name or the topic of `token`.
+
+        So `find` and the listeners know them, and this session does not receive the tokens of the
+        whole domain. In a domain of 200 nodes these are some thousands.
+        """
+        key = self._dialect.namesake_selector(token)
+        with self._lock:
+            if self._watching or key in self._followed:
+                return
+            self._followed.add(key)
+            is_small = len(self._followed) <= _MOST_FOLLOWED
+        if is_small:
+            self._declare_subscriber(key, self._receiver(self._on_sample))
+        else:
+            self.watch()
+
+    def known(self) -> tuple[Token, ...]:
+        """Return the tokens that this session has received so far, without a query."""
+        with self._lock:
+            return tuple(self._tokens.values())
+
+    def query(self) -> Snapshot:
+        """Return the graph as it is now, without watching its changes. This takes 1 to 25 ms."""
+        return self.snapshot() if self._watching else Snapshot(tuple(self._query_tokens()))
 
     def announce(self, token: Token) -> Announcement:
         """Declare a token of this context. This graph contains the token at once."""
@@ -199,7 +232,7 @@ class Graph:
         else:
             with self._lock:
                 changed = self._forget(token.key) is not None
-                if self._watching:
+                if self._watching or self._followed:
                     self._withdrawn[token.key] = None
                     if len(self._withdrawn) > _MOST_WITHDRAWN:
                         del self._withdrawn[next(iter(self._withdrawn))]
@@ -258,9 +291,15 @@ class Graph:
         """Return the endpoint with the gid of a message, or None before its token has arrived."""
         return self._by_gid.get(gid)
 
+    def tokens_in(self, keys: Iterable[str]) -> Iterator[Token]:
+        """Yield the tokens in keys. Leave out the keys that are not tokens of this dialect."""
+        return filter(None, map(self._parse, keys))
+
     def add_listener(self, listener: Callable[[Token, bool], None]) -> None:
-        """Call `listener(token, appeared)` for all tokens and changes while its object exists."""
-        self.watch()
+        """Call `listener(token, appeared)` for known tokens and changes while its object exists.
+
+        Call `watch` or `follow` before, so that this session receives tokens of other sessions.
+        """
         with self._lock:
             self._listeners.append(weakref.WeakMethod(listener))
             tokens = list(self._tokens.values())
@@ -273,10 +312,9 @@ class Graph:
             self._listeners = [ref for ref in self._listeners if ref() not in {None, listener}]
 
     def _query_tokens(self) -> Iterator[Token]:
-        for key in self._tokens_from_router() if self._asks_first else self._tokens_from_peers():
-            token = self._parse(key)
-            if token is not None:
-                yield token
+        yield from self.tokens_in(
+            self._tokens_from_router() if self._asks_first else self._tokens_from_peers()
+        )
 
     def _tokens_from_router(self) -> Iterable[str]:
         asked = [admin_query.tokens(self._session, key, _ANSWER_TIMEOUT_S) for key in self._keys]
@@ -319,7 +357,7 @@ class Graph:
         with self._lock:
             gone = self._forget(key)
             self._withdrawn.pop(key, None)
-            if not self._is_complete:
+            if self._watching and not self._is_complete:
                 self._gone.add(key)
         if gone is not None:
             self._notify(gone, False)
@@ -359,25 +397,28 @@ def processes(session: zenoh.Session) -> dict[str, Process]:
     found = {}
     for key, facts in admin_query.answers(session, "@/*/*", _ANSWER_TIMEOUT_S):
         zid = key.split("/")[1]
-        process = _process(zid, facts)
+        process = process_of(zid, facts)
         if process is not None:
             found[zid] = process
     return found
 
 
-def _process(zid: str, payload: bytes) -> Process | None:
+def process_of(zid: str, payload: bytes) -> Process | None:
+    """Return the process that an answer describes, or None if it does not describe one.
+
+    The texts have one line without control characters, and are shortened.
+    """
     try:
-        facts = json.loads(payload)["metadata"]["zbot"]
-        return Process(
-            zid,
-            str(facts["host"]),
-            int(facts["pid"]),
-            int(facts["started"]),
-            str(facts["version"]),
-            str(facts["command"]),
-        )
-    except (ValueError, KeyError, TypeError):
+        facts = admin_query.zbot_facts(read_json_object(payload))
+    except JsonError:
+        return None  # any program can answer
+    pid, started_ns = facts.get("pid"), facts.get("started")
+    # The command `zbot node kill` ends the process. For a system call, 0 and -1 mean many.
+    if not isinstance(pid, int) or not 0 < pid < _MAX_PID or not admin_query.is_time_ns(started_ns):
         return None  # a Zenoh program that does not use zbot
+    texts = (single_line(str(facts.get(key)), _MAX_FACT) for key in ("host", "version", "command"))
+    host, version, command = texts
+    return Process(zid, host, int(pid), started_ns, version, command)
 
 
 def foreign_topics(

@@ -9,6 +9,7 @@ if TYPE_CHECKING:
     from zbot.interfaces.message import Action as Action
     from zbot.interfaces.message import Message as Message
     from zbot.interfaces.message import Service as Service
+    from zbot.interfaces.python_class import has_byte_sequences as has_byte_sequences
     from zbot.interfaces.python_class import has_sequences as has_sequences
     from zbot.interfaces.python_class import message_spec_of as message_spec_of
     from zbot.interfaces.python_class import spec_of as spec_of
@@ -38,7 +39,8 @@ if TYPE_CHECKING:
 _MODULES = {
     "zbot.interfaces.message": "Action Message Service",
     "zbot.interfaces.python_class": (
-        "has_sequences message_spec_of spec_of type_description type_hash type_name"
+        "has_byte_sequences has_sequences message_spec_of spec_of type_description type_hash "
+        "type_name"
     ),
     "zbot.interfaces.registry": (
         "definition_text get_action get_interface get_message get_service get_spec "

@@ -37,8 +37,9 @@ def numpy() -> Any | None:
 
 def is_ndarray(value: object) -> bool:
     """Return whether a value is an ndarray, without importing numpy."""
-    module = sys.modules.get("numpy")
-    return module is not None and isinstance(value, module.ndarray)
+    # While another thread imports numpy, the module is in `sys.modules` but is not yet complete.
+    ndarray = getattr(sys.modules.get("numpy"), "ndarray", None)
+    return ndarray is not None and isinstance(value, ndarray)
 
 
 def fixed_array(typecode: str, values: Iterable[Any]) -> Any:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import functools
 import linecache
 import math
+import os
 import re
 from array import array
 from typing import TYPE_CHECKING, Any
@@ -58,7 +59,7 @@ class _SlotTypes:
     def __get__(self, instance: object, owner: type[Message]) -> tuple[AbstractType, ...]:
         from zbot.interfaces.slot_type import slot_type  # noqa: PLC0415 - 4 ms; few programs need it
 
-        types = tuple(slot_type(field.type) for field in owner.SPEC.fields)
+        types = tuple(slot_type(field.type) for field in owner._SPEC.fields)  # noqa: SLF001 - our own class
         setattr(owner, "SLOT_TYPES", types)  # noqa: B010 - type checkers see it as constant
         return types
 
@@ -75,6 +76,7 @@ _COMMON: dict[str, Any] = {
     "_bytes": bytes,
     "_elements_text": elements_text,
     "_float": float,
+    "_getattr": getattr,
     "_int": int,
     "_len": len,
     "_property": property,
@@ -88,7 +90,7 @@ _COMMON: dict[str, Any] = {
 def make_message(spec: MessageSpec, nested: dict[str, type[Any]]) -> type[Message]:
     """Return a message class. `nested` has the class of each field that is a message."""
     names = _namespace(spec, nested)
-    source = class_source(spec)
+    source = class_source(spec, is_checked=_is_checked(spec))
     filename = f"<zbot {spec.name}>"
     # With this entry, a traceback through the class shows its source lines.
     linecache.cache[filename] = (len(source), None, source.splitlines(keepends=True), filename)
@@ -145,8 +147,8 @@ def _namespace_class(base: type[Any], spec: ServiceSpec | ActionSpec, parts: dic
     attributes = {
         "__module__": module_name(spec.name),
         "__doc__": _doc(spec.name, spec.text),
-        "SPEC": spec,
-        "TYPE_NAME": spec.name,
+        "_SPEC": spec,
+        "_TYPE_NAME": spec.name,
         **parts,
     }
     return type(spec.name.rpartition("/")[2], (base,), attributes)
@@ -158,7 +160,9 @@ def _namespace(spec: MessageSpec, nested: dict[str, type[Any]]) -> dict[str, Any
         "__name__": module_name(spec.name),
         "_DOC": _doc(spec.name, spec.text),
         "_SPEC": spec,
-        "_check_call": functools.partial(_check_call, spec),
+        "_check_call": functools.partial(
+            _check_call if _is_checked(spec) else _asks_for_checks, spec
+        ),
     }
     for field in spec.fields:
         names.update(_field_names(spec.name, field, nested.get(field.name)))
@@ -194,8 +198,22 @@ class _LazyFieldCheck:
         return self._check(self._field.name, value)
 
 
+def _is_checked(spec: MessageSpec) -> bool:
+    """Return whether messages check all values. With `ROS_PYTHON_CHECK_FIELDS=0` they do not."""
+    has_own = any(field.name == "check_fields" for field in spec.fields)
+    return has_own or os.environ.get("ROS_PYTHON_CHECK_FIELDS") != "0"
+
+
+def _asks_for_checks(spec: MessageSpec, args: tuple[Any, ...], unknown: dict[str, Any]) -> bool:
+    """Return `check_fields`. If it is true, or with positional arguments, check the call."""
+    is_asked = bool(unknown.get("check_fields"))
+    if args or is_asked:
+        _check_call(spec, args, unknown)
+    return is_asked
+
+
 def _check_call(spec: MessageSpec, args: tuple[Any, ...], unknown: dict[str, Any]) -> None:
-    """Reject arguments that are not fields. `check_fields` is accepted, but zbot always checks."""
+    """Reject arguments that are not fields. `check_fields` is accepted without effect."""
     fields = tuple(field.name for field in spec.fields)
     if args:
         raise PositionalFieldError(spec.name, fields)

@@ -2,7 +2,8 @@
 
 The expressions are those of DDS (annex B of its specification): `data > 3 AND data < %0`,
 `pose.position.x BETWEEN 0 AND 1`, `name LIKE 'arm%'`, `NOT is_late = TRUE`. In a `LIKE` pattern,
-`%` and `*` match any text. `_` and `?` match one character. `MATCH` takes a regular expression.
+`%` and `*` match any text. `_` and `?` match one character. `MATCH` takes a regular expression
+without back-references and without assertions, as a value and not as a field.
 `NOT` has the highest precedence. `AND` and `OR` are evaluated from left to right, so use brackets
 to mix them.
 """
@@ -14,8 +15,11 @@ import re
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import ZbotError
-from zbot.interfaces.field_path import FieldPath, FieldPathError
+from zbot.errors import ZbotError, shortened
+from zbot.interfaces import get_message
+from zbot.interfaces.field_path import FieldPath, FieldPathError, fields_of
+from zbot.interfaces.spec import FieldType
+from zbot.interfaces.text_pattern import PatternError, RegularExpression, like_expression
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -38,9 +42,12 @@ _COMPARISONS: dict[str, Callable[[Any, Any], bool]] = {
     ">": operator.gt,
     "<=": operator.le,
     ">=": operator.ge,
-    "LIKE": lambda value, pattern: re.fullmatch(_regex(pattern), value, re.DOTALL) is not None,
-    "MATCH": lambda value, pattern: re.fullmatch(pattern, value) is not None,
+    "LIKE": lambda value, pattern: like_expression(pattern).fullmatch(value) is not None,
+    "MATCH": lambda value, pattern: pattern.matches(value),
 }
+_LONGEST_NUMBER = 400
+_MAX_LENGTH = 10_000  #: characters
+_MAX_LEVELS = 50  #: brackets and NOTs inside each other
 _WORDS = {"AND", "OR", "NOT", "BETWEEN", "LIKE", "MATCH", "TRUE", "FALSE"}
 
 
@@ -49,15 +56,15 @@ class ContentFilterError(ZbotError, ValueError):
 
     def __init__(self, expression: str, reason: str) -> None:
         self.expression, self.reason = expression, reason
-        super().__init__(f"cannot filter by {expression!r}: {reason}")
+        super().__init__(f"cannot filter by {shortened(expression, 500)}: {reason}")
 
 
 @dataclass(frozen=True)
 class _Operand:
-    """One side of a comparison. `kind` is its type, or `None` if only a message shows the type."""
+    """One side of a comparison. `kind` is its type."""
 
     read: Callable[[Any], Any]
-    kind: str | None
+    kind: str
     field: bool = False
 
 
@@ -90,8 +97,11 @@ class _Parser:
         self._expression = expression
         self._parameters = parameters
         self._message = message_type()
-        self._tokens = list(self._scan(self._expression))
+        if len(expression) > _MAX_LENGTH:
+            raise self._error(f"it has more than {_MAX_LENGTH} characters")
+        self._tokens = self._scan(expression)
         self._position = 0
+        self._levels = 0
 
     def parse(self) -> Condition:
         condition = self._and_or()
@@ -103,8 +113,9 @@ class _Parser:
         return ContentFilterError(self._expression, reason)
 
     def _scan(self, text: str) -> list[tuple[str, str]]:
-        tokens, place = [], 0
-        while text[place:].strip():
+        tokens, place = list[tuple[str, str]](), 0
+        text = text.rstrip()
+        while place < len(text):
             match = _TOKEN.match(text, place)
             if match is None or match.lastgroup is None:
                 raise self._error(f"{text[place:].strip()!r} cannot be read")
@@ -128,12 +139,21 @@ class _Parser:
 
     def _and_or(self) -> Condition:
         # DDS defines no precedence of AND and OR. Fast DDS evaluates them from left to right.
-        condition = self._negation()
+        first = self._negation()
+        more: list[tuple[bool, Condition]] = []
         while word := self._accept("AND", "OR"):
-            condition = _combined(word, condition, self._negation())
-        return condition
+            more.append((word == "AND", self._negation()))
+        return _combined(first, more) if more else first
 
     def _negation(self) -> Condition:
+        self._levels += 1
+        if self._levels > _MAX_LEVELS:
+            raise self._error(f"it is nested deeper than {_MAX_LEVELS} levels")
+        condition = self._inner()
+        self._levels -= 1
+        return condition
+
+    def _inner(self) -> Condition:
         if self._accept("NOT"):
             inner = self._negation()
             return lambda message: not inner(message)
@@ -165,8 +185,10 @@ class _Parser:
             raise self._error("each comparison needs a field of the message")
         if not (_comparable(left, right) or _comparable(right, left)):
             raise self._error(f"a {left.kind} cannot be compared with a {right.kind}")
-        if sign in {"LIKE", "MATCH"}:
-            self._check_pattern(left, sign, right)
+        if sign in {"LIKE", "MATCH"} and {left.kind, right.kind} - {"string"}:
+            raise self._error(f"{sign} needs strings on both sides")
+        if sign == "MATCH":
+            right = self._regular_expression(right)
         compare, first, second = _COMPARISONS[sign], left.read, right.read
 
         def condition(message: Any) -> bool:
@@ -177,15 +199,16 @@ class _Parser:
 
         return condition
 
-    def _check_pattern(self, left: _Operand, sign: str, right: _Operand) -> None:
-        if {left.kind, right.kind} - {"string", None}:
-            raise self._error(f"{sign} needs strings on both sides")
-        if sign == "MATCH" and not right.field:
-            pattern = right.read(None)
-            try:
-                re.compile(pattern)
-            except re.error as exc:
-                raise self._error(f"{pattern!r} is not a regular expression: {exc}") from None
+    def _regular_expression(self, pattern: _Operand) -> _Operand:
+        if pattern.field:
+            raise self._error("the regular expression of MATCH must be a value, not a field")
+        text = pattern.read(None)
+        try:
+            expression = RegularExpression(text)
+        except PatternError as exc:
+            reason = f"{text!r} is not a regular expression that MATCH knows: {exc}"
+            raise self._error(reason) from None
+        return _Operand(lambda _: expression, "string")
 
     def _operand(self) -> _Operand:
         if self._position >= len(self._tokens):
@@ -204,13 +227,18 @@ class _Parser:
             value = text[1:-1]
             return _Operand(lambda _: value, "string")
         if kind == "number":
-            value = int(text, 0) if _INTEGER.match(text) else float(text)
+            value = self._number(text)
         elif text in {"TRUE", "FALSE"}:
             value = text == "TRUE"
             return _Operand(lambda _: value, "bool")
         else:
             raise self._error(f"a field or a value is needed in place of {text!r}")
         return _Operand(lambda _: value, "number")
+
+    def _number(self, text: str) -> float:
+        if len(text) > _LONGEST_NUMBER:
+            raise self._error(f"the number {shortened(text)} is too long")
+        return int(text, 0) if _INTEGER.match(text) else float(text)
 
     def _parameter(self, number: int) -> _Operand:
         if number >= len(self._parameters):
@@ -231,11 +259,21 @@ class _Parser:
         if "[" not in text:
             value = path.select(self._message)
             return _Operand(operator.attrgetter(text), self._kind(text, value), field=True)
-        try:
-            kind: str | None = self._kind(text, path.select(self._message))
-        except FieldPathError:
-            kind = None  # the list is empty in a new message
-        return _Operand(path.select, kind, field=True)
+        return _Operand(path.select, self._element_kind(path), field=True)
+
+    def _element_kind(self, path: FieldPath) -> str:
+        """Return the type at a path by the definitions. The lists of a message may be empty."""
+        message_type, last = type(self._message), FieldType("")
+        for name in path.names:
+            fields = {field.name: field.type for field in fields_of(message_type())}
+            if name not in fields:
+                raise self._error(f"{path.text} is not a field")
+            last = fields[name]
+            message_type = get_message(last.base) if last.is_message else message_type
+        is_list = path.is_list or (last.kind != "scalar" and not path.ends_with_index)
+        if is_list or last.is_message or last.base == "byte":
+            return self._kind(path.text, None)
+        return "string" if last.is_string else "bool" if last.base == "bool" else "number"
 
     def _kind(self, text: str, value: Any) -> str:
         if isinstance(value, str):
@@ -247,18 +285,22 @@ class _Parser:
         raise self._error(f"{text} is not a number, string or bool")
 
 
-def _combined(word: str, left: Condition, right: Condition) -> Condition:
-    if word == "AND":
-        return lambda message: left(message) and right(message)
-    return lambda message: left(message) or right(message)
+def _combined(first: Condition, more: list[tuple[bool, Condition]]) -> Condition:
+    """Return the combination of conditions from left to right. True means AND, False means OR."""
+
+    def condition(message: Any) -> bool:
+        value = first(message)
+        for is_and, following in more:
+            if (
+                bool(value) is is_and
+            ):  # otherwise the value is known without the following condition
+                value = following(message)
+        return value
+
+    return condition
 
 
 def _comparable(left: _Operand, right: _Operand) -> bool:
-    if None in {left.kind, right.kind} or left.kind == right.kind:
+    if left.kind == right.kind:
         return True
     return left.field and left.kind == "bool" and right.kind == "number"
-
-
-def _regex(pattern: str) -> str:
-    wild = {"%": ".*", "*": ".*", "_": ".", "?": "."}
-    return "".join(wild.get(character) or re.escape(character) for character in pattern)

@@ -21,12 +21,35 @@ class InterfaceSyntaxError(ZbotError, ValueError):
         super().__init__(f"{where}: {reason}{quoted}")
 
 
+class DefinitionLimitError(InterfaceSyntaxError):
+    """A definition from another machine is too large to use: its messages could fill the memory.
+
+    Attributes:
+        type_name: Full name of the type.
+    """
+
+    def __init__(self, type_name: str, reason: str) -> None:
+        self.type_name = type_name
+        sentence = f"zbot does not use this definition from another machine, because {reason}"
+        super().__init__(type_name, 0, "", sentence)
+
+
 class UnknownPackageError(ZbotError, ModuleNotFoundError, LookupError):
     """No package with that name has message, service or action definitions here."""
 
     def __init__(self, package: str, suggestions: tuple[str, ...] = ()) -> None:
         self.package, self.suggestions = package, suggestions
         super().__init__(f"Unknown package {package!r}{did_you_mean(suggestions)}")
+
+
+class MissingPackageError(ZbotError, ModuleNotFoundError):
+    """A program imports a package of definitions that does not exist here."""
+
+    def __init__(self, package: str, how_to_add: str, suggestions: tuple[str, ...] = ()) -> None:
+        self.suggestions = suggestions
+        near = f"{did_you_mean(suggestions)} To" if suggestions else ". To"
+        super().__init__(f"No module named {package!r}{near} add the package, {how_to_add}")
+        self.name = package  # as in each ModuleNotFoundError
 
 
 class UnknownInterfaceError(ZbotError, AttributeError, LookupError):

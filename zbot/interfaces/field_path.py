@@ -47,6 +47,21 @@ class FieldPath:
         self.text = text
         self._steps = tuple(self._parse())
 
+    @property
+    def names(self) -> list[str]:
+        """The names of fields in the path, without indices and slices."""
+        return [step for step in self._steps if isinstance(step, str)]
+
+    @property
+    def is_list(self) -> bool:
+        """Whether the path has a slice, so that its value is a list."""
+        return any(isinstance(step, slice) for step in self._steps)
+
+    @property
+    def ends_with_index(self) -> bool:
+        """Whether the last step is an index."""
+        return isinstance(self._steps[-1], int)
+
     def select(self, message: Any) -> Any:
         """Return the part of a message at the path.
 
@@ -135,4 +150,4 @@ def fields_of(value: Any) -> Sequence[Any]:
 
 def is_message(value: Any) -> bool:
     """Return whether a value is a message. Numbers, strings and lists are not messages."""
-    return hasattr(type(value), "get_fields_and_field_types") or hasattr(type(value), "SPEC")
+    return hasattr(type(value), "get_fields_and_field_types")

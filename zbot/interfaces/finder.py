@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 
 #: Packages whose modules named `action` are real modules.
 _PLAIN_PACKAGES = {"zbot", "zbot_cli"}
+#: Endings of names that ROS 2 gives to packages of definitions.
+_ENDINGS = ("_msgs", "_srvs", "_actions", "_interfaces")
 _JYTHONS = {"org", "java"}
 
 
@@ -63,8 +65,12 @@ class _PackageFinder:
     def find_spec(
         self, fullname: str, path: Sequence[str] | None, target: ModuleType | None = None
     ) -> ModuleSpec | None:
-        """Return a spec if the name belongs to known definitions."""
-        del path, target
+        """Return a spec if the name belongs to known definitions.
+
+        Raises:
+            MissingPackageError: A program imports a package that has the name of a package of
+                definitions, but there is no such package.
+        """
         package, _, inside = fullname.partition(".")
         if inside.partition(".")[0] not in KINDS if inside else _is_pythons(package):
             return None
@@ -72,7 +78,14 @@ class _PackageFinder:
         if importer is None:
             return None
         spec: ModuleSpec | None
-        spec = importer.submodule_spec(fullname) if inside else importer.package_spec(package)
+        if inside:
+            spec = importer.submodule_spec(fullname)
+            return spec
+        spec = importer.package_spec(package)
+        if spec is None and package.endswith(_ENDINGS) and _is_import_statement():
+            later = sys.meta_path[sys.meta_path.index(self) + 1 :]
+            if not any(finder.find_spec(fullname, path, target) for finder in later):
+                raise importer.missing_package(package)
         return spec
 
 
@@ -81,6 +94,12 @@ def _importer() -> Any:
     from zbot.interfaces import importer  # noqa: PLC0415 - see the module's docstring
 
     return importer if hasattr(importer, "package_spec") else None
+
+
+def _is_import_statement() -> bool:
+    """Return whether Python imports a module. `importlib.util.find_spec` only asks for one."""
+    # The callers: the finder's find_spec, importlib's _find_spec, and the function that called it.
+    return sys._getframe(3).f_code.co_name == "_find_and_load_unlocked"  # noqa: SLF001 - documented
 
 
 def _is_pythons(name: str) -> bool:

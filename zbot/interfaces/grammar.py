@@ -81,7 +81,7 @@ def check_constant_name(name: str, value: str) -> None:
 
 
 def parse_type(text: str, package: str) -> FieldType:
-    """Return the type that a text names. A message name without a package is in `package`.
+    """Return the type that a text names. `package` is for a message name without a package.
 
     Raises:
         GrammarError: The text is not a type. The error says what to write.

@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Any
 from zbot.errors import close_matches
 from zbot.interfaces import registry
 from zbot.interfaces.classes import module_name
-from zbot.interfaces.errors import UnknownInterfaceError
+from zbot.interfaces.errors import MissingPackageError, UnknownInterfaceError
+from zbot.interfaces.location import has_other_versions
 from zbot.interfaces.registry import has_package
 from zbot.interfaces.spec import ActionSpec, ServiceSpec
 
@@ -41,6 +42,22 @@ def submodule_spec(fullname: str) -> ModuleSpec | None:
     parent, _, last = fullname.rpartition(".")
     module = sys.modules.get(parent)
     return module.find_submodule(fullname, last) if isinstance(module, _KindModule) else None
+
+
+def missing_package(package: str) -> MissingPackageError:
+    """Return the error for the import of a package that has no definitions here."""
+    from zbot.interfaces.repositories import (  # noqa: PLC0415 - needed only after an error
+        how_to_add,
+        repository_of,
+    )
+
+    if repository_of(package):  # the name is right
+        return MissingPackageError(package, how_to_add(package))
+    # Many names have the same ending, so only their beginnings are compared.
+    known = {name.rpartition("_")[0]: name for name in registry.packages()}
+    near = close_matches(package.rpartition("_")[0], known, 1)
+    suggestions = tuple(known[beginning] for beginning in near)
+    return MissingPackageError(package, how_to_add(package), suggestions)
 
 
 class _PackageLoader(Loader):
@@ -125,6 +142,9 @@ class _KindModule(ModuleType):
     def _missing(self, attribute: str) -> str:
         near = close_matches(attribute, self._names, 1)
         hint = f"; did you mean {near[0]!r}?" if near else ""
+        package = self.__name__.partition(".")[0]
+        if not near and has_other_versions(package):
+            hint = f"; give your robot's version of {package} to `zbot interface add`"
         return f"cannot import name {attribute!r} from {self.__name__!r}{hint}"
 
 

@@ -1,4 +1,9 @@
-"""Locations of definitions: zbot itself, the workspace, an installed ROS 2, Python packages."""
+"""Locations of definitions: zbot itself, the workspace, an installed ROS 2, Python packages.
+
+zbot's copies of ROS 2's own packages come first: every program uses them, and they are found fast.
+Packages of robots differ between versions, so zbot's copies of these are the last location. Before
+them come the workspace and the packages that the user has added with `zbot interface add`.
+"""
 
 from __future__ import annotations
 
@@ -11,27 +16,32 @@ from typing import TYPE_CHECKING
 
 from zbot.interfaces.kinds import KINDS
 from zbot.interfaces.workspace import has_definitions, packages_around
+from zbot.package.user_folders import definitions_folder
 from zbot.package.workspace import Roots, search_roots
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
+_MAX_NAME_BYTES = 200
 _SHIPPED = Path(__file__).parent / "defs"
+_SHIPPED_FOR_ROBOTS = Path(__file__).parent / "robot_defs"
 
 
 def package_folder(package: str) -> Path | None:
-    """Return the folder with a package's definitions, from the first location with such a folder.
-
-    zbot's own folder is the first location, so the types that every program uses are found fast.
-    """
-    if not package.isidentifier():  # this also rejects `..` in a path
+    """Return the folder with a package's definitions: the first that a location has, or None."""
+    if not _is_file_name(package):
         return None
     return next(_folders(package), None)
 
 
+def _is_file_name(name: str) -> bool:
+    # Names come from other programs too. This rejects `..` and names that no file can have.
+    return name.isidentifier() and len(name.encode(errors="replace")) <= _MAX_NAME_BYTES
+
+
 def definition_file(package: str, kind: str, short: str) -> Path | None:
     """Return the file that defines an interface, or None if there is no file."""
-    folder = package_folder(package)
+    folder = package_folder(package) if _is_file_name(short) else None
     file = folder / kind / f"{short}.{kind}" if folder else None
     return file if file is not None and file.is_file() else None
 
@@ -44,12 +54,34 @@ def interface_files(package: str) -> list[Path]:
 
 def shipped_packages() -> list[str]:
     """Return the packages whose definitions are part of zbot, sorted."""
-    return sorted(folder.name for folder in _SHIPPED.iterdir() if has_definitions(folder))
+    return sorted(core_packages() + packages_in(_SHIPPED_FOR_ROBOTS))
+
+
+def core_packages() -> list[str]:
+    """Return ROS 2's own packages, which no other location replaces, sorted."""
+    return packages_in(_SHIPPED)
+
+
+def has_other_versions(package: str) -> bool:
+    """Return whether a package's definitions are zbot's own copy for robots.
+
+    A robot may have another version of such a package.
+    """
+    folder = package_folder(package)
+    return folder is not None and folder.parent == _SHIPPED_FOR_ROBOTS
+
+
+def packages_in(parent: Path) -> list[str]:
+    """Return the names of the packages in a folder that contains only packages, sorted."""
+    folders = parent.iterdir() if parent.is_dir() else ()
+    found = (one for one in folders if one.name.isidentifier())
+    return sorted(folder.name for folder in found if has_definitions(folder))
 
 
 def known_packages() -> set[str]:
     """Return all packages with definitions, from all locations."""
     names = {*shipped_packages(), *_workspace()}
+    names.update(one for folder in _added() for one in packages_in(folder))
     for share in _ament_shares():
         index = share / "ament_index" / "resource_index" / "rosidl_interfaces"
         names |= {entry.name for entry in index.glob("*") if has_definitions(share / entry.name)}
@@ -59,8 +91,15 @@ def known_packages() -> set[str]:
 def _folders(package: str) -> Iterator[Path]:
     yield from filter(has_definitions, (_SHIPPED / package,))
     yield from _workspace().get(package, ())
-    yield from filter(has_definitions, (share / package for share in _ament_shares()))
+    others = (*_added(), *_ament_shares())
+    yield from filter(has_definitions, (folder / package for folder in others))
     yield from _python_package_folders(package)
+    yield from filter(has_definitions, (_SHIPPED_FOR_ROBOTS / package,))
+
+
+def _added() -> tuple[Path, ...]:
+    folder = definitions_folder()
+    return (folder,) if folder is not None else ()
 
 
 def _workspace() -> dict[str, list[Path]]:

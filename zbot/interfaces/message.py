@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import copy
 from types import GenericAlias
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -13,6 +13,8 @@ if TYPE_CHECKING:
 
     from zbot.interfaces.slot_type import AbstractType
     from zbot.interfaces.spec import ActionSpec, MessageSpec, ServiceSpec
+
+MessageT = TypeVar("MessageT", bound="Message")
 
 _IMMUTABLE = {bool, int, float, str, bytes}
 
@@ -23,7 +25,7 @@ class ConstantsMeta(type):
     Message classes without constants have the metaclass `type`: their instances are made faster.
     """
 
-    SPEC: MessageSpec
+    _SPEC: MessageSpec
 
     def __setattr__(cls, name: str, value: object) -> None:
         cls._refuse_constant(name)
@@ -34,9 +36,9 @@ class ConstantsMeta(type):
         super().__delattr__(name)
 
     def _refuse_constant(cls, name: str) -> None:
-        constants = {constant.name for constant in cls.SPEC.constants}
+        constants = {constant.name for constant in cls._SPEC.constants}
         if name in constants or name.endswith("__DEFAULT"):
-            raise AttributeError(f"{name!r} of {cls.SPEC.name} is a constant")
+            raise AttributeError(f"{name!r} of {cls._SPEC.name} is a constant")
 
 
 class Message:
@@ -44,8 +46,8 @@ class Message:
 
     __slots__ = ()
 
-    SPEC: ClassVar[MessageSpec]
-    TYPE_NAME: ClassVar[str]
+    _SPEC: ClassVar[MessageSpec]
+    _TYPE_NAME: ClassVar[str]
     SLOT_TYPES: ClassVar[tuple[AbstractType, ...]]
     _fields_and_field_types: ClassVar[dict[str, str]]
 
@@ -59,36 +61,38 @@ class Message:
         return dict(cls._fields_and_field_types)
 
     def __copy__(self) -> Self:
-        return self._duplicate(lambda value: value)
+        return _duplicate(self, lambda value: value)
 
     def __deepcopy__(self, memo: dict[int, Any]) -> Self:
-        return self._duplicate(
-            lambda value: value if type(value) in _IMMUTABLE else copy.deepcopy(value, memo)
+        return _duplicate(
+            self, lambda value: value if type(value) in _IMMUTABLE else copy.deepcopy(value, memo)
         )
 
     def __reduce__(self) -> tuple[Callable[..., Any], tuple[Any, ...], Any]:
         # A pickle contains the type's name. To unpickle it, a process only has to import zbot.
         cls = type(self)
-        key = cls.TYPE_NAME if "TYPE_NAME" in cls.__dict__ else cls
-        values = tuple([getattr(self, f"_{field.name}") for field in cls.SPEC.fields])
+        key = cls._TYPE_NAME if "_TYPE_NAME" in cls.__dict__ else cls
+        values = tuple([getattr(self, f"_{field.name}") for field in cls._SPEC.fields])
         return rebuild, (key, values), getattr(self, "__dict__", None)
 
-    def _duplicate(self, duplicated: Callable[[Any], Any]) -> Self:
-        # The values in the slots are valid, so the properties do not check them again.
-        twin = type(self).__new__(type(self))
-        for field in self.SPEC.fields:
-            slot = f"_{field.name}"
-            setattr(twin, slot, duplicated(getattr(self, slot)))
-        for name, value in getattr(self, "__dict__", {}).items():  # attributes of a subclass
-            setattr(twin, name, duplicated(value))
-        return twin
+
+# It is no method, because a field `duplicate` has the slot `_duplicate`.
+def _duplicate(message: MessageT, duplicated: Callable[[Any], Any]) -> MessageT:
+    # The values in the slots are valid, so the properties do not check them again.
+    twin = type(message).__new__(type(message))
+    for field in message._SPEC.fields:  # noqa: SLF001 - our own class
+        slot = f"_{field.name}"
+        setattr(twin, slot, duplicated(getattr(message, slot)))
+    for name, value in getattr(message, "__dict__", {}).items():  # attributes of a subclass
+        setattr(twin, name, duplicated(value))
+    return twin
 
 
 class Service:
     """Base of the generated service classes, which are namespaces of three messages."""
 
-    SPEC: ClassVar[ServiceSpec]
-    TYPE_NAME: ClassVar[str]
+    _SPEC: ClassVar[ServiceSpec]
+    _TYPE_NAME: ClassVar[str]
     __class_getitem__: ClassVar[Any] = classmethod(GenericAlias)
 
     def __init__(self) -> None:
@@ -98,8 +102,8 @@ class Service:
 class Action:
     """Base of the generated action classes, which are namespaces of messages and services."""
 
-    SPEC: ClassVar[ActionSpec]
-    TYPE_NAME: ClassVar[str]
+    _SPEC: ClassVar[ActionSpec]
+    _TYPE_NAME: ClassVar[str]
     __class_getitem__: ClassVar[Any] = classmethod(GenericAlias)
 
     def __init__(self) -> None:
@@ -128,6 +132,6 @@ def rebuild(key: str | type[Message], values: tuple[Any, ...]) -> Message:
     else:
         cls = key
     message = cls.__new__(cls)
-    for field, value in zip(cls.SPEC.fields, values, strict=True):
+    for field, value in zip(cls._SPEC.fields, values, strict=True):
         setattr(message, f"_{field.name}", value)
     return message

@@ -27,8 +27,8 @@ def spec_of(cls: type[Any]) -> InterfaceSpec:
     """
     if not isinstance(cls, type):
         raise NotAMessageTypeError(cls, _not_a_class_reason(cls))
-    if issubclass(cls, (Message, Service, Action)) and hasattr(cls, "SPEC"):
-        return cls.SPEC
+    if issubclass(cls, (Message, Service, Action)) and hasattr(cls, "_SPEC"):
+        return cls._SPEC
     spec = _specs.get(cls)
     if spec is None:
         spec = _specs[cls] = _derived_spec(cls)
@@ -86,6 +86,20 @@ def has_sequences(interface: str | type[Any]) -> bool:
     fields = (field.type for field in spec.fields) if isinstance(spec, MessageSpec) else ()
     return any(
         one.kind == "sequence" or (one.is_message and has_sequences(one.base)) for one in fields
+    )
+
+
+def has_byte_sequences(interface: str | type[Any]) -> bool:
+    """Return whether a message has a field `uint8[]` at any depth, e.g. an image.
+
+    The function raises the errors of `type_hash`.
+    """
+    spec = _spec_for(interface)
+    fields = (field.type for field in spec.fields) if isinstance(spec, MessageSpec) else ()
+    return any(
+        (one.base == "uint8" and one.kind == "sequence" and not one.size)
+        or (one.is_message and has_byte_sequences(one.base))
+        for one in fields
     )
 
 

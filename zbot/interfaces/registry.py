@@ -36,7 +36,7 @@ if TYPE_CHECKING:
     from zbot.interfaces.message import Action, Message, Service
 
 # Real messages have fewer levels. The limit protects the stack from a malicious definition.
-_MAX_NESTING = 60
+MAX_NESTING = 60
 
 _lock = threading.RLock()
 _specs: dict[str, InterfaceSpec] = {}
@@ -85,6 +85,12 @@ def get_action(name: str) -> type[Action]:
     return cls
 
 
+def used_classes() -> list[type[Any]]:
+    """Return the classes that this process has made or registered."""
+    with _lock:
+        return list(_classes.values())
+
+
 def definition_text(name: str) -> str:
     """Return the text of a definition with its comments. Raise the errors of `get_spec`."""
     return get_spec(name).text
@@ -100,6 +106,11 @@ def has_package(package: str) -> bool:
     if any(name.startswith(f"{package}/") for name in _registered):
         return True
     return package_folder(package) is not None
+
+
+def is_loaded(name: str) -> bool:
+    """Return whether the definition with a full name was read or registered."""
+    return name in _specs
 
 
 def interface_names(package: str) -> list[str]:
@@ -122,14 +133,13 @@ def register_spec(spec: InterfaceSpec) -> None:
         InterfaceConflictError: A different definition with the same name is known.
     """
     with _lock:
-        try:
-            known = get_spec(spec.name)
-        except (UnknownPackageError, UnknownInterfaceError):
+        # Without the search for similar names, which takes long for many definitions.
+        known = _specs.get(spec.name) or _known_spec(spec.name)
+        if known is None:
             _add(spec, spec.name)
             _registered.append(spec.name)
-        else:
-            if _layout(known) != _layout(spec):
-                raise InterfaceConflictError(spec.name)
+        elif _layout(known) != _layout(spec):
+            raise InterfaceConflictError(spec.name)
 
 
 def register_class(spec: MessageSpec, cls: type[Any]) -> None:
@@ -151,6 +161,15 @@ def _of_kind(name: str, kind: str, spec_type: type[InterfaceSpec]) -> Any:
 
 def _find_spec(name: str) -> InterfaceSpec:
     """Load and return the spec with a full or a short name."""
+    spec = _known_spec(name)
+    if spec is None:
+        parts = name.split("/")
+        raise _unknown(name, parts[0], parts[-1])
+    return spec
+
+
+def _known_spec(name: str) -> InterfaceSpec | None:
+    """Load and return the spec with a full or a short name. Return None if there is none."""
     parts = name.split("/")
     kinds = KINDS if len(parts) == 2 else (parts[1],) if len(parts) == 3 else ()
     for kind in kinds:
@@ -159,7 +178,7 @@ def _find_spec(name: str) -> InterfaceSpec:
             _load(parts[0], kind, parts[-1].partition("_")[0])
         if full in _specs:
             return _specs[full]
-    raise _unknown(name, parts[0], parts[-1])
+    return None
 
 
 def _load(package: str, kind: str, short: str) -> None:
@@ -247,8 +266,8 @@ def _nesting_guarded(spec: InterfaceSpec) -> Iterator[None]:
     if spec.name in _in_progress:
         chain = " -> ".join((*_in_progress[_in_progress.index(spec.name) :], spec.name))
         raise _NestingError(f"a message cannot contain itself: {chain}")
-    if len(_in_progress) >= _MAX_NESTING:
-        raise _NestingError(f"messages are nested deeper than {_MAX_NESTING} levels")
+    if len(_in_progress) >= MAX_NESTING:
+        raise _NestingError(f"messages are nested deeper than {MAX_NESTING} levels")
     _in_progress.append(spec.name)
     try:
         yield

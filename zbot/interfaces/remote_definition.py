@@ -5,6 +5,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from zbot.interfaces import composite_spec, grammar
+from zbot.interfaces.definition_limits import (
+    check_field_limits,
+    check_limits,
+    check_text_limits,
+    with_parts,
+)
 from zbot.interfaces.description import (
     ARRAY,
     BOUNDED_SEQUENCE,
@@ -18,7 +24,7 @@ from zbot.interfaces.description import (
 from zbot.interfaces.errors import InterfaceSyntaxError
 from zbot.interfaces.grammar import GrammarError
 from zbot.interfaces.registry import get_spec, register_spec
-from zbot.interfaces.spec import Field, InterfaceSpec, MessageSpec, parts_of
+from zbot.interfaces.spec import Field, InterfaceSpec, MessageSpec
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
@@ -39,9 +45,13 @@ def register_description(description: Mapping[str, Any]) -> InterfaceSpec:
 
     Raises:
         InterfaceSyntaxError: The description is not valid.
+        DefinitionLimitError: A message of the type would be too large.
         InterfaceConflictError: A type has another definition here.
+        UnknownPackageError: The description lacks a type that is not known here.
+        UnknownInterfaceError: The same, but the package of the type is known here.
     """
     specs = specs_from(description)
+    check_limits(specs)
     for spec in specs:
         register_spec(spec)
     return specs[-1]
@@ -57,12 +67,14 @@ def specs_from(description: Mapping[str, Any]) -> list[InterfaceSpec]:
     try:
         main = description["type_description"]
         name = str(main["type_name"])
-        messages = {
-            spec.name: spec for spec in map(_message, description["referenced_type_descriptions"])
-        }
+        others = description["referenced_type_descriptions"]
+        check_field_limits(name, [len(one["fields"]) for one in (main, *others)])
+        messages = {spec.name: spec for spec in map(_message, others)}
         last = _main(main, messages)
     except GrammarError as error:
         raise InterfaceSyntaxError(name, 0, "", str(error)) from error
+    except InterfaceSyntaxError:
+        raise
     except (AttributeError, KeyError, TypeError, ValueError, RecursionError) as error:
         reason = f"the type description is not valid: {type(error).__name__}: {error}"
         raise InterfaceSyntaxError(name, 0, "", reason) from error
@@ -86,6 +98,7 @@ def specs_from_sources(name: str, sources: Mapping[str, str]) -> list[InterfaceS
     # `import zbot` reads no definitions, so it does not need the parser.
     from zbot.interfaces.parser import parse  # noqa: PLC0415
 
+    check_text_limits(name, sources.values())
     try:
         for one in sources:
             grammar.check_interface_name(one)
@@ -104,12 +117,7 @@ def hash_among(name: str, specs: Iterable[InterfaceSpec]) -> str:
         UnknownPackageError: A type inside it is neither in `specs` nor known here.
         UnknownInterfaceError: The same, but the package of the type inside is known here.
     """
-    found: dict[str, InterfaceSpec] = {}
-    waiting = list(specs)
-    while waiting:
-        spec = waiting.pop()
-        found[spec.name] = spec
-        waiting += parts_of(spec)
+    found = with_parts(specs)
 
     def look_up(one: str) -> InterfaceSpec:
         return found[one] if one in found else get_spec(one)

@@ -28,7 +28,7 @@ class ScalarCheck:
         raise NotImplementedError
 
     def fits(self, values: list[Any]) -> bool:
-        """Return True if all values can be stored unchanged. On False, the caller checks each."""
+        """Return True if all values can be stored unchanged. If not, the caller checks each."""
         return not values
 
     def wrong_type(self, label: str, value: object) -> FieldTypeError:
@@ -94,7 +94,10 @@ class _FloatCheck(ScalarCheck):
 
 
 class _StringCheck(ScalarCheck):
-    """Check of a string that UTF-8 can encode. The bound is in characters. 0 means no bound."""
+    """Check of a string that UTF-8 can encode. The bound is in characters. 0 means no bound.
+
+    A `TypeHash` is converted, because rclpy programs put it into requests for a type's description.
+    """
 
     def __init__(self, type_name: str, bound: int) -> None:
         self.bound = bound
@@ -102,7 +105,9 @@ class _StringCheck(ScalarCheck):
 
     def __call__(self, label: str, value: Any) -> str:
         if not isinstance(value, str):
-            raise self.wrong_type(label, value)
+            if getattr(value, "_zbot_stands_for", None) != "string":
+                raise self.wrong_type(label, value)
+            value = str(value)
         if self.bound and len(value) > self.bound:
             raise self.wrong_value(label, value)
         try:
@@ -133,7 +138,8 @@ class _ByteCheck(ScalarCheck):
 class _MessageCheck(ScalarCheck):
     """Check of a message of one class or a subclass, or of an object used in its place.
 
-    This object is a `zbot.Parameter`. rclpy programs put it into an unsent `ParameterEvent`.
+    This object is a `zbot.Parameter`. rclpy programs put it into a `ParameterEvent` that is not
+    sent.
     """
 
     def __init__(self, type_name: str, cls: type[Any], cls_name: str) -> None:

@@ -1,11 +1,13 @@
-"""Setter of a message's fields from a dictionary of plain values: `set_message_fields`."""
+"""Function that sets the fields of a message: `set_message_fields`."""
 
 from __future__ import annotations
 
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
+from zbot.errors import close_matches, did_you_mean
 from zbot.interfaces import get_message, type_name
+from zbot.interfaces.errors import FieldValueError
 from zbot.interfaces.field_path import is_message
 
 if TYPE_CHECKING:
@@ -34,12 +36,13 @@ def set_message_fields(
         expand_time_now: Whether the string `now` means the current time.
 
     Returns:
-        A function for each field that needs the current time. The argument is a `Time` message.
+        One function for each field that needs the current time. Call it with a `Time` message.
 
     Raises:
-        AttributeError: The message has no such field.
+        AttributeError: The message has no field with a given name.
         TypeError: `values` is not a dictionary, or a value has the wrong type.
-        ValueError: A value is out of range, or a string is not a number.
+        FieldValueError: A value is out of range, or a string is not a number. This error is a
+            ValueError.
     """
     return _FieldSetter(header_auto=expand_header_auto, time_now=expand_time_now).fill(msg, values)
 
@@ -56,8 +59,10 @@ class _FieldSetter:
         slots = dict(zip(message.get_fields_and_field_types(), message.SLOT_TYPES, strict=True))
         for name, value in values.items():
             if name not in slots:
-                owner = type(message).__name__
-                raise AttributeError(f"'{owner}' object has no attribute '{name}'")
+                raise AttributeError(
+                    f"'{type(message).__name__}' object has no attribute '{name}'"
+                    f"{did_you_mean(close_matches(name, slots, 1))}"
+                )
             self._set(message, name, slots[name], value)
         return self._setters
 
@@ -70,7 +75,7 @@ class _FieldSetter:
         elif hasattr(slot, "value_type"):
             setattr(message, name, self._elements(slot.value_type, value))
         else:
-            setattr(message, name, _scalar(type(present), value))
+            setattr(message, name, _scalar(message, name, type(present), value))
 
     def _expand(self, message: Any, name: str, present: Any, text: str) -> None:
         kind = type_name(type(present))
@@ -93,8 +98,12 @@ class _FieldSetter:
         return message
 
 
-def _scalar(kind: type[Any], value: Any) -> Any:
+def _scalar(message: Any, name: str, kind: type[Any], value: Any) -> Any:
     if isinstance(value, kind):
         return value
-    # A `byte` field stores one byte, but bytes(7) would be seven zero bytes.
-    return bytes([value]) if kind is bytes else kind(value)
+    try:
+        # A `byte` field stores one byte, but bytes(7) would be seven zero bytes.
+        return bytes([value]) if kind is bytes else kind(value)
+    except ValueError as error:
+        expected = f"of the type {message.get_fields_and_field_types()[name]}"
+        raise FieldValueError(type_name(type(message)), name, expected, value) from error

@@ -18,20 +18,29 @@ if TYPE_CHECKING:
 _ZEROS: dict[str, Scalar] = {"bool": False, "byte": b"\x00", "string": "", "wstring": ""}
 
 
-def class_source(spec: MessageSpec) -> str:
-    """Return a message's class statement. `classes._namespace` defines the statement's globals."""
+def class_source(spec: MessageSpec, *, is_checked: bool = True) -> str:
+    """Return a message's class statement. `classes._namespace` defines the statement's globals.
+
+    Args:
+        spec: The message.
+        is_checked: Whether all values are checked. Otherwise only messages that are made with
+            `check_fields=True` check their values.
+    """
+    slots = [f"_{field.name}" for field in spec.fields]
+    if not is_checked:
+        slots.append("_check_fields")
     lines = [
         _class_line(spec),
         "    __doc__ = _DOC",
-        f"    __slots__ = {[f'_{field.name}' for field in spec.fields]!r}",
+        f"    __slots__ = {slots!r}",
         *(f"    {constant.name} = {constant.value!r}" for constant in spec.constants),
         *_default_constants(spec),
-        "    SPEC = _SPEC",
-        f"    TYPE_NAME = {spec.name!r}",
+        "    _SPEC = _SPEC",
+        f"    _TYPE_NAME = {spec.name!r}",
         "    SLOT_TYPES = _SlotTypes()",
         f"    _fields_and_field_types = { ({f.name: str(f.type) for f in spec.fields})!r}",
         "",
-        *_init(spec),
+        *_init(spec, is_checked=is_checked),
         "",
         "    def __repr__(self):",
         f'        return f"{{_shown_name(self)}}({_repr_fields(spec)})"',
@@ -39,7 +48,7 @@ def class_source(spec: MessageSpec) -> str:
         *_eq(spec),
     ]
     for field in spec.fields:
-        lines += ["", *_property(field)]
+        lines += ["", *_property(field, is_checked=is_checked)]
     return "\n".join(lines) + "\n"
 
 
@@ -61,14 +70,17 @@ def _default_constant(field: Field) -> str:
     return _new(field) if isinstance(field.default, tuple) else _literal(field.default)
 
 
-def _init(spec: MessageSpec) -> list[str]:
+def _init(spec: MessageSpec, *, is_checked: bool) -> list[str]:
     parameters = [f"{field.name}={_parameter_default(field)}" for field in spec.fields]
     signature = ", ".join(["self", "*_args", *parameters, "**_unknown"])
     return [
         f"    def __init__({signature}):",
         "        if _args or _unknown:",
-        "            _check_call(_args, _unknown)",
-        *(f"        self._{field.name} = {_initial(field)}" for field in spec.fields),
+        f"            {'' if is_checked else 'self._check_fields = '}_check_call(_args, _unknown)",
+        *(
+            f"        self._{field.name} = {_initial(field, is_checked=is_checked)}"
+            for field in spec.fields
+        ),
     ]
 
 
@@ -87,7 +99,7 @@ def _eq(spec: MessageSpec) -> list[str]:
     ]
 
 
-def _property(field: Field) -> list[str]:
+def _property(field: Field, *, is_checked: bool) -> list[str]:
     name = field.name
     return [
         "    @_property",
@@ -97,7 +109,7 @@ def _property(field: Field) -> list[str]:
         "",
         f"    @{name}.setter",
         f"    def {name}(self, value):",
-        f"        self._{name} = {_checked(field, 'value')}",
+        f"        self._{name} = {_stored(field, 'value', is_checked=is_checked)}",
     ]
 
 
@@ -131,11 +143,11 @@ def _zero(base: str) -> Scalar:
     return _ZEROS.get(base, 0.0 if base.startswith("float") else 0)
 
 
-def _initial(field: Field) -> str:
-    checked = _checked(field, field.name)
+def _initial(field: Field, *, is_checked: bool) -> str:
+    stored = _stored(field, field.name, is_checked=is_checked)
     if field.type.kind == "scalar" and not field.type.is_message:
-        return checked
-    return f"{_new(field)} if {field.name} is DEFAULT else {checked}"
+        return stored
+    return f"{_new(field)} if {field.name} is DEFAULT else {stored}"
 
 
 def _new(field: Field) -> str:
@@ -156,6 +168,15 @@ def _new(field: Field) -> str:
     if kind.kind == "array" and default is None:
         return f"[{_literal(_zero(kind.base))}] * {kind.size}"
     return f"[{elements}]"
+
+
+def _stored(field: Field, variable: str, *, is_checked: bool) -> str:
+    """Return an expression for the stored value. It is the checked value or the value itself."""
+    checked = _checked(field, variable)
+    # Numbers of an array are always converted, and ROS 2's classes do this too.
+    if is_checked or (field.type.typecode and field.type.kind != "scalar"):
+        return checked
+    return f'({checked}) if _getattr(self, "_check_fields", False) else {variable}'
 
 
 def _checked(field: Field, variable: str) -> str:

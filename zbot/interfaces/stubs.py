@@ -3,10 +3,11 @@
     python -m zbot.interfaces.stubs FOLDER [PACKAGE ...]
 
 This command writes files such as `FOLDER/std_msgs/msg/__init__.pyi` for the given packages. Without
-a package, it writes stubs for the packages in zbot. zbot's wheel contains these stubs in folders
-without code, e.g. `std_msgs`. If the folder's name were `std_msgs-stubs`, pyright would warn at
-every import that the source is missing. Write stubs of your own types into `typings`, which pyright
-reads by default, or into a folder in mypy's `mypy_path`.
+a package, it writes stubs for the packages in zbot. zbot contains these stubs in `zbot/stubs`, in
+folders without code, e.g. `std_msgs`. If the folder's name were `std_msgs-stubs`, pyright would
+warn at every import that the source is missing. Editors find the folder on `sys.path`, because
+`zbot_ros2_names` adds it. Write stubs of your own types into `typings`, which pyright reads by
+default, or into a folder in mypy's `mypy_path`.
 """
 
 from __future__ import annotations

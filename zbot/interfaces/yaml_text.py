@@ -1,12 +1,13 @@
-"""YAML writer in ros2's format, and reader that returns YAML nodes, both based on PyYAML."""
+"""YAML writer in ros2's format, and values of YAML nodes, both based on PyYAML."""
 
 from __future__ import annotations
 
 from typing import Any
 
 import yaml
-from yaml import CollectionNode, MappingNode, Node, ScalarNode, SequenceNode, YAMLError
-from yaml.constructor import SafeConstructor
+from yaml import CollectionNode, MappingNode, Node, ScalarNode, SequenceNode
+
+from zbot.yaml_reader import YamlError, compose_yaml, construct_yaml
 
 __all__ = [
     "CollectionNode",
@@ -16,7 +17,7 @@ __all__ = [
     "Quoted",
     "ScalarNode",
     "SequenceNode",
-    "YAMLError",
+    "YamlError",
     "compose",
     "dump",
     "scalar",
@@ -24,7 +25,6 @@ __all__ = [
 
 # libyaml is ten times faster. A PyYAML that was built without libyaml does not have these names.
 _BaseDumper: Any = getattr(yaml, "CSafeDumper", yaml.SafeDumper)
-_Loader: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 _UNLIMITED = 2**31 - 1
 # PyYAML's own emitter writes these line breaks in a form that cannot be read again.
 _UNUSUAL_BREAKS = frozenset("\x85\u2028\u2029")
@@ -93,9 +93,9 @@ def compose(text: str) -> Node | None:
     """Return the node of the only document in a text. Return None if the text is empty.
 
     Raises:
-        YAMLError: The text is not YAML, or contains several documents.
+        YamlError: The text is not YAML, contains several documents, or is too large or too deep.
     """
-    node: Node | None = yaml.compose(text, Loader=_Loader)
+    node: Node | None = compose_yaml(text)
     return node
 
 
@@ -103,9 +103,11 @@ def scalar(node: ScalarNode) -> Any:
     """Return the value of a scalar: a number, a bool, None, a date or a string.
 
     Raises:
-        YAMLError: The tag is unknown or not for scalars, or a `!!binary` text is not base64.
+        YamlError: The tag is unknown or not for scalars, or a `!!binary` text is not base64.
     """
     try:
-        return SafeConstructor().construct_document(node)
-    except (ValueError, KeyError, AttributeError):  # as in 2024-13-01, !!bool x, !!timestamp x
-        return node.value
+        return construct_yaml(node)
+    except YamlError as error:
+        if error.line is None:  # as in 2024-13-01, !!bool x, !!timestamp x
+            return node.value
+        raise

@@ -57,6 +57,7 @@ class LaunchContext:
         find_program: Called with package and executable before a node starts. It raises an error if
             the executable does not exist.
         debug: Whether debug lines are shown.
+        strict: Whether the launch fails if something in it cannot run in zbot.
     """
 
     def __init__(
@@ -66,9 +67,10 @@ class LaunchContext:
         noninteractive: bool = False,
         find_program: Callable[[str, str], object] | None = None,
         debug: bool = False,
+        strict: bool = False,
     ) -> None:
         self.argv = list(argv or ())
-        self.debug = debug
+        self.debug, self.strict = debug, strict
         self.noninteractive = noninteractive
         self.find_program = find_program
         self.environment: dict[str, str] = dict(os.environ)

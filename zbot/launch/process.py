@@ -5,7 +5,6 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import os
-import signal
 import subprocess
 import sys
 from typing import TYPE_CHECKING, Any, cast
@@ -18,6 +17,7 @@ if TYPE_CHECKING:
     from zbot.launch.process_group import ProcessGroups
 
 # Time to read the pipes of an ended process. Its children may keep the pipes open for longer.
+_KILLED = -9  # the code of a process that SIGKILL ended
 _DRAIN_S = 0.5
 
 
@@ -110,7 +110,7 @@ class ChildProcess:
         self._transport.close()
         if os.name != "nt":
             self._process_groups.discard(self.pid)
-        return -signal.SIGKILL if code is None else code
+        return _KILLED if code is None else code
 
 
 async def start(

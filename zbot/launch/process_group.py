@@ -65,7 +65,10 @@ class ProcessGroups:
 
 
 def send(group: int, number: int) -> bool:
-    """Send a signal to a process group. Return whether the group contains a process."""
+    """Send a signal to a process group. Return whether the group contains a process.
+
+    On Windows, end the process `group`, because Windows has no signals.
+    """
     try:
         if sys.platform == "win32":
             os.kill(group, signal.SIGTERM)
@@ -80,7 +83,10 @@ _job: list[Any] = []
 
 
 def _join_job() -> None:
-    """Put this process into a job object. When the job's handle closes, all its processes end."""
+    """Put this process into a job object.
+
+    When the job's handle closes, all processes of the job end.
+    """
     if _job or sys.platform != "win32":
         return
     import ctypes  # noqa: PLC0415 - only Windows needs it

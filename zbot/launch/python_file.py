@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import io
-import sys
 import traceback
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
@@ -11,12 +10,14 @@ from typing import TYPE_CHECKING, Any
 from zbot.errors import ZbotError
 from zbot.launch.description import LaunchDescription
 from zbot.launch.errors import LaunchFileError, describe
-from zbot.package.workspace import package_folders
+from zbot.package import python_finder
 
 if TYPE_CHECKING:
     from pathlib import Path
 
 _FUNCTION = "generate_launch_description"
+#: Modules that launch files import, and the extra of zbot that brings each of them.
+_EXTRAS = {"numpy": "numpy", "xacro": "robot"}
 
 
 def load(path: Path) -> LaunchDescription:
@@ -53,7 +54,7 @@ def load_module(path: str | Path) -> ModuleType:
     """
     module = ModuleType("launch_file")
     module.__file__ = str(path)
-    _import_from_workspace()
+    python_finder.install(searches_always=True)
     with io.open_code(str(path)) as file:
         code = compile(file.read(), str(path), "exec")
     exec(code, module.__dict__)  # noqa: S102 - running the user's file is the purpose
@@ -78,11 +79,8 @@ def _with_line(path: Path, error: Exception) -> LaunchFileError:
     ]
     reason = str(error) if isinstance(error, ZbotError) else describe(error)
     hint = getattr(error, "hint", "") or ""
+    if isinstance(error, ModuleNotFoundError) and error.name in _EXTRAS:
+        hint = f'pip install "zbot[{_EXTRAS[error.name]}]"'
+    elif isinstance(error, ModuleNotFoundError) and not isinstance(error, ZbotError):
+        hint = "`zbot pkg deps` shows what is missing, and where it is"
     return LaunchFileError(str(path), (lines[-1] if lines else 0) or 0, reason, hint)
-
-
-def _import_from_workspace() -> None:
-    """Make the packages of the workspace importable, as `setup.bash` does in ROS 2."""
-    for folder in package_folders():
-        if str(folder) not in sys.path:
-            sys.path.append(str(folder))

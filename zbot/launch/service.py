@@ -35,6 +35,8 @@ class LaunchService:
             name without `.log`.
         find_program: Called with package and executable before a node starts. It raises an error if
             the executable does not exist.
+        strict: Whether the launch fails if something in it cannot run in zbot. Otherwise the
+            launch says so, and goes on.
     """
 
     def __init__(
@@ -45,13 +47,18 @@ class LaunchService:
         debug: bool = False,
         log_file_name: str | None = None,
         find_program: Callable[[str, str], object] | None = None,
+        strict: bool = False,
     ) -> None:
         self._logger_name = (log_file_name or "launch").removesuffix(".log")
         self._log_file_name = f"{self._logger_name}.log"
         if log_file_name is not None:
             launch_config.log_file_name = self._log_file_name
         self.__context = LaunchContext(
-            argv=argv, noninteractive=noninteractive, find_program=find_program, debug=debug
+            argv=argv,
+            noninteractive=noninteractive,
+            find_program=find_program,
+            debug=debug,
+            strict=strict,
         )
         self.__context.register_event_handler(OnIncludeLaunchDescription())
         self.__task: asyncio.Task[Any] | None = None

@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import contextlib
+import os
 import signal
+import socket
+import sys
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -26,6 +30,8 @@ class AsyncSafeSignalManager:
         self._handlers: dict[int, Callable[[int], Any]] = {}
         self._previous: dict[int, Any] = {}
         self._is_entered = False
+        self._ends: tuple[socket.socket, ...] = ()  # a signal is written into the second
+        self._previous_fd = -1
 
     def handle(
         self, signum: signal.Signals | int, handler: Callable[[int], Any] | None
@@ -63,6 +69,7 @@ class AsyncSafeSignalManager:
 
     def __enter__(self) -> AsyncSafeSignalManager:
         self._is_entered = True
+        self._let_signals_wake_the_loop()
         for number in self._handlers:
             self._install(number)
         return self
@@ -76,3 +83,27 @@ class AsyncSafeSignalManager:
         self._is_entered = False
         while self._previous:
             signal.signal(*self._previous.popitem())
+        if self._ends:
+            if not self._loop.is_closed():
+                self._loop.remove_reader(self._ends[0])
+            signal.set_wakeup_fd(self._previous_fd)
+        for end in self._ends:
+            end.close()
+        self._ends = ()
+
+    def _let_signals_wake_the_loop(self) -> None:
+        # A signal that comes just before the loop waits does not interrupt the wait. On Windows,
+        # the loop itself takes care of this.
+        if sys.platform == "win32":
+            return
+        self._ends = reader, writer = socket.socketpair()
+        reader.setblocking(False)
+        writer.setblocking(False)
+        self._previous_fd = signal.set_wakeup_fd(writer.fileno(), warn_on_full_buffer=False)
+        self._loop.add_reader(reader, self._pass_on)
+
+    def _pass_on(self) -> None:
+        numbers = self._ends[0].recv(4096)
+        if self._previous_fd != -1:
+            with contextlib.suppress(OSError):  # its buffer is full, or its owner has closed it
+                os.write(self._previous_fd, numbers)

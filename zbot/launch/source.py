@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import codecs
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -122,7 +123,8 @@ def load_launch_file(location: str, kind: str = "") -> LaunchDescription:
 
     Args:
         location: Its path.
-        kind: `python`, `xml` or `yaml`. If empty, the file's suffix decides.
+        kind: `python`, `xml` or `yaml`. If empty, the file's suffix decides. With another suffix,
+            e.g. `.launch`, the file's content decides.
 
     Raises:
         LaunchFileNotFoundError: The file does not exist.
@@ -133,15 +135,46 @@ def load_launch_file(location: str, kind: str = "") -> LaunchDescription:
         raise LaunchFileNotFoundError(f"launch file '{location}' not found")
     kind = kind or _FORMATS.get(path.suffix, "")
     if kind == "python":
-        from zbot.launch.python_file import load  # noqa: PLC0415 - loaded when used
-
-        return load(path)
+        return _load_python(path)
     if kind in {"xml", "yaml"}:
         from zbot.launch.frontend import load_file  # noqa: PLC0415 - most files are Python
 
         return load_file(path, kind)
-    reason = "the name of a launch file ends in .py, .xml, .yaml or .yml"
-    raise LaunchFileError(str(path), 0, reason)
+    return _load_unknown(path)
+
+
+def _load_python(path: Path) -> LaunchDescription:
+    from zbot.launch.python_file import load  # noqa: PLC0415 - loaded when used
+
+    return load(path)
+
+
+def _load_unknown(path: Path) -> LaunchDescription:
+    """Return the description of a file whose suffix tells no format, e.g. `robot.launch`."""
+    from zbot.launch.frontend import load_file, yaml_file  # noqa: PLC0415 - few files need it
+    from zbot.launch.frontend.errors import InvalidFrontendLaunchFileError  # noqa: PLC0415 - as above
+
+    if path.read_bytes().removeprefix(codecs.BOM_UTF8).lstrip().startswith(b"<"):
+        return load_file(path, "xml")  # such a text is neither YAML nor Python
+    try:
+        yaml_file.load(path)
+    except InvalidFrontendLaunchFileError as error:
+        return _load_python_or_explain(path, error)
+    return load_file(path, "yaml")
+
+
+def _load_python_or_explain(path: Path, yaml_error: LaunchFileError) -> LaunchDescription:
+    try:
+        return _load_python(path)
+    except LaunchFileError as error:
+        if not isinstance(error.__cause__, (SyntaxError, ValueError)):
+            raise
+        found = "; ".join(
+            f"{language}: line {one.line}: {one.reason}"
+            for language, one in (("YAML", yaml_error), ("Python", error))
+        )
+        reason = f"its text is not a launch file in XML, YAML or Python ({found})"
+        raise LaunchFileError(str(path), 0, reason) from error
 
 
 def load_python_launch_file(location: str) -> LaunchDescription:

@@ -45,7 +45,7 @@ class Policy:
 
     shell: bool
     has_terminal: bool  #: whether stdout and stderr are pseudo terminals
-    sinks: Mapping[str, frozenset[str]]  #: sinks for `stdout`, `stderr` and `both`
+    sinks: Mapping[str, frozenset[str]]  #: where `stdout`, `stderr` and `both` go
     line_format: str  #: a format that contains `{line}` and `{label}`
     sigterm_timeout_s: float  #: seconds from SIGINT to SIGTERM
     sigkill_timeout_s: float  #: seconds from SIGTERM to SIGKILL

@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, Final, TypeAlias, get_args, get_origin
 
-import yaml
-
 from zbot.launch.errors import CoercionError, EntityTypeError
 from zbot.launch.substitution import Substitution, normalize, perform
+from zbot.yaml_reader import read_yaml
 
 if TYPE_CHECKING:
     from zbot.launch.context import LaunchContext
@@ -19,6 +18,29 @@ NormalizedValueType: TypeAlias = Any
 AllowedTypesType: TypeAlias = Any
 
 _SCALARS: Final = (int, float, bool, str)
+
+
+#: The types that XML and YAML files name in attributes. `yaml` means the type that YAML reads.
+TYPES_BY_NAME: Final[dict[str, Any]] = {
+    **{kind.__name__: kind for kind in _SCALARS},
+    "list_of_bool": list[bool],
+    "list_of_float": list[float],
+    "list_of_int": list[int],
+    "list_of_str": list[str],
+    "yaml": None,
+}
+
+
+def get_data_type_from_identifier(type_identifier: str) -> Any:
+    """Return the type of a name such as `int` or `list_of_int`.
+
+    Raises:
+        CoercionError: No type has this name.
+    """
+    if type_identifier not in TYPES_BY_NAME:
+        known = ", ".join(TYPES_BY_NAME)
+        raise CoercionError(f"the type must be one of {known}, not '{type_identifier}'")
+    return TYPES_BY_NAME[type_identifier]
 
 
 def is_typing_list(data_type: Any) -> bool:
@@ -95,10 +117,10 @@ def coerce_to_type(value: str, data_type: Any = None, can_be_str: bool = False) 
         raise EntityTypeError("the value", "a str", value)
     if data_type is not None and extract_type(data_type) == (str, False):
         return value
-    read: Any = data_type if data_type in {int, float} else yaml.safe_load
+    read: Any = data_type if data_type in {int, float} else read_yaml
     try:
         found = read(value)
-    except (yaml.YAMLError, ValueError):
+    except (ValueError, OverflowError):
         found = value if can_be_str else None
     if not is_instance_of(found, data_type, can_be_str):
         raise CoercionError(f"'{value}' is not a value of type {_type_name(data_type)}")

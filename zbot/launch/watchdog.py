@@ -12,6 +12,8 @@ import signal
 import sys
 import time
 
+assert sys.platform != "win32"  # Windows has no process groups
+
 _GRACE_S = 0.7
 _INTERVAL_S = 0.02
 

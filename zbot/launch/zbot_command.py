@@ -7,6 +7,7 @@ path of the child processes ends with a folder that contains the program `ros2`.
 from __future__ import annotations
 
 import hashlib
+import importlib.util
 import os
 import shlex
 import shutil
@@ -16,7 +17,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from zbot.launch.errors import ProgramError
-from zbot.package.symlink_install import cache_folder
+from zbot.package.bundled_nodes import BUNDLED_PROGRAMS
+from zbot.package.user_folders import cache_folder
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -24,8 +26,8 @@ if TYPE_CHECKING:
 
 def zbot_command() -> list[str]:
     """Return the words that start the `zbot` of this Python installation."""
-    # The script `zbot` is better than `-m zbot`, because sys.path then does not contain the working
-    # directory. On Windows, zbot.exe starts a second process, which signals do not reach.
+    # With the script `zbot`, sys.path does not contain the working directory. With `-m zbot`, it
+    # does. On Windows, zbot.exe starts a second process, which signals do not reach.
     script = Path(sys.executable).with_name("zbot")
     if os.name != "nt" and script.is_file() and os.access(script, os.X_OK):
         return [str(script)]
@@ -33,7 +35,13 @@ def zbot_command() -> list[str]:
 
 
 def run_scripts_with_zbot(words: Sequence[str]) -> list[str]:
-    """Replace `python3 X.py` by `zbot run X.py` in a command, so that the script finds `rclpy`."""
+    """Replace `python3 X.py` by `zbot run X.py` in a command, so that the script finds `rclpy`.
+
+    A program of rqt that is not on the PATH becomes the bundled node of this name.
+    """
+    package = BUNDLED_PROGRAMS.get(words[0])
+    if package is not None and shutil.which(words[0]) is None:
+        return [*zbot_command(), "run", package, *words]
     script = 2 if len(words) > 1 and words[1] == "-u" else 1  # zbot does not need -u
     is_python = words[0] in {sys.executable, "python", "python3"}
     if is_python and len(words) > script and words[script].endswith(".py"):
@@ -42,18 +50,29 @@ def run_scripts_with_zbot(words: Sequence[str]) -> list[str]:
 
 
 def find_on_path(name: str, environment: Mapping[str, str]) -> str | None:
-    """Return a program's path on the PATH, or None. A missing `ros2` or `zbot` gets a wrapper."""
+    """Return a program's path on the PATH, or None. A missing `ros2` or `zbot` gets a wrapper.
+
+    The wrapper of a missing rqt program opens the page. The wrapper of `xacro` starts the xacro of
+    this Python installation, because this xacro finds zbot's packages. If this installation has no
+    xacro, the `xacro` on the PATH is used.
+    """
+    if name == "xacro" and importlib.util.find_spec("xacro") is not None:
+        return str(executable_wrapper("xacro", "xacro"))
     found = shutil.which(name, path=environment.get("PATH"))
+    if found is None and name in BUNDLED_PROGRAMS:
+        return str(executable_wrapper(BUNDLED_PROGRAMS[name], name))
     if found is None and Path(name).name in {"ros2", "zbot"}:
         found = str(_wrapper(Path(name).name, zbot_command()))
     return found
 
 
 def add_ros2_to_path(environment: Mapping[str, str]) -> dict[str, str]:
-    """Return an environment whose PATH has `ros2` and `zbot`, if necessary as wrappers."""
+    """Return an environment whose PATH has `ros2`, `zbot` and `xacro`, if necessary as wrappers."""
     path = environment.get("PATH", os.defpath)
     missing = [name for name in ("ros2", "zbot") if shutil.which(name, path=path) is None]
     folders = {str(_wrapper(name, zbot_command()).parent) for name in missing}
+    if shutil.which("xacro", path=path) is None:
+        folders.add(str(executable_wrapper("xacro", "xacro").parent))
     return {**environment, "PATH": os.pathsep.join((path, *sorted(folders)))}
 
 

@@ -1,6 +1,6 @@
 """Conversion between images and numpy arrays: `CvBridge` of ROS 2's `cv_bridge`.
 
-This module needs numpy (`pip install 'zbot[numpy]'`). Only Bayer patterns, YUV and compressed
+This module needs numpy (`pip install "zbot[numpy]"`). Only Bayer patterns, YUV and compressed
 images need OpenCV.
 """
 

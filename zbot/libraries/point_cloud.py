@@ -1,6 +1,6 @@
 """Conversion between point clouds and numpy arrays, as in `sensor_msgs_py.point_cloud2`.
 
-This module needs numpy, which `pip install 'zbot[numpy]'` installs.
+This module needs numpy, which `pip install "zbot[numpy]"` installs.
 """
 
 from __future__ import annotations

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Final, TextIO
 
 from zbot.log.record import formatter
 from zbot.log.severity import LoggingSeverity
+from zbot.terminal.text import escape_control_characters, write_styled
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -39,15 +40,21 @@ class Console:
         self._is_buffered = self._switch("RCUTILS_LOGGING_BUFFERED_STREAM") is True
         self._colour = self._colour_setting()
         self._stream: TextIO | None = None
-        self._is_coloured = False
+        self._is_coloured = self._is_terminal = False
 
     def write(self, severity: LoggingSeverity, line: str) -> None:
-        """Write a line in its severity's colour."""
+        """Write a line in its severity's colour.
+
+        A line may contain text that came over the network. So a terminal gets no control characters
+        of the line except colours, which students put into their lines.
+        """
         # The stream is looked up each time, because programs and tests replace sys.stderr.
         stream = sys.stdout if self._uses_stdout else sys.stderr
         if stream is not self._stream:
-            self._stream = stream
+            self._stream, self._is_terminal = stream, _is_terminal(stream)
             self._is_coloured = _has_colour(stream) if self._colour is None else self._colour
+        if self._is_terminal:
+            line = escape_control_characters(line, keep_colours=True)
         if self._is_coloured:
             line = f"{_COLOURS[severity]}{line}{_RESET}"
         _write_safely(stream, f"{line}\n", flush=not self._is_buffered)
@@ -75,10 +82,10 @@ def _write_safely(stream: TextIO | None, text: str, *, flush: bool) -> None:
         return
     try:
         try:
-            stream.write(text)
+            write_styled(stream, text)
         except UnicodeEncodeError:
             encoding = stream.encoding or "ascii"
-            stream.write(text.encode(encoding, "backslashreplace").decode(encoding))
+            write_styled(stream, text.encode(encoding, "backslashreplace").decode(encoding))
         except RuntimeError:
             # A signal handler logs while it interrupts a write to the same stream.
             os.write(stream.fileno(), text.encode(errors="backslashreplace"))
@@ -89,11 +96,15 @@ def _write_safely(stream: TextIO | None, text: str, *, flush: bool) -> None:
         return
 
 
-def _has_colour(stream: TextIO | None) -> bool:
+def _is_terminal(stream: TextIO | None) -> bool:
     try:
-        return stream is not None and stream.isatty() and _enable_colour(stream)
+        return stream is not None and stream.isatty()
     except ValueError:  # the stream is closed
         return False
+
+
+def _has_colour(stream: TextIO | None) -> bool:
+    return stream is not None and _is_terminal(stream) and _enable_colour(stream)
 
 
 def _enable_colour(stream: TextIO) -> bool:

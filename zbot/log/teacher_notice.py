@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import json
 from typing import TYPE_CHECKING
 
+from zbot.json_reader import JsonError, read_json_object
 from zbot.log import get_logger
-from zbot.terminal_text import single_line
+from zbot.terminal.text import single_line
 
 if TYPE_CHECKING:
     import zenoh
@@ -27,10 +27,8 @@ def log_notice(sample: zenoh.Sample) -> None:
 
 def notice_text(payload: bytes) -> str:
     """Return the text of a notice in one printable line. It is empty for an invalid notice."""
-    if len(payload) > _MAX_BYTES:
-        return ""
     try:
-        found = json.loads(payload)
-    except (ValueError, RecursionError):
+        found = read_json_object(payload, _MAX_BYTES)
+    except JsonError:
         return ""
-    return single_line(str(found.get("text", "")), _MAX_LENGTH) if isinstance(found, dict) else ""
+    return single_line(str(found.get("text", "")), _MAX_LENGTH)

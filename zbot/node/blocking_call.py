@@ -50,9 +50,14 @@ def wait_for_reply(
         attempt = 0
         while True:
             client.send(request, arrivals.put, partial(arrivals.put, attempt))
-            reply = _wait(client, arrivals, attempt, deadline, serve)
-            if reply is None or not request.is_to_be_repeated(reply):
-                return reply
+            is_to_be_repeated = False
+            # One attempt may time out twice, in this session and in the server's.
+            while (reply := _wait(client, arrivals, attempt, deadline, serve)) is not None:
+                if not request.is_to_be_repeated(reply):
+                    return reply
+                is_to_be_repeated = True
+            if not is_to_be_repeated:
+                return None
             attempt += 1
 
 

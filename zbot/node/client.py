@@ -18,18 +18,21 @@ import zenoh
 from zbot.errors import InvalidHandleError
 from zbot.executor.callback_stack import current_executor, running_callbacks
 from zbot.interfaces import type_name
+from zbot.log import get_logger
 from zbot.node.blocking_call import wait_for_reply
 from zbot.node.errors import RequestTypeError, ServiceError
 from zbot.node.service_introspection import ServiceEndpoint, Step
 from zbot.node.service_request import ResponseFuture, ServiceRequest
 from zbot.process import signals
 from zbot.process.memory import LARGE_BYTES, keep_freed_memory
+from zbot.time import as_seconds
 from zbot.transport.foreign_call import without_interruption
 from zbot.transport.handle import Handle
 from zbot.transport.wakeup import BinarySemaphore, BusyWait
 from zbot.wire.attachment import GID_LENGTH, LAYOUT
 from zbot.wire.codec import CodecError
 from zbot.wire.error_reply import unpack_error
+from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -38,6 +41,7 @@ if TYPE_CHECKING:
     from zbot.executor.callback_group import CallbackGroup
     from zbot.executor.ready_queue import ReadyQueue
     from zbot.executor.task import Future
+    from zbot.time import Duration
     from zbot.wire.tokens import EndpointToken
 
 RequestT = TypeVar("RequestT")
@@ -54,6 +58,7 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
         ready_queue: The queue that the node's executor takes ready entities from.
         callback_group: Decides which other callbacks may run together with callbacks of futures.
         logger_name: The node's logger.
+        is_announced: Whether the graph shows the client.
     """
 
     due_ns: int | None = None
@@ -67,6 +72,7 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
         ready_queue: ReadyQueue,
         callback_group: CallbackGroup,
         logger_name: str,
+        is_announced: bool = True,
     ) -> None:
         self.srv_type = srv_type
         self.srv_name = token.name
@@ -81,6 +87,7 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
         self._encode: Callable[[Any], Any] = dialect.codec_for(srv_type.Request).encode
         self._decode: Callable[[Any], ResponseT] = dialect.codec_for(srv_type.Response).decode
         self._encoding = zenoh.Encoding(dialect.encoding(type_name(srv_type.Request)))
+        self._timeout_s = dialect.request_timeout_s(token.name)
         self._gid = token.gid
         self._sent_count = 0
         self._lock = threading.RLock()  # re-entrant, because a signal handler may use it
@@ -89,10 +96,15 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
         self._arrival = BinarySemaphore()
         self.busy_wait = BusyWait()  #: for the threads that wait in `call`
         self._listener: Any = None
-        self._querier: Any = context.session.declare_querier(
-            dialect.topic_key(context.get_domain_id(), token.name)
+        self._target = (
+            zenoh.QueryTarget.ALL_COMPLETE
+            if dialect.calls_all_servers
+            else zenoh.QueryTarget.BEST_MATCHING
         )
-        self._liveliness = context.graph.announce(token)
+        self._querier: Any = context.session.declare_querier(
+            dialect.data_key(token), target=self._target
+        )
+        self._liveliness = context.graph.announce(token) if is_announced else None
 
     @property
     def handle(self) -> ClientHandle:
@@ -113,22 +125,27 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
             and bool(querier.matching_status.matching)
         )
 
-    def wait_for_service(self, timeout_sec: float | None = None) -> bool:
+    def wait_for_service(self, timeout_sec: float | Duration | None = None) -> bool:
         """Wait for a server.
 
         Args:
-            timeout_sec: Seconds to wait. `None` or a negative number means until the context is
-                shut down.
+            timeout_sec: Seconds to wait, or a `Duration`. `None` or a negative number means until
+                the context is shut down.
 
         Returns:
             Whether a server is ready.
 
         Raises:
             InvalidHandleError: The client or its node was destroyed.
+            ArgumentTypeError: `timeout_sec` is neither a number nor a `Duration`.
         """
         self._listen()
-        endless = timeout_sec is None or timeout_sec < 0
-        deadline = time.monotonic() + (0 if endless or timeout_sec is None else timeout_sec)
+        # The diagnostics of a node warn of another definition, but a tool's session has none.
+        if self._context.is_tool and not self.service_is_ready() and (text := self._other_type()):
+            get_logger(self._logger_name).warning(text)
+        timeout_s = as_seconds("timeout_sec", timeout_sec)
+        endless = timeout_s is None or timeout_s < 0
+        deadline = time.monotonic() + (0 if endless or timeout_s is None else timeout_s)
         while not self.service_is_ready() and self._context.ok():
             left = threading.TIMEOUT_MAX if endless else deadline - time.monotonic()
             if left <= 0:
@@ -162,7 +179,7 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
 
         Raises:
             RequestTypeError: The argument is not a request of this service.
-            FieldTypeError: A field of the request has a value of a wrong type.
+            CodecError: A field of the request has a wrong value.
             InvalidHandleError: The client or its node was destroyed.
             NotInitializedError: The context was shut down.
         """
@@ -214,7 +231,7 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
         with self._lock:
             self._sent_count += 1
             attachment = LAYOUT.pack(self._sent_count, time.time_ns(), GID_LENGTH, self._gid)
-        return ServiceRequest(payload, attachment)
+        return ServiceRequest(payload, attachment, timeout_s=self._timeout_s)
 
     def _check_server(self) -> None:
         if self.service_is_ready():
@@ -226,7 +243,19 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
         self._context.wait_for_peers()
         if not self.service_is_ready():
             reason = "no server is running; start it, or wait for it with wait_for_service()"
-            raise ServiceError(self.service_name, "no_server", reason)
+            raise ServiceError(self.service_name, "no_server", self._other_type() or reason)
+
+    def _other_type(self) -> str:
+        """Return a sentence about a server with another definition of the service, if any."""
+        if not self._context.dialect.needs_equal_types:
+            return ""
+        for server in self._context.graph.query().on(self.service_name, EntityKind.SERVICE):
+            is_same_type = server.type_name == self._token.type_name
+            if is_same_type and server.type_hash != self._token.type_hash:
+                from zbot.node.type_difference import difference_text  # noqa: PLC0415 - rarely needed
+
+                return difference_text(self._context, self._token, server)
+        return ""
 
     def send(
         self,
@@ -242,6 +271,7 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
             payload=request.payload,
             encoding=self._encoding,
             attachment=request.attachment,
+            target=self._target,
             consolidation=zenoh.ConsolidationMode.NONE,
             timeout=request.timeout_s,
         )
@@ -309,8 +339,8 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
 
     def post(self, response: ResponseFuture[ResponseT]) -> None:
         """Let the executor run the callbacks of a call's future. Any thread may call this."""
-        # For responses without callbacks, one response in the queue is enough to end `spin_once`.
-        # More would stay in the queue if the program spins only until one call is over.
+        # One response in `_completed` is enough to end `spin_once`. Further ones without callbacks
+        # would stay there if a program spins only until one call is over.
         if response.has_callbacks or not self._completed:
             self._completed.append(response)
         self.ready_queue.post(self)
@@ -346,7 +376,8 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
         self._arrival.set()
         self.end_introspection()
         if not self._context.is_closed:
-            self._liveliness.undeclare()
+            if self._liveliness is not None:
+                self._liveliness.undeclare()
             if self._listener is not None:
                 self._listener.undeclare()
             querier.undeclare()

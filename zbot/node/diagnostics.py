@@ -14,18 +14,28 @@ from typing import TYPE_CHECKING
 import zenoh
 
 from zbot.errors import NotInitializedError
+from zbot.graph.snapshot import Snapshot
 from zbot.log import get_logger
-from zbot.names import fully_qualified, is_hidden, nearest
+from zbot.names import ROSOUT_TOPIC, fully_qualified, is_hidden, nearest
 from zbot.wire.keys import SHARED_DOMAIN
 from zbot.wire.tokens import EndpointToken, EntityKind, NodeToken
 
 if TYPE_CHECKING:
     from zbot.context import Context
-    from zbot.graph.snapshot import Snapshot, Token
+    from zbot.graph.snapshot import Token
 
 # A missing publisher is reported after this time, because its program may start a bit later.
 _CHECK_DELAY_S = 3.0
+_STANDARD_TYPES = {
+    ROSOUT_TOPIC: "rcl_interfaces/msg/Log",
+    "/parameter_events": "rcl_interfaces/msg/ParameterEvent",
+}
 _VERBS = {EntityKind.PUBLISHER: "publishes", EntityKind.SUBSCRIPTION: "subscribes to"}
+
+_PAIRS = (
+    {EntityKind.PUBLISHER, EntityKind.SUBSCRIPTION},
+    {EntityKind.SERVICE, EntityKind.CLIENT},
+)
 
 _of_contexts: dict[Context, Diagnostics] = {}
 _lock = threading.Lock()
@@ -60,6 +70,9 @@ class Diagnostics:
 
     def add(self, token: Token, logger_name: str) -> None:
         """Check a node or endpoint from now on. Warnings are logged under `logger_name`."""
+        if _is_standard(token):
+            return
+        self._context.graph.follow(token)
         with self._signal:
             self._own[token.key] = (token, logger_name)
             self._news.append(token)
@@ -118,7 +131,7 @@ class Diagnostics:
         with self._signal:
             own = list(self._own.values())
             has_own = any(token.key in self._own for token in news)
-        others = self._context.graph.snapshot().tokens if has_own else ()
+        others = self._context.graph.known() if has_own else ()
         for token in news:
             for mine, logger_name in own:
                 self._compare_pair(mine, token, logger_name)
@@ -158,6 +171,8 @@ class Diagnostics:
             )
 
     def _compare_types(self, mine: EndpointToken, other: EndpointToken, logger_name: str) -> None:
+        if self._context.dialect.needs_equal_types and {mine.kind, other.kind} in _PAIRS:
+            self._compare_definitions(mine, other, logger_name)
         if mine.kind not in _VERBS or other.kind not in _VERBS:
             return
         if mine.name != other.name or mine.type_name == other.type_name:
@@ -170,12 +185,27 @@ class Diagnostics:
             f"{_VERBS[other.kind]} {other.type_name}; they cannot receive each other's messages",
         )
 
+    def _compare_definitions(
+        self, mine: EndpointToken, other: EndpointToken, logger_name: str
+    ) -> None:
+        is_same_type = (mine.name, mine.type_name) == (other.name, other.type_name)
+        about = ("definition", mine.name, mine.type_hash, other.type_hash)
+        if not is_same_type or mine.type_hash == other.type_hash:
+            return
+        if (logger_name, *about) not in self._warned:
+            from zbot.node.type_difference import difference_text  # noqa: PLC0415 - rarely needed
+
+            self._warn(logger_name, about, difference_text(self._context, mine, other))
+
     def _check_silence(self, token: EndpointToken, logger_name: str) -> None:
-        if token.key not in self._own or is_hidden(token.name):
+        # The nodes of commands are hidden: a command itself says that its topic is silent.
+        if token.key not in self._own or is_hidden(token.name) or is_hidden(token.node):
             return
-        snapshot = self._context.graph.snapshot()
-        if snapshot.publishers(token.name):
+        if Snapshot(self._context.graph.known()).publishers(token.name):
             return
+        if self._warn_of_unreachable(token, logger_name):
+            return
+        snapshot = self._context.graph.query()
         guess = nearest(token.name, _published(snapshot, token.type_name))
         if guess is not None:
             self._warn(
@@ -185,10 +215,32 @@ class Diagnostics:
                 "is one of the names misspelt?",
             )
 
+    def _warn_of_unreachable(self, token: EndpointToken, logger_name: str) -> bool:
+        """Warn of a publisher that only the router can reach. Return whether there is one."""
+        unreachable = Snapshot(tuple(self._context.unreachable_tokens()))
+        publishers = unreachable.publishers(token.name)
+        for publisher in publishers[:1]:
+            who = fully_qualified(publisher.namespace, publisher.node)
+            self._warn(
+                logger_name,
+                ("link", token.name),
+                f"nothing is heard from {who} on {token.name}, because there is no way from it "
+                "to this program, and routers of ROS 2 pass nothing on between two peers: set "
+                "ZENOH_CONFIG_OVERRIDE='mode=\"client\"' for this program",
+            )
+        return bool(publishers)
+
     def _warn(self, logger_name: str, about: tuple[str, ...], text: str) -> None:
         if (logger_name, *about) not in self._warned:
             self._warned.add((logger_name, *about))
             get_logger(logger_name).warning(text)
+
+
+def _is_standard(token: Token) -> bool:
+    """Return whether every node has this publisher. Its name and type cannot be mistaken."""
+    if not isinstance(token, EndpointToken) or token.kind is not EntityKind.PUBLISHER:
+        return False
+    return token.type_name == _STANDARD_TYPES.get(token.name)
 
 
 def _published(snapshot: Snapshot, type_name: str) -> list[str]:

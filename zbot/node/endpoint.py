@@ -13,12 +13,9 @@ if TYPE_CHECKING:
     from zbot.qos import QoSProfile
     from zbot.wire.tokens import EndpointToken
 
-#: Name of the middleware, as in ROS 2's `get_rmw_implementation_identifier`.
-RMW_IDENTIFIER = "rmw_zbot_zenoh"
-
 
 class Endpoint:
-    """Part of a node that the graph shows. The end of a `with` block destroys it."""
+    """Part of a node that the graph shows. The end of a `with` block destroys the endpoint."""
 
     _context: Context
     _token: EndpointToken

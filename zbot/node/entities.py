@@ -237,6 +237,10 @@ class NodeEntities(PrivateAliases):
         )
         client.srv_name = srv_name
         handle.clients.append(client)
+        # To follow the service, a tool's session would subscribe to its tokens. After that, Zenoh
+        # answers the tool's queries for all tokens incompletely.
+        if handle.context.dialect.needs_equal_types and not handle.context.is_tool:
+            handle.diagnostics.add(client.token, handle.logger_name)
         handle.add(client)
         return client
 

@@ -123,6 +123,7 @@ class _EndpointHandler(EventHandler):
         self._graph = graph
         self._known: set[str] = set()
         self._total = 0
+        graph.follow(own)
         graph.add_listener(self._on_change)
 
     def _concerns(self, token: EndpointToken) -> bool:

@@ -91,9 +91,10 @@ class Node(GraphQueries, NodeEntities, NodeParameters):
         space = arguments.namespace_for(node_name) or namespace or "/"
         space = space if space.startswith("/") else f"/{space}"
         validate_namespace(space)
+        context.require_valid(f"the node {name!r}")
         overrides = overrides_of(arguments.parameters_for(fully_qualified(space, name)))
         self._zbot_state = handle = NodeState(context, arguments, name, space)
-        context.add_node(self)
+        context.add_node(self, handle.full_name)
         self._zbot_logger = get_logger(handle.logger_name)
         self._zbot_rosout = Rosout(self, as_profile(rosout_qos_profile)) if enable_rosout else None
         self._zbot_time = TimeSource()
@@ -201,7 +202,7 @@ class Node(GraphQueries, NodeEntities, NodeParameters):
         if self._zbot_rosout is not None:
             self._zbot_rosout.close()
         handle.destroy()
-        handle.context.remove_node(self)
+        handle.context.remove_node(self, handle.full_name)
 
     def __enter__(self) -> Self:
         return self

@@ -19,7 +19,6 @@ from zbot.process import blocked_put, signals
 from zbot.process.memory import LARGE_BYTES, keep_freed_memory
 from zbot.qos import DurabilityPolicy, ReliabilityPolicy
 from zbot.wire.attachment import GID_LENGTH, LAYOUT
-from zbot.wire.serialization import deserialize_message, is_cdr
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -45,6 +44,7 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
         token: The publisher's liveliness token: its node, topic, type and profile.
         logger_name: Name of the node's logger.
         callback_group: Group of the callbacks for QoS events.
+        is_announced: Whether the graph shows the publisher.
     """
 
     def __init__(
@@ -55,6 +55,7 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
         *,
         logger_name: str,
         callback_group: CallbackGroup,
+        is_announced: bool = True,
     ) -> None:
         self.msg_type = msg_type
         self.callback_group = callback_group
@@ -67,7 +68,7 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
         self._gid = token.gid
         self._next_number = itertools.count(1).__next__
         self._lock = threading.RLock()  # re-entrant, because a signal handler may use it
-        # The lock costs a tenth of a small message's latency. A single thread works without it.
+        # The lock costs a tenth of a small message's latency. A single thread needs no lock.
         self._only_thread: int | None = None
         self._publisher: Any = declare_publisher(context, token)
         # Latched messages do not go into shared memory, because their cache would fill it.
@@ -79,7 +80,7 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
             self._send = self._send_blocking
             blocked_put.publishers.add(self)
             blocked_put.watch_signals()
-        self._liveliness = context.graph.announce(token)
+        self._liveliness = context.graph.announce(token) if is_announced else None
 
     @property
     def is_destroyed(self) -> bool:
@@ -92,7 +93,7 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
         return self._publisher is not None and not self._context.is_closed
 
     def publish(self, msg: MsgT | bytes) -> None:
-        """Send a message, which may also be bytes in ROS 2's CDR or in zbot's encoding.
+        """Send a message, or the bytes of a message in ROS 2's CDR or in zbot's encoding.
 
         The first call waits until the session has discovered the subscriptions that exist already,
         so that they get the message. This takes at most 0.5 s and usually 2 ms. When the network
@@ -101,7 +102,7 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
 
         Raises:
             MessageTypeError: The message has another type than the topic.
-            FieldTypeError: A field of the message has a value of a wrong type.
+            CodecError: A field of the message has a wrong value.
             InvalidHandleError: The publisher or its node was destroyed.
             NotInitializedError: The context was shut down.
         """
@@ -151,8 +152,7 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
 
     def _from_other(self, msg: Any) -> Any:
         if isinstance(msg, bytes):
-            # Bytes with the header of CDR are decoded. Other bytes are in zbot's encoding.
-            return self._encode(deserialize_message(msg, self.msg_type)) if is_cdr(msg) else msg
+            return self._context.dialect.payload_of(msg, self.msg_type)
         # Another class of the same type may come from a real ROS 2 installation.
         if isinstance(msg, self.msg_type) or self._is_same_type(msg):
             return self._encode(msg)
@@ -182,8 +182,9 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
 
         Returns:
             True if the publisher is best effort, if it published nothing, or if all reliable
-            subscriptions of the topic are in the publisher's own context. There, `publish` itself
-            queues the message. Otherwise False, because it is unknown whether a message was lost.
+            subscriptions of the topic are in the publisher's own context. In its own context,
+            `publish` itself puts a message into the queues of the subscriptions. Otherwise False,
+            because it is unknown whether a message was lost.
         """
         if not self.sent_count or not _is_reliable(self._token):
             return True
@@ -204,7 +205,7 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
             return
         for handler in self.event_handlers:
             handler.destroy()
-        if not self._context.is_closed:
+        if self._liveliness is not None and not self._context.is_closed:
             self._liveliness.undeclare()
         # Zenoh undeclares a publisher when nothing refers to it and no other thread sends with it.
         # `undeclare()` of a latched publisher would hold the GIL, and wait up to 10 s for a thread

@@ -2,15 +2,24 @@
 
 from __future__ import annotations
 
+import os
+import time
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from zbot.interfaces import get_interface, get_spec, register_spec
-from zbot.interfaces.errors import InterfaceSyntaxError, UnknownInterfaceError, UnknownPackageError
+from zbot.interfaces.definition_limits import check_limits
+from zbot.interfaces.errors import (
+    DefinitionLimitError,
+    InterfaceSyntaxError,
+    UnknownInterfaceError,
+    UnknownPackageError,
+)
 from zbot.interfaces.registry import has_package
 from zbot.interfaces.remote_definition import hash_among, specs_from, specs_from_sources
 from zbot.node.type_description import SERVICE_TYPE
 from zbot.transport import admin_query
+from zbot.wire.attachment import GID_LENGTH, pack
 from zbot.wire.codec import CodecError
 from zbot.wire.tokens import EntityKind
 
@@ -30,7 +39,7 @@ _MAX_OTHER_NODES = 8
 class _Provider:
     """A node that may know a type."""
 
-    service: str  #: full name of its service `get_type_description`
+    service: EndpointToken  #: its service `get_type_description`
     used: str = ""  #: type of its endpoint, which is the wanted type or a part of it
     used_hash: str = ""
 
@@ -48,22 +57,58 @@ def learn_type(context: Context, name: str, *, timeout_s: float = 2.0) -> Interf
         sent the text of the type's file.
 
     Raises:
+        DefinitionLimitError: The only definition would make messages that are too large.
         InterfaceConflictError: A part of the type has another definition here.
     """
     context.wait_for_peers()
+    refusal: DefinitionLimitError | None = None
     for provider in _providers(context.graph.snapshot(), name):
         answer = _ask(context, provider.service, name, timeout_s)
-        specs = answer and _checked(answer, name, provider)
+        try:
+            specs = answer and _checked(answer, name, provider)
+        except DefinitionLimitError as error:
+            refusal = error  # another node may have a definition that zbot can use
+            continue
         if specs:
             for spec in specs:
                 register_spec(spec)
             return get_spec(name)
+    if refusal is not None:
+        raise refusal
     return None
+
+
+def nodes_to_ask(context: Context, name: str) -> frozenset[str]:
+    """Return the tokens of the nodes that `learn_type` would ask now."""
+    return frozenset(one.service.key for one in _providers(context.graph.snapshot(), name))
+
+
+def definitions_of(
+    context: Context, end: EndpointToken, *, timeout_s: float = 2.0
+) -> list[InterfaceSpec]:
+    """Ask a node for its definitions of an endpoint's type and of the types inside it.
+
+    Args:
+        context: The context whose session sends the request.
+        end: The endpoint.
+        timeout_s: Seconds to wait for the node.
+
+    Returns:
+        The definitions, without registering them. Empty if the node does not tell them.
+    """
+    services = context.graph.query().of_kind(EntityKind.SERVICE)
+    for service in services:
+        is_of_node = (service.zid, service.nid) == (end.zid, end.nid)
+        if is_of_node and service.type_name == SERVICE_TYPE[0]:
+            provider = _Provider(service, end.type_name, end.type_hash)
+            answer = _ask(context, service, end.type_name, timeout_s)
+            return _checked(answer, end.type_name, provider) if answer else []
+    return []
 
 
 def _providers(graph: Snapshot, name: str) -> Iterator[_Provider]:
     services = {
-        (end.zid, end.nid): end.name
+        (end.zid, end.nid): end
         for end in graph.of_kind(EntityKind.SERVICE)
         if end.type_name == SERVICE_TYPE[0]
     }
@@ -90,14 +135,15 @@ def _users_of_package(endpoints: Iterable[EndpointToken], name: str) -> Iterator
     )
 
 
-def _ask(context: Context, service: str, name: str, timeout_s: float) -> Any:
+def _ask(context: Context, service: EndpointToken, name: str, timeout_s: float) -> Any:
     """Return a node's response, or `None` if it does not know the type or does not respond."""
     srv_type: Any = get_interface(SERVICE_TYPE[0])
     dialect = context.dialect
     replies = context.session.get(
-        dialect.topic_key(context.get_domain_id(), service),
+        dialect.data_key(service),
         admin_query.large_queue(),
         payload=dialect.codec_for(srv_type.Request).encode(srv_type.Request(type_name=name)),
+        attachment=pack(1, time.time_ns(), os.urandom(GID_LENGTH)),
         timeout=timeout_s,
     )
     decode = dialect.codec_for(srv_type.Response).decode
@@ -117,8 +163,11 @@ def _checked(answer: Any, name: str, provider: _Provider) -> list[InterfaceSpec]
     for read in (_from_texts, _from_description):
         try:
             specs = read(answer, name)
+            check_limits(specs)
             if not provider.used or hash_among(provider.used, specs) == provider.used_hash:
                 return specs
+        except DefinitionLimitError:
+            raise
         except (InterfaceSyntaxError, UnknownInterfaceError, UnknownPackageError):
             continue  # try the other form, or the next node
     return []

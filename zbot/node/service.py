@@ -21,8 +21,6 @@ from zbot.transport.foreign_call import called_by_zenoh, keep_thread_state
 from zbot.transport.handle import Handle
 from zbot.wire.attachment import GID_LENGTH, LAYOUT, unpack
 from zbot.wire.codec import CodecError
-from zbot.wire.dialect import type_mismatch
-from zbot.wire.error_reply import ENCODING, pack_error
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine
@@ -79,7 +77,7 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
         self._logger_name = logger_name
         dialect = context.dialect
         self._encoding = zenoh.Encoding(dialect.encoding(f"{token.type_name}_Response"))
-        self._key = zenoh.KeyExpr(dialect.topic_key(context.get_domain_id(), token.name))
+        self._key = zenoh.KeyExpr(dialect.data_key(token))
         self._queries: deque[tuple[zenoh.Query, float]] = deque()
         self._repeated = RepeatedRequests()
         self._is_destroyed = False
@@ -128,7 +126,7 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
         Raises:
             ResponseTypeError: The argument is not a response of this service.
         """
-        self._answer(_request_id(header.query), header.query, response)
+        self._answer(request_id_of(header.query), header.query, response)
 
     @called_by_zenoh
     def _receive(self, query: zenoh.Query) -> None:
@@ -156,7 +154,7 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
     def execute(self, taken: tuple[zenoh.Query, float]) -> Coroutine[Any, Any, None] | None:
         """Decode a request, call the callback and send the response."""
         query, arrived_s = taken
-        request_id = _request_id(query)
+        request_id = request_id_of(query)
         if request_id and not self._repeated.is_new(request_id, query, arrived_s):
             return None
         payload = b"" if query.payload is None else query.payload.to_bytes()
@@ -185,7 +183,12 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
 
     def _check_type(self, query: zenoh.Query) -> None:
         expected = f"{self._token.type_name}_Request"
-        if reason := type_mismatch(self._context.dialect, query.encoding or "", expected):
+        dialect, attachment = self._context.dialect, query.attachment
+        reason = dialect.refusal(query.key_expr, query.encoding or "", expected)
+        length = None if attachment is None else len(attachment.to_bytes())
+        if length != LAYOUT.size:
+            reason = dialect.attachment_refusal(length) or reason
+        if reason:
             raise CodecError("decode", expected, "", reason)
 
     async def _answer_later(
@@ -201,7 +204,11 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
         expected = self.srv_type.Response
         if response.__class__ is not expected and not isinstance(response, expected):
             raise ResponseTypeError(self.service_name, type_name(expected), response)
-        payload = self._encode(response)
+        self._reply_payload(request_id, query, self._encode(response), response)
+
+    def _reply_payload(
+        self, request_id: bytes, query: zenoh.Query, payload: Any, response: Any = None
+    ) -> None:
         if len(payload) >= LARGE_BYTES:
             keep_freed_memory()
             payload = self._context.share(payload)
@@ -220,9 +227,9 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
         )
 
     def _reply_error(self, request_id: bytes, query: zenoh.Query, error: Exception) -> None:
-        payload = pack_error(error)
+        payload, encoding = self._context.dialect.error_payload(error)
         self._send_reply(
-            request_id, query, lambda latest: latest.reply_err(payload, encoding=ENCODING)
+            request_id, query, lambda latest: latest.reply_err(payload, encoding=encoding)
         )
 
     def _send_reply(
@@ -280,7 +287,7 @@ class ServiceHandle(Handle[Service[Any, Any]]):
         self.entity.send_response(response, header)
 
 
-def _request_id(query: zenoh.Query) -> bytes:
+def request_id_of(query: zenoh.Query) -> bytes:
     """Return a request's number and its client's gid, or empty bytes if there are none."""
     attachment = query.attachment
     facts = b"" if attachment is None else attachment.to_bytes()

@@ -147,7 +147,7 @@ class ServiceEndpoint(Endpoint):
 def _event_token(
     context: Context, owner: EndpointToken, hash_text: str, qos: QoSProfile
 ) -> EndpointToken:
-    return EndpointToken(
+    token = EndpointToken(
         domain=owner.domain,
         zid=owner.zid,
         nid=owner.nid,
@@ -161,3 +161,4 @@ def _event_token(
         type_hash=hash_text,
         qos=qos,
     )
+    return context.dialect.with_key(token)

@@ -32,18 +32,20 @@ class ServiceRequest:
     Args:
         payload: The encoded request.
         attachment: Number and gid, which stay the same so that the server runs its callback once.
+        timeout_s: Seconds until the call fails. `None`: the request is repeated.
     """
 
-    __slots__ = ("attachment", "payload", "timeout_s")
+    __slots__ = ("_is_repeated", "attachment", "payload", "timeout_s")
 
-    def __init__(self, payload: Any, attachment: bytes) -> None:
+    def __init__(self, payload: Any, attachment: bytes, *, timeout_s: float | None = None) -> None:
         self.payload = payload
         self.attachment = attachment
-        self.timeout_s = _FIRST_TIMEOUT_S
+        self._is_repeated = timeout_s is None
+        self.timeout_s = _FIRST_TIMEOUT_S if timeout_s is None else timeout_s
 
     def is_to_be_repeated(self, reply: zenoh.Reply) -> bool:
         """Return whether a reply is a timeout of Zenoh. If it is, double the next timeout."""
-        if reply.ok is not None or reply.err is None:
+        if not self._is_repeated or reply.ok is not None or reply.err is None:
             return False
         if reply.err.payload.to_bytes() != _TIMEOUT_REPLY:
             return False
@@ -59,6 +61,7 @@ class ResponseFuture(Future[ResponseT]):
         self._client = client
         self._request = request
         self._attempt = 0
+        self._is_to_be_repeated = False
 
     @property
     def number(self) -> int:
@@ -75,15 +78,21 @@ class ResponseFuture(Future[ResponseT]):
     @called_by_zenoh
     def _on_reply(self, reply: zenoh.Reply) -> None:
         keep_thread_state()
-        if not self._request.is_to_be_repeated(reply):
+        if self._request.is_to_be_repeated(reply):
+            # One attempt may time out twice, in this session and in the server's.
+            self._is_to_be_repeated = True
+        else:
             self._client.complete(self, reply)
-        elif self._client.is_pending(self):
-            self.send()
 
     @called_by_zenoh
     def _on_end(self, attempt: int) -> None:
-        if attempt == self._attempt and not self.is_over:
+        if attempt != self._attempt or self.is_over:
+            return
+        if not self._is_to_be_repeated:
             self._client.complete(self, None)
+        elif self._client.is_pending(self):
+            self._is_to_be_repeated = False
+            self.send()
 
     @property
     def has_callbacks(self) -> bool:

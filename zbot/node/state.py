@@ -69,7 +69,7 @@ class NodeState:
         self.is_destroyed = False
         self._lock = threading.RLock()  # re-entrant, because a signal handler may use it
         self._users = 0  # number of `with` blocks that use the node now
-        self.token = NodeToken(
+        token = NodeToken(
             domain=context.get_domain_id(),
             zid=context.zid,
             nid=context.next_entity_id(),
@@ -77,6 +77,7 @@ class NodeState:
             node=name,
             enclave=arguments.enclave,
         )
+        self.token = context.dialect.with_key(token)
         self.liveliness = context.graph.announce(self.token)
         self.diagnostics = diagnostics_of(context)
         self.diagnostics.add(self.token, self.logger_name)
@@ -111,8 +112,9 @@ class NodeState:
         self, kind: EntityKind, name: str, named_type: tuple[str, str], qos: QoSProfile
     ) -> EndpointToken:
         """Return the token of a new endpoint whose type is given by its name and hash."""
-        return EndpointToken(
-            domain=self.context.dialect.domain_of(self.token.domain, name),
+        dialect = self.context.dialect
+        token = EndpointToken(
+            domain=dialect.domain_of(self.token.domain, name),
             zid=self.token.zid,
             nid=self.token.nid,
             eid=self.context.next_entity_id(),
@@ -125,6 +127,7 @@ class NodeState:
             type_hash=named_type[1],
             qos=qos,
         )
+        return dialect.with_key(token)
 
     def add_waitable(self, waitable: Waitable[Any]) -> None:
         """Let the node's executor run a waitable that the program defines."""
@@ -187,6 +190,7 @@ class NodeState:
         for entity in (*owned, *self.waitables):
             entity.destroy()
         for served in (*reversed(self.services), *reversed(self.clients)):
+            self.diagnostics.remove(served.token)
             served.destroy()
         for endpoint in (*reversed(self.subscriptions), *reversed(self.publishers)):
             self.diagnostics.remove(endpoint.token)

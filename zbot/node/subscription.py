@@ -23,7 +23,7 @@ from zbot.interfaces import has_sequences
 from zbot.log import get_logger, sinks_disabled
 from zbot.names import ROSOUT_TOPIC
 from zbot.node.content_filter_options import ContentFilterOptions, NoContentFilterError
-from zbot.node.endpoint import RMW_IDENTIFIER, TopicEndpoint
+from zbot.node.endpoint import TopicEndpoint
 from zbot.node.message_info import MessageInfo, PublisherGid, takes_info
 from zbot.node.zenoh_declaration import declare_subscriber
 from zbot.process import blocked_put
@@ -33,8 +33,6 @@ from zbot.transport.handle import Handle
 from zbot.transport.wakeup import LARGE_MESSAGE_WAIT_NS, BusyWait
 from zbot.wire.attachment import LAYOUT
 from zbot.wire.codec import CodecError
-from zbot.wire.dialect import type_mismatch
-from zbot.wire.serialization import raw_decoder
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -54,6 +52,7 @@ _KEEP_ALL_QUEUE = 8192
 _KEEP_ALL_QUEUE_OF_SEQUENCES = 256
 # How many publishers' sequence numbers are kept. Each restart of a publisher adds a number, so
 # the memory use would always grow if there was no limit.
+_MAX_REFUSALS = 3  # a wrong program may give a new reason with each message
 _MAX_SOURCES = 1024
 
 
@@ -87,6 +86,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
             takes the bytes that were sent.
         logger_name: Name of the node's logger.
         content_filter: Selects the messages for the callback. `None` selects all messages.
+        is_announced: Whether the graph shows the subscription.
 
     Raises:
         ContentFilterError: The filter does not fit the message type.
@@ -112,6 +112,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         raw: bool | Literal["payload"],
         logger_name: str,
         content_filter: ContentFilterOptions | None = None,
+        is_announced: bool = True,
     ) -> None:
         self.msg_type = msg_type
         self._filter: ContentFilter | None = None
@@ -122,6 +123,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         self.raw = raw
         self.event_handlers: list[Any] = []
         self.lost_count = 0  #: messages that were published but not received
+        self._refusals: set[str] = set()  # reasons that were logged
         self.refused_count = 0  #: messages that could not be decoded, or had another type
         self._loss_listeners: list[Callable[[int], None]] = []
         self._context = context
@@ -132,7 +134,8 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         self._decode: Callable[[Any], Any] = decode
         self._read = decode  # a filter needs it when the callback takes bytes
         if raw:
-            self._decode = bytes if raw == "payload" else raw_decoder(decode)
+            self._decode = bytes if raw == "payload" else context.dialect.raw_decoder(msg_type)
+        self._checks_keys = context.dialect.refuses_keys(token)
         self._sources: dict[bytes, _Source] = {}
         self.received_count = 0  #: messages that the callback got or `take_message` took
         self._keep_all = token.qos.history is HistoryPolicy.KEEP_ALL
@@ -153,12 +156,13 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         self._is_waiting = False
         self._busy_wait = BusyWait()
         self._is_destroyed = False
-        self._liveliness = context.graph.announce(token)
+        self._is_over = False  #: whether the session was closed
+        self._liveliness = context.graph.announce(token) if is_announced else None
 
     def start(self) -> None:
         """Start to receive. The ready queue tells the executor about messages."""
         self._armed.acquire()
-        self._context.start_thread(f"zbot {self.topic_name}", self._listen, self._rearm)
+        self._context.start_thread(f"zbot {self.topic_name}", self._listen, self._end)
 
     @property
     def callback(self) -> Callable[..., Any]:
@@ -237,7 +241,10 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
             queue.append(sample)
             self._is_waiting = True
             self.ready_queue.post(self)
-            armed.acquire()
+            if not self._is_destroyed:
+                armed.acquire()
+            if self._is_destroyed or self._is_over:
+                return  # Zenoh's queue still gives the samples that it had before
 
     def take(self) -> zenoh.Sample | None:
         """Return the oldest sample that the profile's history still keeps, if any."""
@@ -283,8 +290,13 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
             attachment = sample.attachment
             facts = None if attachment is None else attachment.to_bytes()
             known = facts if facts is not None and len(facts) == _FACTS_LENGTH else None
+            if known is None and (refusal := self._refusal(sample, facts)):
+                self._refuse(refusal)
+                continue
             self.received_count += 1
-            decode = raw_decoder(self._decode) if raw and not self.raw else self._decode
+            decode = self._decode
+            if raw and not self.raw:
+                decode = self._context.dialect.raw_decoder(self.msg_type)
             return decode(payload), self._info(known)
         return None
 
@@ -300,6 +312,11 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         with contextlib.suppress(RuntimeError):  # another thread released it first
             self._armed.release()
 
+    def _end(self) -> None:
+        """End the thread that listens, because the session was closed."""
+        self._is_over = True
+        self._rearm()
+
     def execute(self, sample: zenoh.Sample) -> Any:
         """Decode a sample and call the callback. Count and log a sample that cannot be decoded."""
         attachment = sample.attachment
@@ -312,7 +329,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
                     return None
             else:
                 source.next_sequence = sequence + 1
-        elif refusal := self._refusal(sample):
+        elif refusal := self._refusal(sample, facts):
             self._refuse(refusal)
             return None
         else:
@@ -361,16 +378,24 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
             self._count_loss(sequence - source.next_sequence)
         # A late message must not lower the number. Else the next message would count as a loss.
         source.next_sequence = max(source.next_sequence, sequence + 1)
+        if self._checks_keys and self._type_refusal(sample):
+            return False
         if source.refusal:
             self._refuse(source.refusal)
             return False
         return not source.lifespan_ns or time.time_ns() - stamp_ns <= source.lifespan_ns
 
-    def _refusal(self, sample: zenoh.Sample) -> str:
+    def _refusal(self, sample: zenoh.Sample, facts: bytes | None) -> str:
+        """Return why a sample without a valid attachment is refused, or an empty string."""
+        length = None if facts is None else len(facts)
+        return self._context.dialect.attachment_refusal(length) or self._type_refusal(sample)
+
+    def _type_refusal(self, sample: zenoh.Sample) -> str:
         """Return why a sample's type is wrong, or an empty string if it is right or unknown."""
         if self.raw:
             return ""
-        return type_mismatch(self._context.dialect, sample.encoding, self._token.type_name)
+        dialect = self._context.dialect
+        return dialect.refusal(sample.key_expr, sample.encoding, self._token.type_name)
 
     def _add_source(self, sample: zenoh.Sample, sequence: int, gid: bytes) -> _Source:
         if len(self._sources) >= _MAX_SOURCES:
@@ -379,8 +404,9 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         lifespan = 0 if publisher is None else publisher.qos.lifespan.nanoseconds
         own = self._token.qos.lifespan.nanoseconds
         limits = [limit for limit in (lifespan, own) if 0 < limit < 2**63 - 1]
-        refusal = self._refusal(sample)
+        refusal = "" if self._checks_keys else self._type_refusal(sample)
         source = _Source(sequence, refusal=refusal, lifespan_ns=min(limits, default=0))
+        source.is_special |= self._checks_keys
         self._sources[gid] = source
         return source
 
@@ -405,10 +431,11 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
 
     def _refuse(self, reason: str) -> None:
         self.refused_count += 1
-        if self.refused_count == 1:
+        if reason not in self._refusals and len(self._refusals) < _MAX_REFUSALS:
+            self._refusals.add(reason)
             get_logger(self._logger_name).error(
                 f"{self.topic_name}: cannot read a message: {reason} "
-                "(further ones are only counted)"
+                "(more of this kind are only counted)"
             )
 
     def _info(self, facts: bytes | None) -> MessageInfo:
@@ -418,7 +445,9 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
             received_timestamp=time.time_ns(),
             publication_sequence_number=sequence,
             reception_sequence_number=self.received_count,
-            publisher_gid=PublisherGid(implementation_identifier=RMW_IDENTIFIER, data=gid)
+            publisher_gid=PublisherGid(
+                implementation_identifier=self._context.dialect.identifier, data=gid
+            )
             if gid
             else None,
         )
@@ -434,7 +463,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         self._is_destroyed = True
         for handler in self.event_handlers:
             handler.destroy()
-        if not self._context.is_closed:
+        if self._liveliness is not None and not self._context.is_closed:
             self._liveliness.undeclare()
         self._subscriber = None  # then Zenoh undeclares it, as in `Publisher.destroy`
         if self._is_waiting:

@@ -38,7 +38,7 @@ def declare_publisher(context: Context, token: EndpointToken) -> Any:
             zenoh.CongestionControl.BLOCK if block else zenoh.CongestionControl.DROP
         ),
     }
-    key = context.dialect.topic_key(context.get_domain_id(), token.name)
+    key = context.dialect.data_key(token)
     if qos.durability is not DurabilityPolicy.TRANSIENT_LOCAL:
         return context.session.declare_publisher(key, **options)
     import zenoh.ext as advanced  # noqa: PLC0415 - only transient local topics need it
@@ -71,7 +71,7 @@ def declare_subscriber(context: Context, token: EndpointToken, keep_all_depth: i
     channel: Any = zenoh.handlers.RingChannel(depth)
     if qos.history is HistoryPolicy.KEEP_ALL:
         channel, depth = zenoh.handlers.FifoChannel(keep_all_depth), keep_all_depth
-    key = context.dialect.topic_key(context.get_domain_id(), token.name)
+    key = context.dialect.subscription_key(token)
     if qos.durability is not DurabilityPolicy.TRANSIENT_LOCAL:
         return context.session.declare_subscriber(key, channel)
     import zenoh.ext as advanced  # noqa: PLC0415 - only transient local topics need it

@@ -6,11 +6,13 @@ the package.
 
 from __future__ import annotations
 
+import contextlib
 import warnings
 from typing import TYPE_CHECKING, Literal
 
 from zbot.errors import ZbotError
 from zbot.package import package_prefix, package_share
+from zbot.package.errors import SetupFileError
 from zbot.package.finder import all_packages, find_package, prefixes
 
 if TYPE_CHECKING:
@@ -122,7 +124,8 @@ def get_resources(resource_type: str) -> dict[str, str]:
                 found.setdefault(entry.name, str(prefix))
     for name, package in all_packages().items():
         if name not in found and _text(resource_type, package) is not None:
-            found[name] = str(package_prefix(name))
+            with contextlib.suppress(SetupFileError):  # only this package cannot be used
+                found[name] = str(package_prefix(name))
     return found
 
 

@@ -2,21 +2,28 @@
 
 from __future__ import annotations
 
+import os
 import re
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from zbot.package.errors import SetupFileError
+from zbot.package.file_search import FileSearch, SearchLimitError
+
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-_COMMENT = re.compile(r"#\[\[.*?\]\]|#[^\n]*", re.DOTALL)
+_COMMENT = re.compile(r"#\[\[.*?(?:\]\]|\Z)|#[^\n]*", re.DOTALL)
 _COMMAND = re.compile(
     r"\b(?P<name>[A-Za-z_]\w{0,63})\s*\((?P<words>(?:\"[^\"]*\"|[^()\"]|\([^()]*\))*)\)"
 )
 _WORD = re.compile(r'"([^"]*)"|([^\s"]+)')
 _VARIABLE = re.compile(r"\$\{(\w+)\}")
 _MAX_EXPANSIONS = 8
+_KEPT = "\0{"  #: stands for a `${` that is not expanded again
+_MAX_BYTES = 256 * 1024
+_MAX_EXPANDED = 5_000_000  #: characters of all values of variables that a file uses
 #: Keywords of install() that end its list of file names.
 _ENDS = {
     "DESTINATION", "RENAME", "PATTERN", "PERMISSIONS", "FILES_MATCHING", "REGEX", "OPTIONAL",
@@ -40,17 +47,36 @@ def read_cmake(folder: Path) -> Installation:
 
     The reader reads the commands in order, in all branches of each `if()`. It leaves out values
     that only CMake can compute.
+
+    Raises:
+        SetupFileError: The file is too large, or its variables or patterns are.
     """
+    path = folder / "CMakeLists.txt"
     try:
-        text = (folder / "CMakeLists.txt").read_text(encoding="utf-8", errors="replace")
+        with path.open("rb") as file:
+            source = file.read(_MAX_BYTES + 1)
     except OSError:
         return Installation()
-    return _Reader(folder, text).installation
+    if len(source) > _MAX_BYTES:
+        raise SetupFileError(path, f"it has more than {_MAX_BYTES} bytes")
+    try:
+        return _Reader(folder, source.decode(errors="replace").replace("\0", "\ufffd")).installation
+    except (_LimitError, SearchLimitError) as error:
+        raise SetupFileError(path, str(error)) from None
+
+
+class _LimitError(Exception):
+    """The variables of a file are too large. The caller adds the file."""
+
+    def __init__(self) -> None:
+        super().__init__("its variables are too large")
 
 
 class _Reader:
     def __init__(self, folder: Path, text: str) -> None:
         self._folder = folder
+        self._search = FileSearch(folder)
+        self._left = _MAX_EXPANDED
         self._variables = {
             "CMAKE_CURRENT_SOURCE_DIR": [str(folder)],
             "CMAKE_SOURCE_DIR": [str(folder)],
@@ -68,7 +94,9 @@ class _Reader:
     def _words(self, text: str) -> Iterator[str]:
         for quoted, plain in _WORD.findall(text):
             if (only := _VARIABLE.fullmatch(plain)) is not None:
-                yield from self._variables.get(only[1], (plain,))
+                values = self._variables.get(only[1], [plain])
+                self._count(sum(1 + len(value) for value in values))
+                yield from values
             else:
                 yield self._expanded(quoted or plain)
 
@@ -78,11 +106,21 @@ class _Reader:
             if replaced == word:
                 break
             word = replaced
-        return word
+        return word.replace(_KEPT, "${")
 
     def _value(self, found: re.Match[str]) -> str:
         # An unknown variable stays as `${NAME}`, so that `_read_install` can recognize it.
-        return ";".join(self._variables[found[1]]) if found[1] in self._variables else found[0]
+        if found[1] not in self._variables:
+            return found[0].replace("${", _KEPT)
+        value = ";".join(self._variables[found[1]])
+        self._count(1 + len(value))
+        # A value was expanded when it was set. `${` in it is an unknown variable.
+        return value.replace("${", _KEPT)
+
+    def _count(self, characters: int) -> None:
+        self._left -= characters
+        if self._left < 0:
+            raise _LimitError
 
     def _read_project(self, words: list[str], _line: int) -> None:
         self._variables["PROJECT_NAME"] = words[:1]
@@ -94,16 +132,19 @@ class _Reader:
     def _read_file(self, words: list[str], _line: int) -> None:
         if words[0] in {"GLOB", "GLOB_RECURSE"} and len(words) > 1:
             patterns = [word for word in words[2:] if word not in {"CONFIGURE_DEPENDS", "RELATIVE"}]
-            found = [str(file) for pattern in patterns for file in self._glob(words[0], pattern)]
+            found = [file for pattern in patterns for file in self._glob(words[0], pattern)]
             self._variables[words[1]] = found
 
-    def _glob(self, kind: str, pattern: str) -> list[Path]:
+    def _glob(self, kind: str, pattern: str) -> list[str]:
         relative = pattern.removeprefix(f"{self._folder}/")
-        find = self._folder.rglob if kind == "GLOB_RECURSE" else self._folder.glob
-        try:
-            return sorted(find(relative))
-        except (ValueError, NotImplementedError):  # the pattern is not valid in Python
-            return []
+        if Path(relative).is_absolute():
+            return []  # the files of other folders do not belong to the package
+        recursive = kind == "GLOB_RECURSE"
+        if recursive:  # CMake searches below each folder of the pattern
+            place, slash, name = relative.rpartition("/")
+            relative = f"{place}{slash}**/{name}"
+        found = self._search.matching(relative, recursive=recursive)
+        return [str(self._folder / one) for one in found]
 
     def _read_add_executable(self, words: list[str], line: int) -> None:
         self.installation.compiled[words[0]] = line
@@ -124,7 +165,7 @@ class _Reader:
         for name in options[: next(i for i, word in enumerate(options) if word in _ENDS)]:
             if "${" in name or "$<" in name:
                 continue
-            if not (self._folder / name).exists():
+            if not os.path.exists(self._folder / name):  # noqa: PTH110 - any name is allowed
                 self.installation.missing[name] = line
             elif kind == "DIRECTORY":
                 self._add_folder(name, target)
@@ -133,7 +174,7 @@ class _Reader:
                 self._add(kind, self._folder / name, f"{target}/{new or Path(name).name}")
 
     def _add(self, kind: str, path: Path, target: str) -> None:
-        if path.is_file():
+        if os.path.isfile(path):  # noqa: PTH113 - any name is allowed
             group = self.installation.programs if kind == "PROGRAMS" else self.installation.files
             group[target] = path
 
@@ -141,6 +182,5 @@ class _Reader:
         # As in CMake, `a` becomes the folder target/a. Of `a/`, only the content goes into target.
         source = self._folder / name
         start = target if name.endswith("/") else f"{target}/{source.name}"
-        for path in sorted(source.rglob("*")):
-            if path.is_file():
-                self.installation.files[f"{start}/{path.relative_to(source).as_posix()}"] = path
+        for path in self._search.below(source):
+            self.installation.files[f"{start}/{path.relative_to(source).as_posix()}"] = path

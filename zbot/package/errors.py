@@ -5,10 +5,26 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from zbot.errors import ZbotError, close_matches
+from zbot.package.unavailable import Unavailable, unavailable_package
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
     from pathlib import Path
+
+
+class NotRunnableError(ZbotError):
+    """A program is known, but zbot cannot run it, e.g. because it is written in C++.
+
+    A launch leaves it out and goes on.
+
+    Attributes:
+        sentence: What is left out, why, and what does the same in zbot.
+    """
+
+    def __init__(self, name: str, kind: Unavailable) -> None:
+        what, instead = kind
+        self.sentence = f"{name} is left out: it is {what}, which does not run here; {instead}"
+        super().__init__(f"{name} does not run here: it is {what}; {instead}")
 
 
 class PackageNotFoundError(ZbotError, KeyError):
@@ -24,6 +40,13 @@ class PackageNotFoundError(ZbotError, KeyError):
         self.package, self.searched = package, [str(path) for path in searched]
         near = close_matches(package, known, 1)
         self.hint = f"did you mean '{near[0]}'?" if near else ""
+        kind = unavailable_package(package)
+        if kind is not None:
+            self.hint = (
+                f"{package} is {kind.what}, which does not run here: write "
+                f"FindPackageShare('{package}') in place of get_package_share_directory, and the "
+                "launch goes on without it"
+            )
         super().__init__(f"package '{package}' not found, searching: {self.searched}")
 
     def __str__(self) -> str:
@@ -37,3 +60,18 @@ class PackageNameError(ZbotError, ValueError):
     def __init__(self, package: object) -> None:
         self.package = package
         super().__init__(f"'{package}' is not a valid package name")
+
+
+class SetupFileError(ZbotError):
+    """A package's setup file cannot be read.
+
+    Attributes:
+        path: The file.
+        reason: What is wrong.
+        line: The line, counted from 1. It is 0 if the error is about the whole file.
+    """
+
+    def __init__(self, path: Path, reason: str, line: int = 0) -> None:
+        self.path, self.reason, self.line = path, reason, line
+        where = f"line {line}: " if line else ""
+        super().__init__(f"cannot read {path}: {where}{reason}")

@@ -11,13 +11,16 @@ from importlib.machinery import PathFinder
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from zbot.json_reader import JsonError, read_json_object
+from zbot.package.bundled_nodes import BUNDLED_NODES
+from zbot.package.user_folders import definitions_folder
 from zbot.package.workspace import MANIFEST, package_folders, package_name
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
 _ZBOT = Path(__file__).parents[1]
-_DEFINITIONS = _ZBOT / "interfaces" / "defs"
+_DEFINITIONS = (_ZBOT / "interfaces" / "defs", _ZBOT / "interfaces" / "robot_defs")
 _COMPAT_PACKAGES = _ZBOT / "compat" / "packages"
 _SHARE = _ZBOT / "share"
 #: Package names under which zbot's own nodes and launch files can be used.
@@ -51,7 +54,7 @@ class Package:
 def all_packages() -> dict[str, Package]:
     """Return every package, sorted by name. For equal names, return only the first one found."""
     found: dict[str, Package] = {}
-    for place in (_workspace(), _bundled(), _in_prefixes()):
+    for place in (_workspace(), _added(), _bundled(), _in_prefixes()):
         for package in place:
             found.setdefault(package.name, package)
     return dict(sorted(found.items()))
@@ -59,7 +62,10 @@ def all_packages() -> dict[str, Package]:
 
 def find_package(name: str) -> Package | None:
     """Return the package of that name, or None if there is no such package."""
-    places = (_workspace(), _bundled(), _in_prefixes(), _python_package(name), _editable(name))
+    places = (
+        *(_workspace(), _added(), _bundled(), _in_prefixes()),
+        *(_python_package(name), _editable(name)),
+    )
     for place in places:
         for package in place:
             if package.name == name:
@@ -79,6 +85,14 @@ def _workspace() -> Iterator[Package]:
         yield Package(package_name(folder), folder, Origin.WORKSPACE)
 
 
+def _added() -> Iterator[Package]:
+    """Yield the packages of `zbot interface add`."""
+    parent = definitions_folder()
+    for folder in sorted(parent.iterdir()) if parent is not None and parent.is_dir() else ():
+        if folder.name.isidentifier() and folder.is_dir():
+            yield Package(folder.name, folder, Origin.INSTALLED)
+
+
 def _bundled() -> Iterator[Package]:
     share = _SHARE if _SHARE.is_dir() else _ZBOT.parent  # a checkout has no share folder
     for name in BUNDLED_NAMES:
@@ -87,10 +101,13 @@ def _bundled() -> Iterator[Package]:
         yield Package(
             name, own if has_own else share, Origin.BUNDLED, only=() if has_own else _OURS
         )
-    for parent in (_DEFINITIONS, _COMPAT_PACKAGES):
+    for parent in (*_DEFINITIONS, _COMPAT_PACKAGES):
         if parent.is_dir():
             folders = (entry for entry in parent.iterdir() if entry.name.isidentifier())
             yield from (_bundled_package(one, share) for one in folders if one.is_dir())
+    # Last: a name of the table may have messages or modules, which were found above.
+    for name in BUNDLED_NODES:
+        yield Package(name, share / "launch" / name, Origin.BUNDLED)
 
 
 def _bundled_package(folder: Path, share: Path) -> Package:
@@ -125,14 +142,17 @@ def _python_package(name: str) -> Iterator[Package]:
 
 def _editable(name: str) -> Iterator[Package]:
     """Yield the sources of a package after `pip install -e .`, which installs no shared files."""
-    import json  # noqa: PLC0415 - few packages need it
-    from importlib.metadata import PackageNotFoundError, distribution  # noqa: PLC0415 - as above
+    from importlib.metadata import PackageNotFoundError, distribution  # noqa: PLC0415 - few packages need it
     from urllib.parse import urlsplit  # noqa: PLC0415 - as above
     from urllib.request import url2pathname  # noqa: PLC0415 - as above
 
     try:
-        origin = json.loads(distribution(name).read_text("direct_url.json") or "{}")
-    except PackageNotFoundError:
+        text = distribution(name).read_text("direct_url.json") or "{}"
+        origin = read_json_object(text)
+    except (PackageNotFoundError, JsonError):
         return
-    if origin.get("dir_info", {}).get("editable"):
-        yield Package(name, Path(url2pathname(urlsplit(origin["url"]).path)), Origin.WORKSPACE)
+    folder = origin.get("dir_info")
+    if isinstance(folder, dict) and folder.get("editable"):
+        yield Package(
+            name, Path(url2pathname(urlsplit(str(origin.get("url"))).path)), Origin.WORKSPACE
+        )

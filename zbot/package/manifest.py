@@ -9,6 +9,7 @@ from xml.etree import ElementTree as ET
 from xml.parsers import expat
 
 from zbot.errors import ZbotError
+from zbot.package.condition import ConditionError, holds
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -23,6 +24,8 @@ _TAGS = (
     "test_depend",
     "buildtool_export_depend",
 )
+_MAX_BYTES = 256 * 1024
+_MAX_LEVELS = 100
 _REQUIRED = ("name", "version", "description", "maintainer", "license")
 _NAME = re.compile(r"[a-zA-Z0-9][a-zA-Z0-9_-]*\Z")
 _VERSION = re.compile(r"\d+\.\d+\.\d+\Z")
@@ -65,8 +68,9 @@ def read_manifest(path: Path) -> Manifest:
     root = read_tree(path)
     if root.tag != "package":
         raise ManifestError(path, 1, f"the outermost tag is <{root.tag}>, but must be <package>")
+    _remove_what_does_not_apply(path, root)
     for tag in _REQUIRED:
-        if not _text(root, tag):
+        if not _whole_text(root, tag):
             raise ManifestError(path, _line(path, tag), f"<{tag}> is missing or empty")
     name, version = _text(root, "name"), _text(root, "version")
     if not _NAME.match(name):
@@ -86,16 +90,63 @@ def read_tree(path: Path) -> Element:
         ManifestError: The file cannot be read, is not valid XML or defines entities.
     """
     try:
-        source = path.read_bytes()
+        with path.open("rb") as file:
+            source = file.read(_MAX_BYTES + 1)
     except OSError as exc:
         raise ManifestError(path, 0, exc.strerror or str(exc)) from exc
-    if b"<!ENTITY" in source:
-        raise ManifestError(path, 0, "a package.xml must not define entities: remove <!ENTITY>")
+    if len(source) > _MAX_BYTES:
+        raise ManifestError(path, 0, f"a package.xml must not have more than {_MAX_BYTES} bytes")
     try:
+        _check(path, source)
         return ET.fromstring(source)  # noqa: S314 - safe without entities
-    except ET.ParseError as exc:
+    except (ET.ParseError, expat.ExpatError) as exc:
         reason = expat.ErrorString(exc.code)
-        raise ManifestError(path, exc.position[0], f"not valid XML: {reason}") from None
+        line = exc.position[0] if isinstance(exc, ET.ParseError) else exc.lineno
+        raise ManifestError(path, line, f"not valid XML: {reason}") from None
+    except (LookupError, ValueError) as exc:
+        if isinstance(exc, ManifestError):
+            raise
+        raise ManifestError(path, 1, f"its encoding cannot be read: {exc}") from None
+
+
+def _check(path: Path, source: bytes) -> None:
+    """Check entities and depth before a tree is made, whatever the encoding of the file is."""
+    parser, level = expat.ParserCreate(), 0
+
+    def refuse(*_: object) -> None:
+        raise ManifestError(path, 0, "a package.xml must not define entities: remove <!ENTITY>")
+
+    def begin(*_: object) -> None:
+        nonlocal level
+        level += 1
+        if level > _MAX_LEVELS:
+            reason = f"its tags are nested deeper than {_MAX_LEVELS} levels"
+            raise ManifestError(path, parser.CurrentLineNumber, reason)
+
+    def end(_: str) -> None:
+        nonlocal level
+        level -= 1
+
+    parser.EntityDeclHandler = refuse
+    parser.StartElementHandler, parser.EndElementHandler = begin, end
+    parser.Parse(source, True)
+
+
+def _remove_what_does_not_apply(path: Path, root: Element) -> None:
+    """Remove the elements whose attribute `condition` is false."""
+    for parent in (root, *root.findall("export")):
+        for one in list(parent):
+            try:
+                if not holds(one.get("condition", "1==1")):
+                    parent.remove(one)
+            except ConditionError as error:
+                raise ManifestError(path, _line(path, str(one.tag)), str(error)) from None
+
+
+def _whole_text(root: Element, tag: str) -> str:
+    """Return the text of an element and of the markup in it, e.g. `<description><p>A</p>`."""
+    found = root.find(tag)
+    return "".join(found.itertext()).strip() if found is not None else ""
 
 
 def _text(root: Element, tag: str) -> str:

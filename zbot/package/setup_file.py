@@ -2,33 +2,18 @@
 
 from __future__ import annotations
 
-import re
+import warnings
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import ZbotError
+from zbot.package.errors import SetupFileError
+from zbot.package.pyproject import project_scripts
 
 if TYPE_CHECKING:
     import ast
     from collections.abc import Iterator
     from pathlib import Path
 
-_SECTION = re.compile(r"\s*\[\s*project\s*\.\s*scripts\s*\]\s*(#.*)?\Z")
-_ENTRY = re.compile(r"""\s*["']?(?P<name>[\w.-]+)["']?\s*=\s*["'](?P<target>[^"']*)["']""")
-
-
-class SetupFileError(ZbotError):
-    """A package's setup file cannot be read.
-
-    Attributes:
-        path: The file.
-        reason: What is wrong.
-        line: The line, counted from 1. It is 0 if the error is about the whole file.
-    """
-
-    def __init__(self, path: Path, reason: str, line: int = 0) -> None:
-        self.path, self.reason, self.line = path, reason, line
-        where = f"line {line}: " if line else ""
-        super().__init__(f"cannot read {path}: {where}{reason}")
+_MAX_BYTES = 256 * 1024
 
 
 def declared_scripts(folder: Path) -> dict[str, str]:
@@ -51,7 +36,7 @@ def script_lines(folder: Path) -> list[tuple[Path, str]]:
     lines = [
         *((python, text) for text in _setup_py_scripts(python)),
         *((config, text) for text in _setup_cfg(config, "options.entry_points", "console_scripts")),
-        *((project, text) for text in _pyproject(project)),
+        *((project, text) for text in project_scripts(project, _read(project))),
     ]
     return [(path, text) for path, text in lines if isinstance(text, str) and text.strip()]
 
@@ -62,7 +47,7 @@ def data_files(folder: Path) -> Iterator[tuple[str, str]]:
     Raises:
         SetupFileError: The setup.py cannot be read.
     """
-    for entry in setup_arguments(folder / "setup.py", "data_files").get("data_files") or ():
+    for entry in _items(setup_arguments(folder / "setup.py", "data_files").get("data_files")):
         if isinstance(entry, (tuple, list)) and len(entry) == 2 and isinstance(entry[0], str):
             files = entry[1] if isinstance(entry[1], (tuple, list)) else ()
             yield from ((entry[0], file) for file in files if isinstance(file, str))
@@ -83,10 +68,12 @@ def setup_arguments(path: Path, wanted: str = "setup") -> dict[str, Any]:
         return {}
     import ast  # noqa: PLC0415 - takes 8 ms
 
-    from zbot.package.literal import Literals  # noqa: PLC0415 - as above
+    from zbot.package.literal import LiteralLimitError, Literals  # noqa: PLC0415 - as above
 
     try:
-        tree = ast.parse(source)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # Python shows them when it runs the file
+            tree = ast.parse(source)
     except SyntaxError as exc:
         raise SetupFileError(path, f"{type(exc).__name__}: {exc.msg}", exc.lineno or 0) from None
     except (ValueError, RecursionError, MemoryError) as exc:
@@ -97,6 +84,8 @@ def setup_arguments(path: Path, wanted: str = "setup") -> dict[str, Any]:
         return next((_keywords(call, literals) for call in calls if _is_setup(call.func)), {})
     except RecursionError:
         raise SetupFileError(path, "its expressions are nested too deeply") from None
+    except LiteralLimitError as exc:
+        raise SetupFileError(path, str(exc)) from None
 
 
 def _is_setup(function: ast.expr) -> bool:
@@ -127,17 +116,25 @@ def _text(path: Path) -> str:
 
 def _read(path: Path) -> bytes:
     try:
-        return path.read_bytes()
+        with path.open("rb") as file:
+            source = file.read(_MAX_BYTES + 1)
     except FileNotFoundError:
         return b""
     except OSError as exc:
         raise SetupFileError(path, exc.strerror or str(exc)) from exc
+    if len(source) > _MAX_BYTES:
+        raise SetupFileError(path, f"it has more than {_MAX_BYTES} bytes")
+    return source
 
 
 def _setup_py_scripts(path: Path) -> list[Any]:
     groups = setup_arguments(path, "console_scripts").get("entry_points")
     scripts = groups.get("console_scripts") if isinstance(groups, dict) else None
-    return scripts.splitlines() if isinstance(scripts, str) else list(scripts or ())
+    return scripts.splitlines() if isinstance(scripts, str) else _items(scripts)
+
+
+def _items(value: Any) -> list[Any]:
+    return list(value) if isinstance(value, (list, tuple)) else []
 
 
 def _setup_cfg(path: Path, section: str, option: str) -> list[str]:
@@ -152,14 +149,3 @@ def _setup_cfg(path: Path, section: str, option: str) -> list[str]:
     except configparser.Error as exc:
         raise SetupFileError(path, exc.message.replace("\n", " ")) from None
     return parser.get(section, option, fallback="").splitlines()
-
-
-def _pyproject(path: Path) -> list[str]:
-    # Python has no TOML parser before 3.11. A table of strings does not need a TOML parser.
-    lines, inside = [], False
-    for line in _text(path).splitlines():
-        if line.lstrip().startswith("["):
-            inside = _SECTION.match(line) is not None
-        elif inside and (match := _ENTRY.match(line)):
-            lines.append(f"{match['name']}={match['target']}")
-    return lines

@@ -10,7 +10,6 @@ from __future__ import annotations
 import hashlib
 import os
 import shutil
-import sys
 from pathlib import Path, PurePosixPath
 from typing import TYPE_CHECKING
 
@@ -18,6 +17,7 @@ from zbot.errors import ZbotError
 from zbot.package.cmake_file import read_cmake
 from zbot.package.finder import Origin
 from zbot.package.setup_file import data_files
+from zbot.package.user_folders import cache_folder
 from zbot.package.workspace import MANIFEST, SKIPPED
 
 if TYPE_CHECKING:
@@ -105,17 +105,6 @@ def installed_files(package: Package) -> dict[str, Path]:
         for target, file in listed
         if target.startswith(start) and _is_below(target) and file.is_file()
     }
-
-
-def cache_folder() -> Path:
-    """Return the user's cache folder for zbot."""
-    if sys.platform == "win32":
-        base = os.environ.get("LOCALAPPDATA") or "~/AppData/Local"
-    elif sys.platform == "darwin":
-        base = "~/Library/Caches"
-    else:
-        base = os.environ.get("XDG_CACHE_HOME") or "~/.cache"
-    return Path(base).expanduser() / "zbot"
 
 
 def _is_below(target: str) -> bool:

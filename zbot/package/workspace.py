@@ -1,4 +1,4 @@
-"""Workspace around the current folder, and the packages in it.
+"""Workspaces, and the packages in them.
 
 The search has limits for the depth and the number of folders, because the current folder may have
 very many subfolders, and the import of a message package waits until the search ends.
@@ -11,9 +11,14 @@ import re
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeAlias
 
+from zbot.package.errors import SetupFileError
+from zbot.package.pyproject import project_table
+
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
+#: Environment variable with the folders of the workspaces that were sourced.
+VARIABLE = "ZBOT_WORKSPACE"
 #: Files that make a folder a package: the manifest of ROS 2, and the setup files of Python.
 MANIFEST = "package.xml"
 SETUP_FILES = frozenset({"setup.py", "setup.cfg", "pyproject.toml"})
@@ -24,7 +29,7 @@ _MAX_FOLDERS = 2000
 _MAX_MANIFEST = 65536
 #: Names of folders that contain no sources.
 SKIPPED = {"build", "install", "log", "node_modules", "site-packages", "__pycache__"}
-_STOP_FILES = {"AMENT_IGNORE", "COLCON_IGNORE", "pyvenv.cfg"}
+_STOP_FILES = {"AMENT_IGNORE", "CATKIN_IGNORE", "COLCON_IGNORE", "pyvenv.cfg"}
 _NAME_TAG = re.compile(r"<name>\s*([a-zA-Z0-9][a-zA-Z0-9_-]*)\s*</name>")
 
 #: Folders to search, each with the number of levels below it.
@@ -32,16 +37,41 @@ Roots: TypeAlias = "tuple[tuple[Path, int], ...]"
 
 
 def search_roots() -> Roots:
-    """Return the folders to search: from ZBOT_WORKSPACE, or else around the current folder."""
-    named = os.environ.get("ZBOT_WORKSPACE", "")
-    if named:
-        parts = [part for part in named.split(os.pathsep) if part]
-        return tuple((Path(part).expanduser(), _MAX_DEPTH) for part in parts)
+    """Return the folders to search: the current folder's workspace, then those of ZBOT_WORKSPACE.
+
+    If there is neither, the result is the current folder with the folders in it.
+    """
+    named = os.environ.get(VARIABLE, "")
+    parts = [part for part in named.split(os.pathsep) if part]
+    if parts:
+        roots = ((Path(part).expanduser(), _MAX_DEPTH) for part in parts)
+        return tuple(dict.fromkeys((*current_workspace(), *roots)))
+    return _roots_here()
+
+
+def current_workspace() -> Roots:
+    """Return the folders of the workspace or package around the current folder, if there is one."""
+    return tuple(root for root in _roots_here() if _is_workspace(*root))
+
+
+def build_roots() -> Roots:
+    """Return the folders that a build searches.
+
+    As colcon does, a build outside of a workspace searches all levels below the current folder.
+    """
+    here = current_workspace() or tuple((root, _MAX_DEPTH) for root, _ in _roots_here())
+    return here or search_roots()  # the home folder and `/` are not searched
+
+
+def _roots_here() -> Roots:
     try:
-        current = Path.cwd()
+        return _roots_around(Path.cwd())
     except FileNotFoundError:  # the current folder was deleted
         return ()
-    return _roots_around(current)
+
+
+def _is_workspace(root: Path, depth: int) -> bool:
+    return depth == _MAX_DEPTH or (root / MANIFEST).is_file()
 
 
 def set_workspace_variable(start: Path) -> None:
@@ -50,54 +80,75 @@ def set_workspace_variable(start: Path) -> None:
     So this process and its children still find their packages after a change of the current folder.
     If ZBOT_WORKSPACE is set already, do nothing.
     """
-    if os.environ.get("ZBOT_WORKSPACE"):
+    if os.environ.get(VARIABLE):
         return
     folders: dict[str, None] = {}
     for root, depth in (*search_roots(), *_roots_around(start.absolute())):
-        if depth == _MAX_DEPTH or (root / MANIFEST).is_file():
+        if _is_workspace(root, depth):
             folders[str(root)] = None
     if folders:
-        os.environ["ZBOT_WORKSPACE"] = os.pathsep.join(folders)
+        os.environ[VARIABLE] = os.pathsep.join(folders)
 
 
-def package_folders(bases: Iterable[Path] | None = None) -> Iterator[Path]:
+def package_folders(
+    bases: Iterable[Path] | None = None, roots: Roots | None = None
+) -> Iterator[Path]:
     """Yield every folder of the workspace that has a package.xml or a setup file.
+
+    A folder whose only such file is a pyproject.toml is no package if packages are in it: then the
+    file is that of a repository.
 
     Args:
         bases: Folders to search instead of the workspace.
+        roots: The same, each with the number of levels to search.
     """
-    roots = [(base, _MAX_DEPTH) for base in bases] if bases else search_roots()
+    searched = [(base, _MAX_DEPTH) for base in bases] if bases else roots or search_roots()
     seen = set()
-    for root, depth in roots:
+    for root, depth in searched:
+        found: dict[Path, set[str]] = {}
         for folder, names, below in walk(root, depth):
             if folder not in seen and (MANIFEST in names or _is_python_project(folder, names)):
                 seen.add(folder)
-                yield folder
+                found[folder] = names
             # A package.xml ends the search below its folder, except in the root.
             if folder != root and MANIFEST in names:
                 below.clear()
+        around = {parent for folder in found for parent in folder.parents}
+        for folder, names in found.items():
+            if folder not in around or names & {MANIFEST, "setup.py", "setup.cfg"}:
+                yield folder
 
 
 def package_name(folder: Path) -> str:
     """Return the name in package.xml, or the folder's name if there is no name in it."""
-    match = _NAME_TAG.search(read_text(folder / MANIFEST))
-    return match[1] if match else folder.resolve().name
+    return name_in_manifest(read_text(folder / MANIFEST)) or folder.resolve().name
+
+
+def name_in_manifest(text: str) -> str:
+    """Return the name in the text of a package.xml, or an empty string if there is none."""
+    match = _NAME_TAG.search(text)
+    return match[1] if match else ""
 
 
 def walk(root: Path, depth: int) -> Iterator[tuple[Path, set[str], list[str]]]:
     """Visit a folder and its subfolders, level by level. Each level is sorted by name.
+
+    Symbolic links are followed. Of a folder with several paths, only the first is visited.
 
     Yields:
         The folder, the names of its entries, and a list of the subfolders to visit next. The caller
         can clear this list to skip them.
     """
     level, seen = [str(root)], 0
+    visited: set[tuple[int, int]] = set()
     for _ in range(depth + 1):
         following: list[str] = []
         for folder in level:
             seen += 1
             if seen > _MAX_FOLDERS:
                 return
+            if not _is_first_visit(folder, visited):
+                continue
             names, folders = _entries(folder)
             if names & _STOP_FILES:
                 continue
@@ -131,8 +182,20 @@ def _is_python_project(folder: Path, names: set[str]) -> bool:
     """Return whether the setup files install something and do not only configure tools."""
     if "setup.py" in names:
         return True
-    marks = {"pyproject.toml": "[project", "setup.cfg": "[metadata]"}
-    return any(mark in read_text(folder / name) for name, mark in marks.items() if name in names)
+    if "setup.cfg" in names and "[metadata]" in read_text(folder / "setup.cfg"):
+        return True
+    return "pyproject.toml" in names and _has_project(folder / "pyproject.toml")
+
+
+def _has_project(path: Path) -> bool:
+    try:
+        source = path.read_bytes()
+        # Most other files only configure tools: they are not parsed.
+        return b"project" in source and bool(project_table(path, source))
+    except OSError:
+        return False
+    except SetupFileError:  # the commands of the package report the error
+        return "[project" in read_text(path)
 
 
 def read_text(path: Path) -> str:
@@ -148,6 +211,18 @@ def _may_search(folder: Path) -> bool:
     """Return whether to search a folder. False for `/`, drives, the home folder and its parents."""
     home = Path(os.path.expanduser("~"))  # noqa: PTH111 - Path.home() raises if there is no home folder
     return folder != home and folder not in home.parents and folder != Path(folder.anchor)
+
+
+def _is_first_visit(folder: str, visited: set[tuple[int, int]]) -> bool:
+    try:
+        status = os.stat(folder)  # noqa: PTH116 - `folder` is a text, because Path is slow
+    except OSError:
+        return False  # the folder was deleted, or the link points to nothing
+    if not status.st_ino:  # some file systems do not number their files
+        return True
+    before = len(visited)
+    visited.add((status.st_dev, status.st_ino))
+    return len(visited) > before
 
 
 def _entries(folder: str) -> tuple[set[str], list[str]]:
@@ -168,4 +243,4 @@ def _entries(folder: str) -> tuple[set[str], list[str]]:
 def _is_worth_searching(entry: os.DirEntry[str]) -> bool:
     if entry.name.startswith(".") or entry.name in SKIPPED:
         return False
-    return entry.is_dir(follow_symlinks=False)
+    return entry.is_dir()

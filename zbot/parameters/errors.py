@@ -140,6 +140,14 @@ class ParameterValueError(ZbotError, ValueError):
         super().__init__(f"not a parameter's value: {text[:100]!r}: {reason}")
 
 
+class ParameterAnswerError(ZbotError, ValueError):
+    """A node's answer about its parameters does not fit the request."""
+
+    def __init__(self, node: str, reason: str) -> None:
+        self.node, self.reason = node, reason
+        super().__init__(f"{node} gave a wrong answer about its parameters: {reason}")
+
+
 class ParametersFileError(SetupError, ValueError, RuntimeError):
     """A parameter file cannot be read, or does not have ROS 2's format."""
 

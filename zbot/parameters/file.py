@@ -10,6 +10,7 @@
 from __future__ import annotations
 
 import re
+from codecs import BOM_UTF16_BE, BOM_UTF16_LE
 from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -19,6 +20,7 @@ from zbot.parameters.errors import (
     ParametersFileNotFoundError,
     ParameterValueError,
 )
+from zbot.yaml_reader import YamlError, read_yaml
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -44,11 +46,10 @@ def parse_value(text: str, *, of_one_kind: bool = False) -> Any:
     Raises:
         ParameterValueError: The text is not YAML, or not a value that a parameter can have.
     """
-    yaml = _yaml()
     try:
-        value = yaml.load(text, Loader=_loader())
-    except (yaml.YAMLError, ValueError, RecursionError) as error:
-        raise ParameterValueError(text, _problem(error)) from error
+        value = read_yaml(text, _loader())
+    except YamlError as error:
+        raise ParameterValueError(text, str(error)) from error
     _check(text, value, of_one_kind=of_one_kind)
     return value
 
@@ -93,14 +94,17 @@ def matches(pattern: str, node: str) -> bool:
 
 def _sections(path: str) -> Iterator[tuple[str, dict[Any, Any]]]:
     """Yield each node pattern of a file with its parameters. Nested parameters stay nested."""
-    yaml = _yaml()
     try:
-        with Path(path).open(encoding="utf-8") as file:
-            content = yaml.load(file, Loader=_loader())
+        data = Path(path).read_bytes()
+        # In Windows PowerShell, `zbot param dump /node > file` writes UTF-16.
+        text = data.decode("utf-16" if data.startswith((BOM_UTF16_LE, BOM_UTF16_BE)) else "utf-8")
+        content = read_yaml(text, _loader())
     except FileNotFoundError as error:
-        raise ParametersFileNotFoundError(path, _problem(error)) from error
-    except (OSError, yaml.YAMLError, ValueError) as error:
-        raise ParametersFileError(path, _problem(error)) from error
+        raise ParametersFileNotFoundError(path, error.strerror or str(error)) from error
+    except OSError as error:
+        raise ParametersFileError(path, error.strerror or str(error)) from error
+    except ValueError as error:
+        raise ParametersFileError(path, str(error)) from error
     if content is not None:
         yield from _nested_sections(path, "", content)
 
@@ -146,15 +150,6 @@ def _check(text: str, value: Any, *, of_one_kind: bool) -> None:
         raise ParameterValueError(text, f"the values of a list must have one type, not {value!r}")
     if any(isinstance(item, int) and not -(2**63) <= item < 2**63 for item in items):
         raise ParameterValueError(text, "an integer must fit in 64 bits")
-
-
-def _problem(error: Exception) -> str:
-    mark, problem = getattr(error, "problem_mark", None), getattr(error, "problem", None)
-    if isinstance(error, OSError):
-        return error.strerror or str(error)
-    if mark is None or problem is None:
-        return str(error)
-    return f"line {mark.line + 1}, column {mark.column + 1}: {problem}"
 
 
 def _yaml() -> Any:

@@ -258,14 +258,23 @@ def parameter_value_to_python(parameter_value: ParameterValue) -> AllowableParam
     Raises:
         UnknownParameterTypeError: The message has an unknown type.
     """
-    try:
-        type_ = Parameter.Type(parameter_value.type)
-    except ValueError:
-        raise UnknownParameterTypeError(parameter_value.type) from None
+    type_ = parameter_type(parameter_value.type)
     if type_ is Parameter.Type.NOT_SET:
         return None
     value = getattr(parameter_value, _field(type_))
     return list(value) if type_.is_array else value
+
+
+def parameter_type(number: int) -> Parameter.Type:
+    """Return the type with a number of rcl_interfaces/msg/ParameterType.
+
+    Raises:
+        UnknownParameterTypeError: There is no such type.
+    """
+    try:
+        return Parameter.Type(number)
+    except ValueError:
+        raise UnknownParameterTypeError(number) from None
 
 
 def get_parameter_value(string_value: str) -> ParameterValue:

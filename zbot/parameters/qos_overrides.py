@@ -5,6 +5,7 @@ from __future__ import annotations
 import copy
 from typing import TYPE_CHECKING, Any
 
+from zbot.errors import InvalidQoSProfileError
 from zbot.parameters.errors import InvalidQosOverridesError
 from zbot.parameters.store import Declaration
 from zbot.parameters.validation import Descriptor
@@ -94,15 +95,23 @@ def override(
         name = f"qos_overrides.{topic}.{entity}{suffix}.{policy}"
         if name not in store.values:
             about = Descriptor(description=f"{policy} of the {entity} of {topic}", read_only=True)
-            store.declare([Declaration(name, _as_parameter(getattr(profile, policy)), about)])
+            store.declare([Declaration(name, policy_parameter(profile, kind), about)])
         _override(profile, policy, store.get(name).value)
     result = None if options.callback is None else options.callback(profile)
     if result is not None and not result.successful:
         raise InvalidQosOverridesError(f"the {entity} of {topic}", result.reason)
 
 
-def _as_parameter(value: Any) -> Any:
+def policy_parameter(profile: QoSProfile, policy: QoSPolicyKind) -> str | int | bool:
+    """Return a policy as the value of a parameter: a short key, a number, a bool or nanoseconds.
+
+    Raises:
+        InvalidQoSProfileError: The policy is unknown.
+    """
+    value: Any = getattr(profile, policy.name.lower())
     if isinstance(value, QoSPolicyEnum):
+        if value.name == "UNKNOWN":
+            raise InvalidQoSProfileError(f"the {policy.name.lower()} is UNKNOWN")
         return value.short_key
     return value.nanoseconds if isinstance(value, Duration) else value
 

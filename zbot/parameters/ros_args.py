@@ -7,6 +7,7 @@ import sys
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from zbot.errors import InvalidNameError
+from zbot.log import configure, get_logging_severity_from_string
 from zbot.names import (
     expand_topic_name,
     split_fully_qualified,
@@ -20,7 +21,15 @@ from zbot.parameters.errors import ArgumentsError, ParameterValueError
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-__all__ = ["Arguments", "LogLevel", "ParameterValue", "ParametersFile", "Remap", "remove_ros_args"]
+__all__ = [
+    "Arguments",
+    "LogLevel",
+    "ParameterValue",
+    "ParametersFile",
+    "Remap",
+    "configure_logging",
+    "remove_ros_args",
+]
 
 _BEGIN, _END = "--ros-args", "--"
 _ASSIGN = ":="
@@ -258,3 +267,17 @@ _SWITCHES: dict[str, dict[str, Any]] = {
     for verb in ("enable", "disable")
     for name in ("rosout_logs", "stdout_logs", "external_lib_logs")
 }
+
+
+def configure_logging(arguments: Arguments) -> None:
+    """Apply the log options of a command line."""
+    levels = {
+        one.logger: get_logging_severity_from_string(one.level) for one in arguments.log_levels
+    }
+    configure(
+        levels=levels,
+        stdout_enabled=arguments.stdout_logs,
+        rosout_enabled=arguments.rosout_logs,
+        file_enabled=arguments.external_lib_logs,
+        file_prefix=arguments.log_file_name,
+    )

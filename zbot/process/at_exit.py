@@ -23,6 +23,8 @@ from zbot.errors import ExternalShutdownException
 from zbot.transport.weak_set import WeakSet
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     import zenoh
 
 _CALLBACK_TIMEOUT_S = 0.3  # for a callback that runs when the program ends
@@ -66,9 +68,23 @@ class Executor(Protocol):
 open_contexts: WeakSet[OpenContext] = WeakSet()
 
 
+#: Called when the contexts are closed, before Python waits for threads that still run. The argument
+#: is whether a signal ended the wait for them.
+when_closed: list[Callable[[bool], None]] = []
+
+
 class _Process:
     is_registered = False
     is_ending = False
+    main_thread_has_ended = False
+
+
+def wait_for_end(timeout_s: float) -> bool:
+    """Wait until the main thread has ended. Return `False` if the time is over."""
+    deadline = time.monotonic() + timeout_s
+    while not _Process.main_thread_has_ended and time.monotonic() < deadline:
+        time.sleep(_PAUSE_S)
+    return _Process.main_thread_has_ended
 
 
 def is_ending() -> bool:
@@ -113,13 +129,18 @@ def _program_threads() -> list[threading.Thread]:
 
 
 def _end() -> None:
+    _Process.main_thread_has_ended = True
     # If a signal ends this wait, it also ends the spinning threads. Python waits for the others.
+    was_interrupted = True
     with contextlib.suppress(KeyboardInterrupt, SystemExit, ExternalShutdownException):
         wait_for_threads()
+        was_interrupted = False
     if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
         # The program is over: a Ctrl-C from now on must not print a traceback.
         signal.signal(signal.SIGINT, signal.SIG_DFL)
     _close_contexts()
+    for function in when_closed:
+        function(was_interrupted)
 
 
 def _close_contexts() -> None:

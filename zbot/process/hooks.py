@@ -13,6 +13,7 @@ from types import TracebackType
 from typing import Any
 
 from zbot.errors import ExternalShutdownException, SetupError
+from zbot.interfaces.unknown_field import add_advice
 from zbot.process import at_exit, signals
 
 _PACKAGE = str(Path(__file__).parents[1]) + os.sep
@@ -21,7 +22,7 @@ _PACKAGE = str(Path(__file__).parents[1]) + os.sep
 def install() -> None:
     """Let tracebacks begin in the user's code, and print errors of the environment as a sentence.
 
-    An exception of a signal that Python would drop in a destructor is raised again.
+    If Python drops the exception of a signal in a destructor, the signal is sent again.
     """
     sys.excepthook = _excepthook_before(sys.excepthook)
     threading.excepthook = _thread_hook_before(threading.excepthook)
@@ -41,6 +42,7 @@ def _excepthook_before(previous: Any) -> Any:
             print(value, file=sys.stderr)
         elif not issubclass(kind, (ExternalShutdownException, KeyboardInterrupt)):
             _remove_zbot_frames(value)
+            add_advice(value)
             previous(kind, value, value.__traceback__ or trace)
 
     return excepthook
@@ -52,6 +54,8 @@ def _thread_hook_before(previous: Any) -> Any:
     def thread_hook(args: threading.ExceptHookArgs) -> None:
         if not issubclass(args.exc_type, (ExternalShutdownException, KeyboardInterrupt)):
             _remove_zbot_frames(args.exc_value)
+            if args.exc_value is not None:
+                add_advice(args.exc_value)
             previous(args)
 
     return thread_hook

@@ -27,6 +27,8 @@ if TYPE_CHECKING:
 #: A signal that cannot raise its exception now is sent again after this time. It is longer than a
 #: callback of Zenoh, and than the start of a thread.
 RETRY_S = 0.005
+# A signal usually ends the main thread, within 0.1 s also on a busy machine.
+_END_TIMEOUT_S = 0.3
 
 
 class SignalHandlerOptions(enum.Enum):
@@ -54,6 +56,7 @@ class _Process:
 
     previous: dict[int, Any] = {}  # noqa: RUF012 - one per process
     received: int = signal.SIGINT  #: the last signal
+    count = 0  #: number of signals so far
     ends_by: int | None = None
     ends_visibly = False  #: whether `_end_by_signal` is registered
 
@@ -98,6 +101,7 @@ def install(options: SignalHandlerOptions = SignalHandlerOptions.ALL) -> None:
     if not _Process.ends_visibly:
         _Process.ends_visibly = True
         atexit.register(_end_by_signal)
+        at_exit.when_closed.append(_let_signals_end)
     if options in {SignalHandlerOptions.SIGINT, SignalHandlerOptions.ALL}:
         _replace(signal.SIGINT, _on_sigint)
     if options in {SignalHandlerOptions.SIGTERM, SignalHandlerOptions.ALL}:
@@ -132,6 +136,7 @@ def _replace(number: int, handler: Any) -> None:
 
 def _interrupt_contexts(number: int) -> None:
     _Process.received = number
+    _Process.count += 1
     for context in at_exit.open_contexts:
         context.interrupt()
     if guard_conditions:
@@ -194,11 +199,17 @@ def _on_sigterm(number: int, frame: FrameType | None) -> None:
 def raise_shutdown(*, by_signal: bool) -> NoReturn:
     """Raise `ExternalShutdownException`.
 
+    If a signal ends the program, a daemon thread ends without output instead. This takes up to
+    0.3 s if the signal does not end the program.
+
     Args:
         by_signal: Whether a signal has interrupted the context.
     """
-    if by_signal and threading.current_thread() is threading.main_thread():
+    thread = threading.current_thread()
+    if by_signal and thread is threading.main_thread():
         raise ShutdownBySignal(_Process.received)
+    if by_signal and thread.daemon and at_exit.wait_for_end(_END_TIMEOUT_S):
+        raise SystemExit  # Python would print the traceback of another exception
     raise ExternalShutdownException
 
 
@@ -207,6 +218,16 @@ def raise_not_initialized(what: str) -> NoReturn:
     if at_exit.is_ending() and threading.current_thread() is not threading.main_thread():
         raise SystemExit
     raise NotInitializedError(what) from None
+
+
+def _let_signals_end(was_interrupted: bool) -> None:
+    """Let a signal end the process, although threads of the program may run for ever."""
+    for number in (signal.SIGINT, signal.SIGTERM):
+        if ends_program(number):
+            signal.signal(number, signal.SIG_DFL)
+    if was_interrupted and _Process.count > 1:  # the first signal ended the main thread
+        _Process.ends_by = _Process.received
+        _end_by_signal()
 
 
 def _end_by_signal() -> None:

@@ -11,6 +11,7 @@ A class has these key spaces. `<n>` is the student's domain:
 |---|---|---|
 | `<n>/**`, `@zbot/<n>/**` | all | all |
 | `class/**`, `@zbot/class/**` | read (all if the space is open) | all |
+| `class/<robot>/**` | all, while the student drives this robot | all |
 | `@class/student/<n>/**` | write | all |
 | `@class/teacher/**` | read | all |
 | `@class/lobby/**` | query | all |
@@ -104,6 +105,7 @@ def teacher_access(
     *,
     shared_is_open: bool = False,
     shares: Iterable[Share] = (),
+    drivers: Mapping[str, str] | None = None,
 ) -> dict[str, Any]:
     """Return the configuration of the teacher's hub. Endpoints and credentials are not included.
 
@@ -111,6 +113,7 @@ def teacher_access(
         students: The domain of each user name.
         shared_is_open: Whether students may publish in the shared space too.
         shares: The domains that the teacher has shared between students.
+        drivers: The robot that a user drives now, by user name.
 
     Returns:
         Zenoh's configuration paths, each with its value.
@@ -130,6 +133,9 @@ def teacher_access(
         shared = sorted({share.domain for share in given if share.reader == user})
         for number in shared:
             rules += _read_rules(f"student {user} shared {number}", _space(str(number)))
+        robot = (drivers or {}).get(user)
+        if robot:
+            rules += _write_rules(f"student {user} drives", _robot_space(robot))
         policies.append((user, rules))
     return {
         "access_control": {
@@ -214,6 +220,13 @@ def _space(first_chunk: str) -> tuple[str, ...]:
     # The caches of transient local publishers (zenoh.ext) need the second key, because `**` does
     # not match a chunk that begins with `@`.
     return (f"{first_chunk}/**", f"{first_chunk}/**/@adv/**", f"@zbot/{first_chunk}/**")
+
+
+def _robot_space(robot: str) -> tuple[str, ...]:
+    # In a token, the name of a topic is one chunk, `%class%robot%cmd_vel`. The chunks before it are
+    # ids, a kind, an enclave, a namespace and a node.
+    keys = f"{SHARED_SPACE}/{robot}/**", f"{SHARED_SPACE}/{robot}/**/@adv/**"
+    return (*keys, f"@zbot/{SHARED_SPACE}/*/*/*/*/*/*/*/%{SHARED_SPACE}%{robot}%$*/**")
 
 
 def _write_rules(name: str, keys: tuple[str, ...]) -> list[dict[str, Any]]:

@@ -16,7 +16,6 @@ from zbot.security.errors import (
     ForeignCertificateError,
     InvalidFileError,
     MissingFileError,
-    NoCryptographyError,
     ValidityPeriodError,
 )
 
@@ -53,6 +52,7 @@ class Facts:
     until: datetime
     addresses: tuple[str, ...]  #: host names and IP addresses at which others reach the machine
     is_server: bool  #: whether others may join the machine
+    fingerprint: str  #: SHA-256 of the certificate in DER form, in hexadecimal digits
 
 
 @dataclass(frozen=True)
@@ -75,23 +75,10 @@ class Validity:
         return cls(now - _CLOCK_TOLERANCE, now + timedelta(days=count))
 
 
-def require_cryptography() -> None:
-    """Check that the package `cryptography` is installed.
-
-    Raises:
-        NoCryptographyError: The package is not installed.
-    """
-    try:
-        import cryptography  # noqa: F401, PLC0415 - an extra
-    except ImportError as exc:
-        raise NoCryptographyError from exc
-
-
 def make_authority(validity: Validity) -> KeyPair:
     """Return a new authority: a key to sign certificates, and a certificate to check them."""
-    require_cryptography()
-    from cryptography import x509  # noqa: PLC0415 - an extra
-    from cryptography.hazmat.primitives.asymmetric import ec  # noqa: PLC0415 - an extra
+    from cryptography import x509  # noqa: PLC0415 - slow to import
+    from cryptography.hazmat.primitives.asymmetric import ec  # noqa: PLC0415 - slow to import
 
     key = ec.generate_private_key(ec.SECP256R1())
     name = _named(AUTHORITY_NAME)
@@ -117,13 +104,12 @@ def issue(authority: KeyPair, name: str, addresses: Iterable[str], validity: Val
     Raises:
         CertificateRequestError: A text is neither a host name nor an IP address.
     """
-    require_cryptography()
-    from cryptography import x509  # noqa: PLC0415 - an extra
-    from cryptography.hazmat.primitives.asymmetric import ec  # noqa: PLC0415 - an extra
-    from cryptography.hazmat.primitives.serialization import (  # noqa: PLC0415 - an extra
+    from cryptography import x509  # noqa: PLC0415 - slow to import
+    from cryptography.hazmat.primitives.asymmetric import ec  # noqa: PLC0415 - slow to import
+    from cryptography.hazmat.primitives.serialization import (  # noqa: PLC0415 - slow to import
         load_pem_private_key,
     )
-    from cryptography.x509.oid import ExtendedKeyUsageOID as Purpose  # noqa: PLC0415 - an extra
+    from cryptography.x509.oid import ExtendedKeyUsageOID as Purpose  # noqa: PLC0415 - slow to import
 
     names = [_general_name(address) for address in addresses]
     purposes = [Purpose.CLIENT_AUTH, *([Purpose.SERVER_AUTH] if names else [])]
@@ -146,14 +132,14 @@ def issue(authority: KeyPair, name: str, addresses: Iterable[str], validity: Val
 
 
 def _named(name: str) -> x509.Name:
-    from cryptography import x509  # noqa: PLC0415 - an extra
-    from cryptography.x509.oid import NameOID  # noqa: PLC0415 - an extra
+    from cryptography import x509  # noqa: PLC0415 - slow to import
+    from cryptography.x509.oid import NameOID  # noqa: PLC0415 - slow to import
 
     return x509.Name([x509.NameAttribute(NameOID.COMMON_NAME, name)])
 
 
 def _general_name(address: str) -> x509.GeneralName:
-    from cryptography import x509  # noqa: PLC0415 - an extra
+    from cryptography import x509  # noqa: PLC0415 - slow to import
 
     try:
         return x509.IPAddress(ipaddress.ip_address(address))
@@ -167,7 +153,7 @@ def _general_name(address: str) -> x509.GeneralName:
 def _usage(
     *, digital_signature: bool = False, key_cert_sign: bool = False, crl_sign: bool = False
 ) -> x509.KeyUsage:
-    from cryptography import x509  # noqa: PLC0415 - an extra
+    from cryptography import x509  # noqa: PLC0415 - slow to import
 
     return x509.KeyUsage(
         digital_signature=digital_signature,
@@ -185,7 +171,7 @@ def _usage(
 def _builder(
     subject: x509.Name, issuer: x509.Name, key: EllipticCurvePrivateKey, validity: Validity
 ) -> x509.CertificateBuilder:
-    from cryptography import x509  # noqa: PLC0415 - an extra
+    from cryptography import x509  # noqa: PLC0415 - slow to import
 
     identifier = x509.SubjectKeyIdentifier.from_public_key(key.public_key())
     return (
@@ -203,7 +189,7 @@ def _builder(
 def _signed(
     builder: x509.CertificateBuilder, key: EllipticCurvePrivateKey, signer: EllipticCurvePrivateKey
 ) -> KeyPair:
-    from cryptography.hazmat.primitives import hashes, serialization  # noqa: PLC0415 - an extra
+    from cryptography.hazmat.primitives import hashes, serialization  # noqa: PLC0415 - slow to import
 
     certificate = builder.sign(signer, hashes.SHA256())
     private = key.private_bytes(
@@ -224,8 +210,9 @@ def facts(certificate: Path) -> Facts:
 
 
 def _facts(certificate: x509.Certificate) -> Facts:
-    from cryptography import x509  # noqa: PLC0415 - an extra
-    from cryptography.x509.oid import ExtendedKeyUsageOID, NameOID  # noqa: PLC0415 - an extra
+    from cryptography import x509  # noqa: PLC0415 - slow to import
+    from cryptography.hazmat.primitives import hashes  # noqa: PLC0415 - slow to import
+    from cryptography.x509.oid import ExtendedKeyUsageOID, NameOID  # noqa: PLC0415 - slow to import
 
     names = certificate.subject.get_attributes_for_oid(NameOID.COMMON_NAME)
     extensions = certificate.extensions
@@ -244,6 +231,7 @@ def _facts(certificate: x509.Certificate) -> Facts:
         certificate.not_valid_after_utc,
         addresses,
         ExtendedKeyUsageOID.SERVER_AUTH in purposes,
+        certificate.fingerprint(hashes.SHA256()).hex(),
     )
 
 
@@ -286,11 +274,13 @@ def check_issued(der: bytes, shown_by: str, authority: Path, now: datetime | Non
     Raises:
         CertificateError: The certificate is not valid (see `check`).
     """
-    require_cryptography()
-    from cryptography import x509  # noqa: PLC0415 - an extra
+    from cryptography import x509  # noqa: PLC0415 - slow to import
 
-    shown = x509.load_der_x509_certificate(der)
-    said = _facts(shown)
+    try:
+        shown = x509.load_der_x509_certificate(der)
+        said = _facts(shown)
+    except ValueError as exc:
+        raise ForeignCertificateError(shown_by, "nobody", authority) from exc
     if not _is_signed_by(shown, _certificate(authority)):
         raise ForeignCertificateError(shown_by, said.name, authority)
     _check_time(shown_by, said, now or datetime.now(timezone.utc))
@@ -305,7 +295,7 @@ def _check_time(path: Path | str, said: Facts, now: datetime) -> None:
 
 
 def _is_signed_by(certificate: x509.Certificate, issuer: x509.Certificate) -> bool:
-    from cryptography.exceptions import InvalidSignature  # noqa: PLC0415 - an extra
+    from cryptography.exceptions import InvalidSignature  # noqa: PLC0415 - slow to import
 
     try:
         certificate.verify_directly_issued_by(issuer)
@@ -315,7 +305,7 @@ def _is_signed_by(certificate: x509.Certificate, issuer: x509.Certificate) -> bo
 
 
 def _check_key(path: Path, certificate: x509.Certificate) -> None:
-    from cryptography.hazmat.primitives.serialization import (  # noqa: PLC0415 - an extra
+    from cryptography.hazmat.primitives.serialization import (  # noqa: PLC0415 - slow to import
         load_pem_private_key,
     )
 
@@ -328,13 +318,14 @@ def _check_key(path: Path, certificate: x509.Certificate) -> None:
 
 
 def _certificate(path: Path) -> x509.Certificate:
-    require_cryptography()
-    from cryptography import x509  # noqa: PLC0415 - an extra
+    from cryptography import x509  # noqa: PLC0415 - slow to import
 
     try:
-        return x509.load_pem_x509_certificate(_content(path, "certificate"))
+        found = x509.load_pem_x509_certificate(_content(path, "certificate"))
+        _facts(found)  # it reads the extensions, which may be damaged too
     except ValueError as exc:
         raise InvalidFileError(path, "certificate", "it is damaged") from exc
+    return found
 
 
 def _content(path: Path, what: str) -> bytes:

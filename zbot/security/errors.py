@@ -15,13 +15,6 @@ class SecurityError(SetupError):
     """Root of the errors of keystores and certificates."""
 
 
-class NoCryptographyError(SecurityError, ImportError):
-    """The package that makes and reads certificates is not installed."""
-
-    def __init__(self) -> None:
-        super().__init__("certificates need one more package: pip install 'zbot[security]'")
-
-
 class KeystoreExistsError(SecurityError, FileExistsError):
     """A keystore exists already, or an enclave of a keystore exists already.
 

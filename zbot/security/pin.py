@@ -5,38 +5,64 @@ transport may be unencrypted, because nobody can read the PIN, the request or th
 documents. If somebody records a document and sends it again, it is refused.
 
     student                                  teacher
-    hello   {public}                 ->
-            {visit, salt, public}    <-      challenge
+    hello   {protocol, hub, public}  ->
+            {protocol, visit, public} <-     challenge
     claim   {visit, claim, proof}    ->
             {answer, tag}            <-      admit, seal
 
-The key comes from SRP-6a (`zbot.security.srp`). Each guess of the PIN needs an attempt of its own,
-and the server counts wrong PINs. Claim and answer are authenticated and encrypted. So a program
-that does not know the PIN cannot impersonate the teacher or read which laptop sends a claim.
+The keys come from SPAKE2 (`zbot.security.key_exchange`). Each guess of the PIN needs an attempt of
+its own, and the server counts wrong PINs. `proof` and `tag` show that both sides have the same
+keys. So a program that does not know the PIN cannot impersonate the teacher or read which laptop
+sends a claim. The keys also depend on the hub that the laptop has dialled. The class refuses a hub
+that is not its own, so a program between laptop and hub, at another address, cannot admit a laptop.
+docs/design/pin-exchange.md gives the reasons.
 """
 
 from __future__ import annotations
 
-import hashlib
-import hmac
+import contextlib
 import json
 import secrets
 import threading
 import time
 from collections import OrderedDict
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import SetupError
+from zbot.json_reader import JsonError, read_json_object
+from zbot.security.key_exchange import (
+    PROOF_BYTES,
+    PUBLIC_BYTES,
+    SEAL_BYTES,
+    ExchangeError,
+    KeyExchange,
+    Keys,
+    WrongProofError,
+    exchange_s,
+)
 from zbot.security.secret import Secret
-from zbot.security.srp import GROUP, ClientSide, ServerSide
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterator
 
 Document = dict[str, Any]
 
-_SALT_BYTES = 16
+#: Version of the documents. Version 1 used SRP, and its documents have no field `protocol`.
+PROTOCOL = 2
+
+_VISIT_BYTES = 16
+_LARGEST_TEXT = 24 * 1024  #: bytes of a request or an answer (a valid one has a few hundred bytes)
+#: Number of bytes of each field. Each byte is two hexadecimal digits in lower case.
+_SIZES = {
+    "visit": range(_VISIT_BYTES, _VISIT_BYTES + 1),
+    "public": range(PUBLIC_BYTES, PUBLIC_BYTES + 1),
+    "proof": range(PROOF_BYTES, PROOF_BYTES + 1),
+    "tag": range(PROOF_BYTES, PROOF_BYTES + 1),
+    "claim": range(SEAL_BYTES, SEAL_BYTES + _LARGEST_TEXT + 1),
+    "answer": range(SEAL_BYTES, SEAL_BYTES + _LARGEST_TEXT + 1),
+}
+_LONGEST_HUB = 300  #: characters (a host name has at most 253)
 _MAX_ATTEMPTS = 256  #: open attempts (thirty students who join at once need thirty attempts)
 _ATTEMPT_S = 30.0  #: seconds for an attempt (the student types the PIN before the attempt)
 _FREE_GUESSES = 10  #: wrong PINs without a delay, because several students may mistype at once
@@ -72,24 +98,61 @@ class PinMessageError(PinError, ValueError):
         super().__init__(f"the PIN could not be checked ({reason}): join again")
 
 
+class PinVersionError(PinError):
+    """The laptop and the class use different versions of the PIN check.
+
+    Attributes:
+        laptop: The laptop's version.
+        of_class: The version of the class.
+    """
+
+    def __init__(self, laptop: int, of_class: int) -> None:
+        self.laptop, self.of_class = laptop, of_class
+        super().__init__(
+            "zbot on this laptop is older than zbot of the class: update it on this laptop with "
+            "`pip install --upgrade zbot`"
+            if laptop < of_class
+            else "zbot of the class is older than zbot on this laptop: ask the teacher to update "
+            "it with `pip install --upgrade zbot`"
+        )
+
+
+class ForeignHubError(PinError):
+    """The laptop has dialled a hub that is not the hub of the class.
+
+    Attributes:
+        hub: What the laptop has dialled.
+    """
+
+    def __init__(self, hub: str) -> None:
+        self.hub = hub
+        super().__init__(
+            "this laptop did not dial the class's own machine, but one that forwards to it: use "
+            "the code or address on the teacher's screen (if the teacher's machine is behind a "
+            "router or is a virtual machine, the class needs a keystore)"
+        )
+
+
 class PinClient:
     """Student's side of one PIN check.
 
     Args:
         pin: The PIN as it was typed.
+        class_name: The class's name, as the hub gave it.
+        hub: Identity of the hub that this laptop has dialled: an address or a certificate.
     """
 
-    def __init__(self, pin: Secret) -> None:
-        self._pin = pin
-        self._side = ClientSide()
-        self._key = b""
+    def __init__(self, pin: Secret, class_name: str, hub: str) -> None:
+        self._hub = hub
+        self._side = KeyExchange("laptop", _password(pin), _identity(class_name, hub))
+        self._keys: Keys | None = None
 
     def hello(self) -> Document:
         """Return the first document to send."""
-        return {"public": f"{self._side.public:x}"}
+        return {"protocol": PROTOCOL, "hub": self._hub, "public": self._side.public.hex()}
 
     def claim(self, challenge: Document, request: Document) -> Document:
-        """Return the second document to send.
+        """Return the second document to send. Call this once.
 
         Args:
             challenge: The server's reply to `hello`.
@@ -97,13 +160,14 @@ class PinClient:
 
         Raises:
             PinMessageError: The challenge is invalid.
+            PinVersionError: The class has another version of the PIN check.
         """
-        public, salt = _public(challenge), _bytes(challenge, "salt")
-        exponent = _pin_exponent(salt, self._pin)
-        attempt = str(challenge.get("visit"))
-        self._key = _key(self._side.shared(public, exponent), self._side.public, public, attempt)
-        data = _mixed(self._key, "claim", json.dumps(request).encode())
-        return {"visit": attempt, "claim": data.hex(), "proof": _tag(self._key, "claim", data)}
+        found = _protocol(challenge)
+        if found != PROTOCOL:
+            raise PinVersionError(PROTOCOL, found)
+        attempt = _bytes(challenge, "visit").hex()
+        self._keys = _keys(self._side, _bytes(challenge, "public"), attempt)
+        return {"visit": attempt, **_Sealed.make(request, "claim", self._keys).message()}
 
     def opened(self, sealed: Document) -> Document:
         """Return the decrypted answer.
@@ -111,10 +175,12 @@ class PinClient:
         Raises:
             PinMessageError: The answer is damaged, or its sender does not know the PIN.
         """
-        data = _bytes(sealed, "answer")
-        if not _is_tag(sealed.get("tag"), self._key, "answer", data):
-            raise PinMessageError("the sender of the answer does not know it")
-        return _document(_mixed(self._key, "answer", data))
+        if self._keys is None:
+            raise PinMessageError("an answer came before the claim")
+        try:
+            return _Sealed.of(sealed, "answer").opened(self._keys)
+        except WrongProofError:
+            raise PinMessageError("the sender of the answer does not know it") from None
 
 
 @dataclass(frozen=True)
@@ -126,12 +192,11 @@ class Admission:
     """
 
     request: Document
-    _key: bytes
+    _keys: Keys = field(repr=False)
 
     def seal(self, answer: Document) -> Document:
-        """Return an answer that only this client can read. Call this once for each admission."""
-        data = _mixed(self._key, "answer", json.dumps(answer).encode())
-        return {"answer": data.hex(), "tag": _tag(self._key, "answer", data)}
+        """Return an answer that only this client can read."""
+        return _Sealed.make(answer, "answer", self._keys).message()
 
 
 class PinServer:
@@ -139,15 +204,27 @@ class PinServer:
 
     Args:
         pin: The PIN of the class.
+        class_name: The class's name.
+        is_own_hub: Takes what a laptop has dialled, and returns whether this is the class's hub.
         now: A monotonic clock in seconds. Tests replace it.
+        sleep: Waits for some seconds. Tests replace it.
     """
 
-    def __init__(self, pin: Secret, now: Callable[[], float] = time.monotonic) -> None:
-        self._salt = secrets.token_bytes(_SALT_BYTES)
-        self._verifier = GROUP.power(_pin_exponent(self._salt, pin))
+    def __init__(
+        self,
+        pin: Secret,
+        class_name: str,
+        is_own_hub: Callable[[str], bool],
+        now: Callable[[], float] = time.monotonic,
+        sleep: Callable[[float], None] = time.sleep,
+    ) -> None:
+        self._password = _password(pin)
+        self._class_name = class_name
+        self._is_own_hub = is_own_hub
         self._now = now
+        self._sleep = sleep
         self._lock = threading.Lock()
-        self._attempts: OrderedDict[str, tuple[float, int, ServerSide]] = OrderedDict()
+        self._attempts: OrderedDict[str, tuple[float, bytes, KeyExchange]] = OrderedDict()
         self._guesses = _FREE_GUESSES * 1.0
         self._counted = now()
         self.wrong = 0  #: number of wrong PINs
@@ -157,42 +234,67 @@ class PinServer:
 
         Raises:
             PinMessageError: The document is invalid.
+            PinVersionError: The laptop has another version of the PIN check.
+            ForeignHubError: The laptop has dialled a hub that is not the class's.
             TooManyGuessesError: Too many PINs were wrong.
         """
-        public = _public(hello)
-        side = ServerSide(self._verifier)
-        attempt = secrets.token_hex(16)
+        found = _protocol(hello)
+        if found != PROTOCOL:
+            raise PinVersionError(found, PROTOCOL)
+        public, hub = _bytes(hello, "public"), _hub(hello)
+        if not self._is_own_hub(hub):
+            raise ForeignHubError(hub)
         with self._lock:
             self._check_guess_rate()
+        with self._steady_time():
+            side = KeyExchange("class", self._password, _identity(self._class_name, hub))
+        attempt = secrets.token_hex(_VISIT_BYTES)
+        with self._lock:
             self._attempts[attempt] = (self._now(), public, side)
             while len(self._attempts) > _MAX_ATTEMPTS:
                 self._attempts.popitem(last=False)
-        return {"visit": attempt, "salt": self._salt.hex(), "public": f"{side.public:x}"}
+        return {"protocol": PROTOCOL, "visit": attempt, "public": side.public.hex()}
 
     def admit(self, claim: Document) -> Admission:
         """Check that the client knows the PIN, and return its admission.
 
         Raises:
             WrongPinError: The client does not know the PIN.
-            PinMessageError: The claim's attempt does not exist, has expired or was used before.
+            PinMessageError: The claim is damaged, or its attempt does not exist, has expired or was
+                used before.
             TooManyGuessesError: Too many PINs were wrong.
         """
-        attempt, data = str(claim.get("visit")), _bytes(claim, "claim")
+        attempt, sealed = _bytes(claim, "visit").hex(), _Sealed.of(claim, "claim")
         with self._lock:
             self._check_guess_rate()
-            begun, public, side = self._attempts.pop(attempt, (0.0, 0, None))
+            begun, public, side = self._attempts.pop(attempt, (0.0, b"", None))
             if side is None or self._now() - begun > _ATTEMPT_S:
                 raise PinMessageError("the attempt took too long, or was tried twice")
             # The guess is counted before the check, so simultaneous claims cannot exceed the limit.
             self._guesses -= 1
-        key = _key(side.shared(public), public, side.public, attempt)
-        if not _is_tag(claim.get("proof"), key, "claim", data):
+        with self._steady_time():
+            keys = _keys(side, public, attempt)
+        try:
+            request = sealed.opened(keys)
+        except WrongProofError:
             with self._lock:
                 self.wrong += 1
-            raise WrongPinError
+            raise WrongPinError from None
         with self._lock:
             self._guesses += 1
-        return Admission(_document(_mixed(key, "claim", data)), key)
+        return Admission(request, keys)
+
+    @contextlib.contextmanager
+    def _steady_time(self) -> Iterator[None]:
+        """Let a `with` block always take the same time.
+
+        The time of a computation with the PIN depends on the PIN, and anybody can measure it often.
+        """
+        end = time.perf_counter() + exchange_s()
+        try:
+            yield
+        finally:
+            self._sleep(max(0.0, end - time.perf_counter()))
 
     def _check_guess_rate(self) -> None:
         now = self._now()
@@ -207,59 +309,91 @@ def random_pin() -> Secret:
     return Secret(f"{secrets.randbelow(1_000_000):06d}")
 
 
-def _pin_exponent(salt: bytes, pin: Secret) -> int:
-    return GROUP.password_exponent(salt, b"zbot class", pin.reveal().strip().encode())
+def _password(pin: Secret) -> bytes:
+    # Text from the environment may contain single surrogates. UTF-8 cannot encode them.
+    return pin.reveal().strip().encode(errors="backslashreplace")
 
 
-def _key(shared: int, client: int, server: int, attempt: str) -> bytes:
-    numbers = b"".join(GROUP.padded(number) for number in (shared, client, server))
-    return hashlib.sha256(numbers + attempt.encode()).digest()
+def _identity(class_name: str, hub: str) -> bytes:
+    return json.dumps([class_name, hub]).encode()
 
 
-def _tag(key: bytes, purpose: str, data: bytes) -> str:
-    return hmac.new(key, f"{purpose}:".encode() + data, "sha256").hexdigest()
-
-
-def _is_tag(found: object, key: bytes, purpose: str, data: bytes) -> bool:
-    return hmac.compare_digest(_tag(key, purpose, data).encode(), _encoded(found))
-
-
-def _encoded(found: object) -> bytes:
-    # JSON may contain single surrogates. UTF-8 cannot encode them.
-    return str(found).encode(errors="backslashreplace")
-
-
-def _mixed(key: bytes, purpose: str, data: bytes) -> bytes:
-    """Encrypt or decrypt with HMAC in counter mode. A key serves one claim and one answer."""
-    blocks = (f"{purpose} {number}".encode() for number in range((len(data) + 31) // 32))
-    stream = b"".join(hmac.digest(key, block, "sha256") for block in blocks)
-    return bytes(one ^ other for one, other in zip(data, stream, strict=False))
-
-
-def _public(document: Document) -> int:
-    text = document.get("public")
-    longest = GROUP.prime.bit_length() // 4
+def _keys(side: KeyExchange, public: bytes, attempt: str) -> Keys:
     try:
-        number = int(text, 16) if isinstance(text, str) and len(text) <= longest else 0
-    except ValueError:
-        number = 0
-    if not GROUP.is_public(number):
-        raise PinMessageError("no valid public number")
-    return number
+        return side.keys(public, ["zbot class", PROTOCOL, attempt])
+    except ExchangeError:
+        raise PinMessageError("no valid public") from None
+
+
+_PROOFS = {"claim": "proof", "answer": "tag"}  #: field of the proof, by the field of the seal
+
+
+@dataclass(frozen=True)
+class _Sealed:
+    """Sealed document and the proof of its sender."""
+
+    field: str
+    proof: bytes
+    data: bytes
+
+    @classmethod
+    def make(cls, document: Document, field: str, keys: Keys) -> _Sealed:
+        text = json.dumps(document).encode()
+        if len(text) > _LARGEST_TEXT:
+            raise PinMessageError(f"the {field} is too long")
+        return cls(field, keys.proof(field), keys.seal(field, text))
+
+    @classmethod
+    def of(cls, message: Document, field: str) -> _Sealed:
+        return cls(field, _bytes(message, _PROOFS[field]), _bytes(message, field))
+
+    def message(self) -> Document:
+        return {self.field: self.data.hex(), _PROOFS[self.field]: self.proof.hex()}
+
+    def opened(self, keys: Keys) -> Document:
+        """Check the proof and the seal, and return the document.
+
+        Raises:
+            WrongProofError: The sender does not know the PIN.
+            PinMessageError: The document is damaged.
+        """
+        try:
+            return _document(keys.opened(self.field, self.proof, self.data))
+        except WrongProofError:
+            raise
+        except ExchangeError:
+            raise PinMessageError(f"no valid {self.field}") from None
+
+
+def _protocol(document: Document) -> int:
+    found = document.get("protocol", 1 if "public" in document else None)
+    if type(found) is not int or found < 1:  # `True` is an `int` too
+        raise PinMessageError("no valid protocol")
+    return found
+
+
+def _hub(document: Document) -> str:
+    hub = document.get("hub")
+    if not isinstance(hub, str) or not 0 < len(hub) <= _LONGEST_HUB:
+        raise PinMessageError("no valid hub")
+    return hub
 
 
 def _bytes(document: Document, name: str) -> bytes:
-    try:
-        return bytes.fromhex(str(document.get(name)))
-    except ValueError:
-        raise PinMessageError(f"no valid {name}") from None
+    """Return the bytes of a field. Each value has exactly one valid text."""
+    text, sizes = document.get(name), _SIZES[name]
+    if isinstance(text, str) and len(text) // 2 in sizes:
+        try:
+            data = bytes.fromhex(text)
+        except ValueError:
+            data = b""
+        if data.hex() == text:
+            return data
+    raise PinMessageError(f"no valid {name}")
 
 
 def _document(data: bytes) -> Document:
     try:
-        found = json.loads(data)
-    except (ValueError, RecursionError):
-        found = None
-    if not isinstance(found, dict):
-        raise PinMessageError("no valid document")
-    return found
+        return read_json_object(data)
+    except JsonError:
+        raise PinMessageError("no valid document") from None

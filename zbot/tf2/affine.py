@@ -6,49 +6,25 @@ As in that package, points in results have a fourth coordinate, which is 1.
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import numpy.typing as npt
+from transforms3d import axangles, reflections, shears, zooms
 
 from zbot.tf2.transformations import (
     Matrix,
+    Vector,
     inverse_matrix,
-    quaternion_from_matrix,
+    matrix_of,
     translation_matrix,
     unit_vector,
+    vector3,
 )
 
-Vector = npt.NDArray[np.float64]
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
 _EPSILON = 1e-8
-
-
-class NoSuchTransformError(ValueError):
-    """A matrix is not of the kind that a function needs."""
-
-    def __init__(self, kind: str) -> None:
-        self.kind = kind
-        super().__init__(f"the matrix is not a {kind}")
-
-
-def _vector(data: Any) -> Vector:
-    return np.asarray(data, dtype=float)[:3]
-
-
-def _affine(linear: Any, offset: Any) -> Matrix:
-    matrix = np.identity(4)
-    matrix[:3, :3], matrix[:3, 3] = linear, offset
-    return matrix
-
-
-def _point(place: Any) -> Vector:
-    return np.append(place, 1.0)
-
-
-def _fixed_point(matrix: Matrix) -> Vector:
-    """Return the matrix's fixed point that is nearest to the origin."""
-    place, *_ = np.linalg.lstsq(np.identity(3) - matrix[:3, :3], matrix[:3, 3], rcond=None)
-    return _point(place)
 
 
 def random_vector(size: int) -> Vector:
@@ -58,40 +34,28 @@ def random_vector(size: int) -> Vector:
 
 def reflection_matrix(point: Any, normal: Any) -> Matrix:
     """Return the matrix that reflects at a plane. A point and the normal define the plane."""
-    across = unit_vector(_vector(normal))
-    flip = np.identity(3) - 2 * np.outer(across, across)
-    return _affine(flip, 2 * (_vector(point) @ across) * across)
+    mirror: Matrix = reflections.rfnorm2aff(vector3(normal), vector3(point))
+    return mirror
 
 
 def reflection_from_matrix(matrix: Any) -> tuple[Vector, Vector]:
     """Return a point and the normal of the plane at which a matrix reflects.
 
     Raises:
-        NoSuchTransformError: The matrix is not a reflection.
+        ValueError: The matrix is not a reflection.
     """
-    m = np.asarray(matrix, dtype=float)
-    values, vectors = np.linalg.eigh((m[:3, :3] + m[:3, :3].T) / 2)
-    if abs(values[0] + 1) > _EPSILON:
-        raise NoSuchTransformError("reflection")
-    return _point(m[:3, 3] / 2), vectors[
-        :, 0
-    ]  # the origin's image is at twice the plane's distance
+    parts = _parts("reflection", reflections.aff2rfnorm, reflections.rfnorm2aff, matrix)
+    return parts[1], parts[0]
 
 
 def rotation_from_matrix(matrix: Any) -> tuple[float, Vector, Vector]:
     """Return the angle in rad, the axis and a point on the axis of a rotation matrix.
 
     Raises:
-        NoSuchTransformError: The matrix is not a rotation.
+        ValueError: The matrix is not a rotation.
     """
-    m = np.asarray(matrix, dtype=float)
-    turn = m[:3, :3]
-    if not np.allclose(turn @ turn.T, np.identity(3)) or np.linalg.det(turn) < 0:
-        raise NoSuchTransformError("rotation")
-    x, y, z, w = quaternion_from_matrix(m)
-    along, length = np.array([x, y, z]), math.hypot(x, y, z)
-    axis = along / length if length > _EPSILON else np.array([0.0, 0.0, 1.0])
-    return 2 * math.atan2(length, w), axis, _fixed_point(m)
+    direction, angle, point = _parts("rotation", axangles.aff2axangle, axangles.axangle2aff, matrix)
+    return float(angle), direction, point
 
 
 def scale_from_matrix(matrix: Any) -> tuple[float, Vector, Vector | None]:
@@ -100,17 +64,10 @@ def scale_from_matrix(matrix: Any) -> tuple[float, Vector, Vector | None]:
     The direction is `None` for a matrix that scales uniformly.
 
     Raises:
-        NoSuchTransformError: The matrix is not a scaling.
+        ValueError: The matrix is not a scaling.
     """
-    m = np.asarray(matrix, dtype=float)
-    values, vectors = np.linalg.eigh((m[:3, :3] + m[:3, :3].T) / 2)
-    origin = _fixed_point(m)
-    if not np.allclose(m @ origin, origin):
-        raise NoSuchTransformError("scale")
-    if np.allclose(values, values.mean()):
-        return float(values.mean()), origin, None
-    odd = int(np.argmax(np.abs(values - 1)))
-    return float(values[odd]), origin, vectors[:, odd]
+    factor, direction, origin = _parts("scale", zooms.aff2zfdir, zooms.zfdir2aff, matrix)
+    return float(factor), origin, direction
 
 
 def shear_matrix(angle: float, direction: Any, point: Any, normal: Any) -> Matrix:
@@ -119,26 +76,39 @@ def shear_matrix(angle: float, direction: Any, point: Any, normal: Any) -> Matri
     Raises:
         ValueError: The direction does not lie in the plane.
     """
-    across, along = unit_vector(_vector(normal)), unit_vector(_vector(direction))
-    if abs(across @ along) > 1e-6:
+    if abs(unit_vector(vector3(normal)) @ unit_vector(vector3(direction))) > 1e-6:
         raise ValueError("a shear's direction must be at right angles to its normal")
-    slope = math.tan(angle)
-    linear = np.identity(3) + slope * np.outer(along, across)
-    return _affine(linear, -slope * (_vector(point) @ across) * along)
+    sheared: Matrix = shears.sadn2aff(angle, vector3(direction), vector3(normal), vector3(point))
+    return sheared
 
 
 def shear_from_matrix(matrix: Any) -> tuple[float, Vector, Vector, Vector]:
     """Return the angle, direction, a point and the normal of a shear.
 
     Raises:
-        NoSuchTransformError: The matrix is not a shear.
+        ValueError: The matrix is not a shear.
     """
-    m = np.asarray(matrix, dtype=float)
-    directions, slopes, normals = np.linalg.svd(m[:3, :3] - np.identity(3))
-    along, across, slope = directions[:, 0], normals[0], float(slopes[0])
-    if slope < _EPSILON or slopes[1] > _EPSILON or abs(along @ across) > _EPSILON:
-        raise NoSuchTransformError("shear")
-    return math.atan(slope), along, _point(-(m[:3, 3] @ along) / slope * across), across
+    angle, direction, normal, point = _parts("shear", shears.aff2sadn, shears.sadn2aff, matrix)
+    return float(angle), direction, point, normal
+
+
+def _parts(
+    kind: str, take_apart: Callable[..., Any], compose: Callable[..., Any], matrix: Any
+) -> tuple[Any, ...]:
+    """Take a matrix apart, and check that its parts give the same matrix again.
+
+    For many matrices of another kind, transforms3d returns infinite or wrong numbers.
+    """
+    m = np.array(matrix, dtype=float)
+    try:
+        with np.errstate(all="ignore"):
+            parts = tuple(take_apart(m))
+            again = compose(*(vector3(one) if np.ndim(one) else one for one in parts))
+    except ValueError:
+        parts, again = (), np.nan
+    if not np.allclose(again, m):
+        raise ValueError(f"the matrix is not a {kind}")
+    return parts
 
 
 def projection_matrix(
@@ -157,15 +127,15 @@ def projection_matrix(
         perspective: Point from which the rays start, instead of a direction.
         pseudo: Whether a perspective keeps the order of depths.
     """
-    across = unit_vector(_vector(normal))
-    height = _vector(point) @ across
+    across = unit_vector(vector3(normal))
+    height = vector3(point) @ across
     if perspective is None:
-        ray = across if direction is None else _vector(direction)
+        ray = across if direction is None else vector3(direction)
         ray = ray / (ray @ across)
-        return _affine(np.identity(3) - np.outer(ray, across), height * ray)
+        return matrix_of(np.identity(3) - np.outer(ray, across), height * ray)
     # The ray from the eye through x meets the plane at
     # ((n.(eye - p)) x - (n.x - n.p) eye) / (n.(eye - x)).
-    eye = _vector(perspective)
+    eye = vector3(perspective)
     matrix, depth = np.zeros((4, 4)), across if pseudo else np.zeros(3)
     matrix[:3, :3] = (eye @ across - height) * np.identity(3) - np.outer(eye + depth, across)
     matrix[:3, 3] = height * (eye + depth)
@@ -179,7 +149,7 @@ def projection_from_matrix(
     """Return the arguments with which `projection_matrix` returns a given matrix.
 
     Raises:
-        NoSuchTransformError: The matrix is not a projection.
+        ValueError: The matrix is not a projection.
     """
     m = np.asarray(matrix, dtype=float)
     steepness = float(np.linalg.norm(m[3, :3]))
@@ -188,9 +158,9 @@ def projection_from_matrix(
     m = m / m[3, 3]
     rays, values, normals = np.linalg.svd(m[:3, :3].T)
     if values[2] > _EPSILON:
-        raise NoSuchTransformError("projection")
+        raise ValueError("the matrix is not a projection")
     # The matrix maps the ray to 0. The transpose of the matrix maps the normal to 0.
-    return _point(m[:3, 3]), normals[2], rays[:, 2], None, False
+    return np.append(m[:3, 3], 1.0), normals[2], rays[:, 2], None, False
 
 
 def _perspective(
@@ -200,7 +170,7 @@ def _perspective(
     aside = unit_vector(np.cross(across, np.identity(3)[int(np.argmin(np.abs(across)))]))
     distance = aside @ m[:3, :3] @ aside
     eye = distance * across - m[:3, :3] @ across - (across if pseudo else 0)
-    return _point((eye @ across - distance) * across), across, None, eye, pseudo
+    return np.append((eye @ across - distance) * across, 1.0), across, None, eye, pseudo
 
 
 def clip_matrix(  # noqa: PLR0917 - the order of OpenGL, and of tf_transformations
@@ -224,7 +194,7 @@ def clip_matrix(  # noqa: PLR0917 - the order of OpenGL, and of tf_transformatio
     low, high = np.array([left, bottom, near]), np.array([right, top, far])
     size = high - low
     if not perspective:
-        return _affine(np.diag(2 / size), -(high + low) / size)
+        return matrix_of(np.diag(2 / size), -(high + low) / size)
     matrix = np.zeros((4, 4))
     matrix[[0, 1], [0, 1]] = -2 * near / size[:2]
     matrix[:2, 2] = ((high + low) / size)[:2]
@@ -250,7 +220,7 @@ def orthogonalization_matrix(lengths: Any, angles: Any) -> Matrix:
         [a * y, b * math.sin(alpha), 0.0],
         [a * math.cos(beta), b * math.cos(alpha), c],
     ]
-    return _affine(edges, np.zeros(3))
+    return matrix_of(edges, np.zeros(3))
 
 
 def superimposition_matrix(v0: Any, v1: Any, scaling: bool = False, usesvd: bool = True) -> Matrix:
@@ -261,9 +231,14 @@ def superimposition_matrix(v0: Any, v1: Any, scaling: bool = False, usesvd: bool
         v1: The points to which they are mapped.
         scaling: Whether the matrix may also scale.
         usesvd: Accepted without effect.
+
+    Raises:
+        ValueError: The sets differ in their number of points, or have less than 3.
     """
     del usesvd
-    start, goal = np.asarray(v0, dtype=float)[:3], np.asarray(v1, dtype=float)[:3]
+    start, goal = vector3(v0), vector3(v1)
+    if start.shape != goal.shape or start.ndim != 2 or start.shape[1] < 3:
+        raise ValueError("both sets need the same number of points, at least 3, one per column")
     centres: tuple[Vector, Vector] = start.mean(axis=1), goal.mean(axis=1)
     start, goal = start - centres[0][:, None], goal - centres[1][:, None]
     left, _, right = np.linalg.svd(goal @ start.T)
@@ -272,6 +247,6 @@ def superimposition_matrix(v0: Any, v1: Any, scaling: bool = False, usesvd: bool
     turn = left @ handedness @ right
     if scaling:
         turn = turn * float(np.linalg.norm(goal) / np.linalg.norm(start))
-    there = translation_matrix(centres[1]) @ _affine(turn, np.zeros(3))
+    there = translation_matrix(centres[1]) @ matrix_of(turn, np.zeros(3))
     moved: Matrix = there @ inverse_matrix(translation_matrix(centres[0]))
     return moved

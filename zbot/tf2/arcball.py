@@ -6,11 +6,10 @@ import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import numpy.typing as npt
 
 from zbot.tf2.transformations import (
     Matrix,
-    Quaternion,
+    Vector,
     quaternion_from_matrix,
     quaternion_matrix,
     quaternion_multiply,
@@ -21,7 +20,6 @@ from zbot.tf2.transformations import (
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-Vector = npt.NDArray[np.float64]
 _EPSILON = 1e-12
 
 
@@ -44,7 +42,8 @@ def arcball_constrain_to_axis(point: Any, axis: Any) -> Vector:
         return -near if near[2] < 0 else near  # the half that faces the viewer
     if abs(along[2] - 1) < _EPSILON:
         return np.array([1.0, 0.0, 0.0])
-    return unit_vector([-along[1], along[0], 0.0])
+    across: Vector = unit_vector([-along[1], along[0], 0.0])
+    return across
 
 
 def arcball_nearest_axis(point: Any, axes: Sequence[Any]) -> Any:
@@ -70,9 +69,9 @@ class Arcball:
         given = [0.0, 0.0, 0.0, 1.0] if initial is None else initial
         is_matrix = np.shape(given) == (4, 4)
         first = quaternion_from_matrix(given) if is_matrix else unit_vector(given)
-        self._down: Quaternion = first
-        self._now: Quaternion = first
-        self._before: Quaternion = first
+        self._down: Any = first
+        self._now: Any = first
+        self._before: Any = first
 
     def place(self, center: Any, radius: float) -> None:
         """Set the centre and the radius of the ball in the window, in pixels."""

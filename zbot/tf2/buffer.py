@@ -18,6 +18,8 @@ from zbot.transport.wakeup import LONGEST_WAIT_S
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
+    from zbot.node.node import Node
+    from zbot.node.service import Service
     from zbot.node.subscription import Subscription
 
 # Seconds between two checks, while a callback waits for messages of its own executor.
@@ -29,16 +31,27 @@ class Buffer(BufferCore, BufferInterface):
 
     Args:
         cache_time: Time for which samples are kept. The default is 10 s.
-        node: Accepted as in tf2_ros, but without effect.
+        node: A node that gets the service `tf2_frames`. The service returns all frames as YAML.
     """
 
-    def __init__(self, cache_time: Duration | None = None, node: Any = None) -> None:
+    def __init__(self, cache_time: Duration | None = None, node: Node | None = None) -> None:
         super().__init__(cache_time)
         self.node = node
+        if node is not None:
+            self.srv = self._frames_service(node)
         self.subscriptions: list[Subscription[Any]] = []  #: subscriptions of its listener
         self.is_fed: Callable[[], bool] = lambda: True  #: whether transforms can still arrive
         self._waiting: list[tuple[Callable[[], Any], Future[Any]]] = []
         self._is_in_message = False
+
+    def _frames_service(self, node: Node) -> Service[Any, Any]:
+        from tf2_msgs.srv import FrameGraph  # noqa: PLC0415 - few programs give a node
+
+        def frames(_: Any, response: Any) -> Any:
+            response.frame_yaml = self.all_frames_as_yaml()
+            return response
+
+        return node.create_service(FrameGraph, "tf2_frames", frames)
 
     def lookup_transform(
         self, target_frame: str, source_frame: str, time: Any, timeout: Duration = NO_WAIT

@@ -193,10 +193,10 @@ class BufferCore:
     def _to_ancestors(
         self, name: str, stamp_ns: int, ends: Container[str]
     ) -> tuple[dict[str, Rigid], ExtrapolationException | None]:
-        """Return a frame's transforms in itself and in its ancestors, and the error if any.
+        """Return the transform from a frame to itself and to each of its ancestors.
 
-        The ancestors end at a frame in `ends`, at the root of the tree, or at a frame whose
-        transform is unknown at that time. Only the last case has an error.
+        The search ends at a frame in `ends`, or at the root of the tree. If the transform of a
+        frame is unknown at that time, the search ends there, and the error is returned too.
         """
         pose = Rigid()
         poses = {name: pose}

@@ -1,6 +1,6 @@
 """Transformation of point clouds: the functions of `tf2_sensor_msgs`.
 
-This module needs numpy, which `pip install 'zbot[numpy]'` installs.
+This module needs numpy, which `pip install "zbot[numpy]"` installs.
 """
 
 from __future__ import annotations

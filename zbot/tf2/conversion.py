@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import copy
+import sys
 from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 from zbot.tf2.errors import TypeException
-from zbot.tf2.rigid import Rigid, multiply, rotate
+from zbot.tf2.rigid import Quaternion, Rigid, multiply, normalized, rotate
 
 from geometry_msgs.msg import (
     PointStamped,
@@ -20,6 +21,9 @@ from geometry_msgs.msg import (
 
 #: Function with two arguments, a stamped object and a `TransformStamped`. Returns a new object.
 Transformation = Callable[[Any, Any], Any]
+
+_EPSILON = sys.float_info.epsilon
+_NO_ROTATION: Quaternion = (0.0, 0.0, 0.0, 1.0)
 
 _registered: dict[type[Any], Transformation] = {}
 
@@ -47,8 +51,14 @@ def registered(stamped_class: type[Any]) -> Transformation:
 def rigid(transform: Any) -> Rigid:
     """Return the motion of a `Transform` or `TransformStamped`."""
     inner = transform.transform if hasattr(transform, "transform") else transform
-    t, q = inner.translation, inner.rotation
-    return Rigid((t.x, t.y, t.z), (q.x, q.y, q.z, q.w))
+    t = inner.translation
+    return Rigid((t.x, t.y, t.z), _rotation(inner.rotation))
+
+
+def _rotation(q: Any) -> Quaternion:
+    """Return a quaternion message as a rotation. As in ROS 2, length 0 means no rotation."""
+    parts = (q.x, q.y, q.z, q.w)
+    return normalized(parts) if sum(part * part for part in parts) >= _EPSILON else _NO_ROTATION
 
 
 def do_transform_point(point: Any, transform: Any) -> Any:
@@ -75,7 +85,9 @@ def do_transform_pose(pose: Any, transform: Any) -> Any:
     moved = copy.deepcopy(pose)
     motion, p, q = rigid(transform), pose.position, pose.orientation
     moved.position.x, moved.position.y, moved.position.z = motion.apply((p.x, p.y, p.z))
-    turned = multiply(motion.rotation, (q.x, q.y, q.z, q.w))
+    x, y, z, w = multiply(motion.rotation, _rotation(q))
+    # q and -q are the same rotation. As in ROS 2, the result is the one with w >= 0.
+    turned = (-x, -y, -z, -w) if w < 0 else (x, y, z, w)
     orientation = moved.orientation
     orientation.x, orientation.y, orientation.z, orientation.w = turned
     return moved

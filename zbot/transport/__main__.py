@@ -10,7 +10,8 @@ from typing import Any
 import zenoh
 
 from zbot.transport import config, router_process
-from zbot.transport.session import MeetingPoint, process_facts
+from zbot.transport.process_facts import process_facts
+from zbot.transport.session import MeetingPoint
 from zbot.version import __version__
 
 # The router stays this long without a program, because commands and tests often follow each other.
@@ -26,6 +27,7 @@ def main() -> int:
     lock = router_process.hold_lock(domain)
     facts = process_facts(__version__)
     facts["zbot"]["command"] = f"router of domain {domain}"
+    facts["zbot"]["replaces"] = sys.argv[2:] == [router_process.REPLACEMENT]
     meeting = MeetingPoint(config.load(), domain, config.discovery_range(), facts)
     session, deadline = meeting.open_router(), time.monotonic() + _BIND_TIMEOUT_S
     while session is None:

@@ -7,15 +7,21 @@ default queue for 256 replies would therefore stop a session for ever in a domai
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import zenoh
 
+from zbot.json_reader import JsonError, read_json_object
+
 if TYPE_CHECKING:
     from collections.abc import Iterator
+    from typing import TypeGuard
 
 # A class of thirty students has 2,000 tokens. A queue takes memory only for the replies in it.
 _QUEUE_LENGTH = 1_000_000
+_ZID = re.compile("[0-9a-f]{1,32}")
+_MAX_TIME_NS = 1 << 63
 
 
 def large_queue() -> Any:
@@ -44,6 +50,7 @@ class RouterFacts(NamedTuple):
 
     sessions: dict[str, str]  #: `peer` or `client` for the id of each linked session
     started_ns: int  #: start of its process, nanoseconds since the epoch; 0 if it is not zbot's
+    is_replacement: bool  #: whether the router before it was killed
 
 
 def routers(session: zenoh.Session, router: str, timeout_s: float) -> Iterator[RouterFacts]:
@@ -53,14 +60,48 @@ def routers(session: zenoh.Session, router: str, timeout_s: float) -> Iterator[R
     Zenoh 1.10 holds a lock, and takes it again for the reply. If a session declares something in
     between, Zenoh blocks for ever (pull request 2619 of eclipse-zenoh/zenoh).
     """
-    import json  # noqa: PLC0415 - not needed before a program's first message
-
     for _, text in answers(session, f"@/{router}/router", timeout_s):
-        facts = json.loads(text)
-        found = {one["peer"]: one.get("whatami") for one in facts.get("sessions", [])}
-        linked = {zid: kind for zid, kind in found.items() if kind in {"peer", "client"}}
-        zbot = (facts.get("metadata") or {}).get("zbot") or {}
-        yield RouterFacts(linked, zbot.get("started", 0))
+        try:
+            yield router_facts(text)
+        except JsonError:
+            continue  # any program can answer, so one wrong answer must not hide the others
+
+
+def router_facts(text: bytes) -> RouterFacts:
+    """Return the facts in a router's answer. Parts that have an unexpected form are left out.
+
+    Raises:
+        JsonError: The answer is not a JSON object.
+    """
+    facts = read_json_object(text)
+    linked: dict[str, str] = {}
+    for one in _list(facts.get("sessions")):
+        zid, kind = _map(one).get("peer"), _map(one).get("whatami")
+        # The id becomes a part of keys.
+        if isinstance(zid, str) and _ZID.fullmatch(zid) and kind in ("peer", "client"):
+            linked[zid] = kind
+    zbot = zbot_facts(facts)
+    started_ns = zbot.get("started")
+    started_ns = started_ns if is_time_ns(started_ns) else 0
+    return RouterFacts(linked, started_ns, zbot.get("replaces") is True)
+
+
+def zbot_facts(facts: dict[str, Any]) -> dict[str, Any]:
+    """Return the facts about a zbot process in an answer. Empty if another program answered."""
+    return _map(_map(facts.get("metadata")).get("zbot"))
+
+
+def is_time_ns(value: object) -> TypeGuard[int]:
+    """Return whether a value is a time in nanoseconds since the epoch."""
+    return isinstance(value, int) and 0 <= value < _MAX_TIME_NS
+
+
+def _map(value: object) -> dict[str, Any]:
+    return value if isinstance(value, dict) else {}
+
+
+def _list(value: object) -> list[Any]:
+    return value if isinstance(value, list) else []
 
 
 def sessions(session: zenoh.Session, router: str, timeout_s: float) -> dict[str, str]:

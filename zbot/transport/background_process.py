@@ -3,12 +3,22 @@
 from __future__ import annotations
 
 import os
+import socket
 import subprocess
 import sys
 from pathlib import Path
 from typing import IO, Any
 
-_LOCKED_BYTE = 1 << 20  # Windows lets no other process read the locked byte
+from zbot.transport import membership
+
+# On Windows, no other process can read a locked byte, so this byte is far behind the text.
+_LOCKED_BYTE = 1 << 20
+_forgotten: set[int] = set()  #: ids of processes that may outlive this one
+
+
+def lock_path(name: str) -> Path:
+    """Return the path of a lock file. Machines that share a home folder have different files."""
+    return membership.folder() / f"{name}@{socket.gethostname()}.lock"
 
 
 def lock(file: IO[str]) -> bool:
@@ -40,6 +50,7 @@ def start(module: str, *words: str, **options: Any) -> subprocess.Popen[str]:
         words: Its arguments. Every user of the machine can read them.
         options: Options of `subprocess.Popen`.
     """
+    reap()
     return subprocess.Popen(  # noqa: S603 - runs this Python itself
         [sys.executable, "-m", module, *words],
         stdin=subprocess.DEVNULL,
@@ -53,6 +64,23 @@ def start(module: str, *words: str, **options: Any) -> subprocess.Popen[str]:
 def forget(process: subprocess.Popen[str]) -> None:
     """Let the process outlive this process. Otherwise Python warns that it still runs."""
     process.returncode = 0
+    _forgotten.add(process.pid)
+
+
+def reap() -> None:
+    """Let the system forget the processes of this program that have ended.
+
+    Otherwise they stay in the list of processes, as zombies, until this program ends.
+    """
+    if sys.platform == "win32":
+        return
+    for number in tuple(_forgotten):
+        try:
+            has_ended = os.waitpid(number, os.WNOHANG)[0] == number
+        except ChildProcessError:  # the program has waited for all its children, or is a fork
+            has_ended = True
+        if has_ended:
+            _forgotten.discard(number)
 
 
 def _environment() -> dict[str, str]:

@@ -15,10 +15,18 @@ from zbot.transport.errors import ConfigError, DiscoveryRangeError, DomainIdErro
 
 MAX_DOMAIN_ID = 232  #: ROS 2's own limit, so that lesson sheets for ROS 2 are valid here
 MEETING_PORT = 7450  #: meeting port of domain 0 on 127.0.0.1 (of domain n: 7450 + n)
+# Time that a put with `DROP` waits for space in the queue. The queue is soon full if a busy machine
+# does not run the sending thread. With Zenoh's default of 1000 us, bursts lost 14 to 37 % of their
+# messages beside six busy processes. With 20 ms, one burst was lost. DDS waits 100 ms by default
+# too. A subscriber that stands still makes its publisher wait once, and not at each message.
+DROP_WAIT_US = 100_000
 HUB_PORT = 7447  #: Zenoh's router port, on which hubs listen
 
+_PACKAGED = "the packaged zenoh.json5"
 _FILE_VARIABLES = ("ZBOT_CONFIG", "ZENOH_CONFIG")
 _DOMAIN_VARIABLES = ("ZBOT_DOMAIN_ID", "ROS_DOMAIN_ID")
+#: Domain of one command, and of the programs that it starts. `zbot --domain` sets it.
+COMMAND_DOMAIN = "ZBOT_COMMAND_DOMAIN"
 _MAX_PORT = 65535
 _RANGE_VARIABLES = ("ZBOT_DISCOVERY_RANGE", "ROS_AUTOMATIC_DISCOVERY_RANGE")
 
@@ -36,18 +44,30 @@ def _first_set(variables: tuple[str, ...]) -> tuple[str, str] | None:
 
 
 def domain_id(given: int | None = None) -> int:
-    """Return `given`, else `$ZBOT_DOMAIN_ID`, else `$ROS_DOMAIN_ID`, else student number, else 0.
+    """Return the domain of this process's nodes.
+
+    It is `given`, else the domain of `zbot --domain`. Otherwise, in a class, it is the student's
+    number, and 0 for the teacher. Without a class, it is `$ZBOT_DOMAIN_ID`, else `$ROS_DOMAIN_ID`,
+    else 0.
 
     Raises:
         DomainIdError: The domain is not an integer from 0 to 232.
     """
     if given is not None:
         return _checked_domain("domain_id", given)
-    found = _first_set(_DOMAIN_VARIABLES)
-    if found is not None:
-        return _checked_domain(*found)
+    of_command = os.environ.get(COMMAND_DOMAIN)
+    if of_command:
+        return _checked_domain("--domain", of_command)
     joined = membership.load()
-    return 0 if joined is None else _checked_domain("the student's number", joined.number)
+    if joined is not None and joined.in_class:
+        return _checked_domain("the student's number", joined.number)
+    found = _first_set(_DOMAIN_VARIABLES)
+    return 0 if found is None else _checked_domain(*found)
+
+
+def domain_variable() -> tuple[str, str] | None:
+    """Return the variable for the domain that is set, and its text."""
+    return _first_set(_DOMAIN_VARIABLES)
 
 
 def _checked_domain(source: str, value: object) -> int:
@@ -61,13 +81,18 @@ def _checked_domain(source: str, value: object) -> int:
 
 
 def hub_port() -> int:
-    """Return the port of this machine's own hub: `$ZBOT_HUB_PORT`, or 7447 if it is not set.
+    """Return the port of this machine's own hub.
+
+    It is the port at which the machine joined, else `$ZBOT_HUB_PORT`, else 7447.
 
     Raises:
         PortError: The variable does not hold a port.
     """
+    joined = membership.load()
+    if joined is not None and joined.hub_port:
+        return joined.hub_port
     text = os.environ.get("ZBOT_HUB_PORT") or str(HUB_PORT)
-    if not (text.isascii() and text.isdigit() and 0 < int(text) <= _MAX_PORT):
+    if not (text.isascii() and text.isdigit() and len(text) < 9 and 0 < int(text) <= _MAX_PORT):
         raise PortError("ZBOT_HUB_PORT", text)
     return int(text)
 
@@ -78,13 +103,18 @@ def discovery_range() -> DiscoveryRange:
     Raises:
         DiscoveryRangeError: The variable holds an unknown word.
     """
-    found = _first_set(_RANGE_VARIABLES)
+    found = range_variable()
     if found is None or found[1].upper() == "SYSTEM_DEFAULT":
         return DiscoveryRange.LOCALHOST
     try:
         return DiscoveryRange(found[1].upper())
     except ValueError:
         raise DiscoveryRangeError(*found) from None
+
+
+def range_variable() -> tuple[str, str] | None:
+    """Return the variable for the discovery range that is set, and its text."""
+    return _first_set(_RANGE_VARIABLES)
 
 
 class SessionConfig(NamedTuple):
@@ -112,11 +142,18 @@ class SessionConfig(NamedTuple):
             raise ConfigError(self.source, reason)
         default = zenoh.Config()
         for path, value in fill.items():
-            if built.get_json(path) == default.get_json(path) and not self._mentions(path):
+            if path == "metadata" and isinstance(given := setting(built, path), dict):
+                built.insert_json5(path, json.dumps(given | value))
+            elif built.get_json(path) == default.get_json(path) and not self._mentions(path):
                 built.insert_json5(path, json.dumps(value))
         for path, value in (force or {}).items():
             built.insert_json5(path, json.dumps(value))
         return built
+
+    @property
+    def is_packaged(self) -> bool:
+        """Whether this is zbot's own file, which changes no setting."""
+        return self.source == _PACKAGED
 
     def _mentions(self, path: str) -> bool:
         # adminspace is off by default, so its value does not show whether the file switches it off.
@@ -130,11 +167,21 @@ def load() -> SessionConfig:
     Raises:
         ConfigError: The file cannot be read.
     """
-    found = _first_set(_FILE_VARIABLES)
+    found = named_by(_FILE_VARIABLES)
     if found is not None:
-        return _read(Path(found[1]))
+        return found
     local = Path("zenoh.json5")
     return _read(local) if local.is_file() else _packaged()
+
+
+def named_by(variables: tuple[str, ...]) -> SessionConfig | None:
+    """Return the file that the first of the set variables names. `None`: none is set.
+
+    Raises:
+        ConfigError: The file cannot be read.
+    """
+    found = _first_set(variables)
+    return None if found is None else _read(Path(found[1]))
 
 
 def _read(path: Path) -> SessionConfig:
@@ -149,7 +196,12 @@ def _packaged() -> SessionConfig:
     # In a checkout the file is beside the package, not inside it.
     candidates = (here.parent / "zenoh.json5", here / "zenoh.json5")
     shipped = candidates[0] if (here.parent / "pyproject.toml").is_file() else candidates[1]
-    return SessionConfig("the packaged zenoh.json5", shipped.read_text(encoding="utf-8"))
+    return SessionConfig(_PACKAGED, shipped.read_text(encoding="utf-8"))
+
+
+def setting(built: zenoh.Config, path: str) -> Any:
+    """Return the value at a path of a Zenoh configuration."""
+    return json.loads(built.get_json(path))
 
 
 def port_of(locator: str) -> str:

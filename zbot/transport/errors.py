@@ -48,6 +48,63 @@ class SessionError(SetupError, OSError):
         super().__init__(f"cannot open {what}: {_first_part(reason)}")
 
 
+class RmwError(SetupError, ValueError):
+    """A program chose a middleware that zbot does not speak."""
+
+    def __init__(self, name: str, known: tuple[str, ...]) -> None:
+        self.name, self.known = name, known
+        super().__init__(f"zbot does not speak {name!r}: choose {' or '.join(known)}")
+
+
+class RouterAttemptsError(SetupError, ValueError):
+    """The variable for the number of attempts to find a router is not a whole number."""
+
+    def __init__(self, source: str, value: str) -> None:
+        self.source, self.value = source, value
+        super().__init__(
+            f"{source} is {value!r}, but it must be a whole number: 0 waits for a router for ever, "
+            "and a negative number does not look for one"
+        )
+
+
+class NoRouterError(SetupError, OSError):
+    """No Zenoh router answers, and without a router a program of ROS 2 finds no other program."""
+
+    def __init__(self, endpoints: list[str]) -> None:
+        self.endpoints = endpoints
+        super().__init__(no_router_text(endpoints))
+
+
+class RouterPortError(SetupError, OSError):
+    """A router cannot listen on its endpoint."""
+
+    def __init__(self, endpoints: list[str], reason: str) -> None:
+        self.endpoints, self.reason = endpoints, reason
+        super().__init__(
+            f"cannot listen on {' and '.join(endpoints)}: {_first_part(reason)}; if a router runs "
+            "there already, it is enough: a machine needs one"
+        )
+
+
+def no_router_text(endpoints: list[str]) -> str:
+    """Return the sentence about a missing router of ROS 2."""
+    return (
+        f"no Zenoh router answers on {' or '.join(endpoints)}, so ROS 2 nodes are not found: start "
+        "one in another terminal with `zbot hub --rmw` or `ros2 run rmw_zenoh_cpp rmw_zenohd`"
+    )
+
+
+class FileLimitError(SetupError, OSError):
+    """The process may open too few files for a Zenoh session."""
+
+    def __init__(self, needed: int) -> None:
+        self.needed = needed
+        super().__init__(
+            f"the limit of open files is too low: zbot needs {needed} more files; "
+            "raise the limit, for example with `ulimit -n 1024`"
+        )
+
+
 def _first_part(reason: str) -> str:
     """Return Zenoh's error text without the place in Zenoh's source code that follows it."""
     return " ".join(reason.split(" at /", maxsplit=1)[0].split())

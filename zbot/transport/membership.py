@@ -8,19 +8,20 @@ log in to each other and to the hub.
 from __future__ import annotations
 
 import json
-import os
-import sys
 from dataclasses import asdict, dataclass, field, fields
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from zbot.errors import SetupError
+from zbot.json_reader import read_json_object
+from zbot.package.user_folders import settings_folder
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
+    from pathlib import Path
 
 FILE = "membership.json"
 USERS_FILE = "users.txt"
+_LOGIN_DIGITS = 16
 
 Role = Literal["teacher", "student", "partner"]
 
@@ -47,6 +48,7 @@ class Membership:
     secret: str = field(default="", repr=False)
     claim: str = ""  #: identifies this machine's request for the number
     hub_id: str = ""  #: the Zenoh id of this machine's hub, as the class knows it
+    hub_port: int = 0  #: port of this machine's own hub on 127.0.0.1
     keystore: str = ""  #: folder of this machine's certificate, if the hubs use certificates
 
     @property
@@ -56,19 +58,8 @@ class Membership:
 
 
 def folder() -> Path:
-    """Return the folder for the user's own settings. The folder may not exist yet.
-
-    It is `$XDG_CONFIG_HOME/zbot` if that variable is set. Otherwise it is `~/.config/zbot`, or on
-    macOS `~/Library/Application Support/zbot`, or on Windows `%APPDATA%/zbot`.
-    """
-    base = os.environ.get("XDG_CONFIG_HOME")
-    if base:
-        return Path(base) / "zbot"
-    if sys.platform == "win32":
-        return Path(os.environ.get("APPDATA") or Path.home() / "AppData" / "Roaming") / "zbot"
-    if sys.platform == "darwin":
-        return Path.home() / "Library" / "Application Support" / "zbot"
-    return Path.home() / ".config" / "zbot"
+    """Return the folder for the user's own settings. The folder may not exist yet."""
+    return settings_folder()
 
 
 def load() -> Membership | None:
@@ -90,7 +81,7 @@ def load() -> Membership | None:
 def _parsed(path: Path, text: str) -> Membership:
     known = {field.name for field in fields(Membership)}
     try:
-        document: dict[str, Any] = json.loads(text)
+        document = read_json_object(text)
         return Membership(**{key: value for key, value in document.items() if key in known})
     except (ValueError, TypeError, AttributeError) as exc:
         raise MembershipError(path, str(exc)) from exc
@@ -123,6 +114,16 @@ def forget() -> None:
     """Remove the membership files. Do nothing if there are no files."""
     for name in (FILE, USERS_FILE):
         (folder() / name).unlink(missing_ok=True)
+
+
+def login(membership: Membership | None) -> str:
+    """Return a text that is equal for sessions with the same user name and secret."""
+    if membership is None or not membership.user:
+        return ""
+    import hashlib  # noqa: PLC0415 - only classes with a PIN need it
+
+    text = f"{membership.user}:{membership.secret}"
+    return hashlib.sha256(text.encode()).hexdigest()[:_LOGIN_DIGITS]
 
 
 def session_settings(membership: Membership | None) -> dict[str, Any]:

@@ -12,24 +12,30 @@ import queue
 import threading
 import time
 from collections import Counter
-from typing import TYPE_CHECKING, Any
+from functools import partial
+from typing import TYPE_CHECKING, Any, Protocol
 
 import zenoh
 
-from zbot.transport import admin_query
+from zbot.errors import SetupError
+from zbot.transport import admin_query, background_process
 from zbot.transport.errors import SessionError
 from zbot.transport.foreign_call import without_interruption
+from zbot.transport.session import LINK_TIMEOUT_S
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from zbot.transport.session import MeetingPoint
-
+# Pause between attempts to open the router. When two processes take a port within the same
+# microseconds, Linux may refuse it to both. This happens in 6 of 100 starts of launch files.
+_HOLD_PAUSE_S = 0.1
 # Zenoh changes its lists of links a short time after it reports a new or lost link.
 _LINK_PAUSE_S = 0.005
 _LISTING_TIMEOUT_S = 0.1
 _ANSWER_TIMEOUT_S = 1.0  # a router answers within 3 ms, on a busy machine within half a second
 _LONGEST_PAUSE_S = 1.0
+# A peer that was linked for this time has sent its declarations, even if it gives no answer.
+_SILENT_S = 0.1
 # A session whose links have not changed for this time looks for peers that it has no link to.
 _CHECK_DELAY_S = 1.0
 # A session introduces each of these peers at most this number of times. The pause doubles after
@@ -37,7 +43,41 @@ _CHECK_DELAY_S = 1.0
 _MAX_INTRODUCTIONS = 5
 _INTRODUCTION_TIMEOUT_S = 2.0  # an introduction usually takes 50 ms
 _INTRODUCTION_PAUSE_S = 0.02
+# The clients of a router look whether it is stopped: together eight times a second, because one of
+# them is enough to replace it. A peer does not look, because its messages do not pass the router.
+_WATCH_PAUSE_S = 1.0
+_WATCHES_PER_S = 8
+_LONGEST_WATCH_PAUSE_S = 10.0
 _JOIN_TIMEOUT_S = 2.0  # the thread ends within a millisecond after its session
+
+
+class Meeting(Protocol):
+    """Place where the sessions of a domain find each other."""
+
+    @property
+    def uses_port(self) -> bool:
+        """Whether the domain's programs open the router themselves."""
+        ...
+
+    def start_router(self) -> bool:
+        """Start the router if there is none and a program may start it."""
+        ...
+
+    def end_stuck_router(self) -> bool:
+        """End a router that does not answer, if a program may end it."""
+        ...
+
+    def end_stopped_router(self) -> bool:
+        """End a router that is suspended, if a program may end it."""
+        ...
+
+    def open_introducer(self) -> zenoh.Session:
+        """Open a session that introduces peers to each other."""
+        ...
+
+    def warn_unanswered(self) -> None:
+        """Log once that no router answers."""
+        ...
 
 
 class Peering:
@@ -58,7 +98,7 @@ class Peering:
     def __init__(
         self,
         session: zenoh.Session,
-        meeting: MeetingPoint,
+        meeting: Meeting,
         receiver: Callable[[Callable[[Any], None]], Any],
     ) -> None:
         self._session = session
@@ -67,6 +107,7 @@ class Peering:
         self._events: queue.SimpleQueue[Any] = queue.SimpleQueue()  # `None` ends the thread
         self._introductions: Counter[str] = Counter()  # how often each session was introduced
         self._closing = threading.Event()
+        self._watch_pause_s: float | None = None  # set while this session is a linked client
         listen = session.info.declare_transport_events_listener
         without_interruption(listen, receiver(self._on_event), history=True)
         # The delays differ, so that not all sessions open an introducer at the same time.
@@ -88,14 +129,32 @@ class Peering:
             try:
                 event = self._events.get(timeout=timeout_s)
             except queue.Empty:
-                pause_s = self._check()
+                pause_s = self._attempt(self._check)
             else:
                 if event is None:
                     return
-                if event.kind == zenoh.SampleKind.DELETE:
-                    self._replace_router(str(event.transport.zid))
-                pause_s = _CHECK_DELAY_S
+                self._watch_pause_s = None
+                pause_s = self._attempt(partial(self._react, event))
             timeout_s = None if pause_s is None else pause_s * (1 + self._extra_delay)
+
+    def _attempt(self, work: Callable[[], float | None]) -> float | None:
+        """Do a part of the thread's work, or let the thread check everything later.
+
+        The work needs files, and the process may have no free descriptor at this moment.
+        """
+        try:
+            return work()
+        except (OSError, SetupError) as exc:
+            from zbot.log import get_logger  # noqa: PLC0415 - seldom used
+
+            text = f"cannot look for other programs ({exc}): trying again each second"
+            get_logger("zbot").warning(text, once=True)
+            return _CHECK_DELAY_S
+
+    def _react(self, event: Any) -> float:
+        if event.kind == zenoh.SampleKind.DELETE:
+            self._replace_router(str(event.transport.zid))
+        return _CHECK_DELAY_S
 
     def _replace_router(self, gone: str) -> None:
         self._wait(lambda: gone not in self._routers(), _LISTING_TIMEOUT_S)
@@ -106,6 +165,8 @@ class Peering:
             self._meeting.start_router()
             if self._closing.wait(pause_s):
                 return
+            if pause_s == _LONGEST_PAUSE_S:
+                self._meeting.end_stuck_router()  # it has the port, but links nobody
             pause_s = min(2 * pause_s, _LONGEST_PAUSE_S)
 
     def _own(self) -> str:
@@ -117,13 +178,34 @@ class Peering:
     def _peers(self) -> set[str]:
         return {str(zid) for zid in self._session.info.peers_zid()}
 
+    def link(self, is_over: Callable[[], bool]) -> None:
+        """Wait until the session is linked to the domain's router, and start one if necessary.
+
+        Args:
+            is_over: Returns whether the context was shut down, which ends the wait.
+        """
+        meeting, deadline = self._meeting, time.monotonic() + LINK_TIMEOUT_S
+        pause_s = _HOLD_PAUSE_S
+        if not meeting.uses_port:
+            return
+        while not self.wait_for_router(min(pause_s, deadline - time.monotonic())):
+            if is_over():
+                return
+            if time.monotonic() >= deadline:
+                meeting.warn_unanswered()
+                return
+            meeting.end_stuck_router()
+            meeting.start_router()
+            pause_s *= 2
+
     def wait_for_router(self, timeout_s: float) -> bool:
         """Wait until the session is linked to a router. Return `False` if the time is over."""
         return self._wait(lambda: bool(self._routers()), timeout_s)
 
     def wait_for_answers(self, timeout_s: float) -> bool:
-        """Send a query to all sessions that the router lists, and wait for their answers.
+        """Send a query to all peers that the router lists, and wait for their answers.
 
+        A client waits only for the router, which has all declarations that it passes on.
         An answer arrives after all declarations that its sender made before. So after the last
         answer, a published message reaches the subscribers that these sessions had. The wait takes
         5 to 30 ms after a session was opened.
@@ -132,30 +214,38 @@ class Peering:
         if not self.wait_for_router(timeout_s):
             return False
         answered = {self._own()}
-        missing = self._at_router(deadline) - answered
+        missing = self._mesh_at_router(deadline) - answered
+        silent_at = time.monotonic() + _SILENT_S
         while missing:
             left = deadline - time.monotonic()
+            if not self._meeting.uses_port and time.monotonic() > silent_at:
+                answered |= self._peers()  # programs of others may have no admin space
+                missing -= answered
+                if not missing:
+                    break
             if left <= 0:
                 return False
             answered |= {
-                key.split("/")[1] for key, _ in admin_query.answers(self._session, "@/*/*", left)
+                key.split("/")[1] for key, _ in admin_query.answers(self._session, "@/*/peer", left)
             }
             if missing <= answered:
                 break
             with self._changed:
                 self._changed.wait(_LINK_PAUSE_S)
-            missing = self._at_router(deadline) - answered  # sessions may have ended
+            missing = self._mesh_at_router(deadline) - answered  # sessions may have ended
         return True
 
-    def _at_router(self, deadline: float) -> set[str]:
-        """Return the ids of the sessions that the meeting router lists.
+    def _mesh_at_router(self, deadline: float) -> set[str]:
+        """Return the ids of the peers that the meeting router lists. For a client, return none.
 
         A list that does not contain this session is too old and is ignored.
         """
         while True:
             found = self._listed(max(0.0, deadline - time.monotonic()))
             if self._own() in found or time.monotonic() >= deadline or self._session.is_closed():
-                return set(found)
+                if found.get(self._own()) == "client":
+                    return set()
+                return {zid for zid, kind in found.items() if kind == "peer"}
             with self._changed:
                 self._changed.wait(_LINK_PAUSE_S)
 
@@ -168,13 +258,23 @@ class Peering:
 
     def _check(self) -> float | None:
         """Check the router and the links. Return the seconds until the next check."""
+        if self._watch_pause_s is not None:
+            self._meeting.end_stopped_router()  # then its link disappears
+            return self._watch_pause_s
+        background_process.reap()  # a router that this process had started may have been killed
         # If an error occurs, the session was closed or the router has ended. The end of the router
         # causes another event.
         with contextlib.suppress(zenoh.ZError, SessionError):
             if not self._routers():
                 self._meeting.start_router()
                 return _CHECK_DELAY_S if self._meeting.uses_port else None
-            if self._own() in self._listed(_ANSWER_TIMEOUT_S):
+            listed = self._listed(_ANSWER_TIMEOUT_S)
+            if listed.get(self._own()) == "client":
+                clients = list(listed.values()).count("client")
+                pause_s = max(_WATCH_PAUSE_S, clients / _WATCHES_PER_S)
+                self._watch_pause_s = min(pause_s, _LONGEST_WATCH_PAUSE_S)
+                return self._watch_pause_s
+            if listed.get(self._own()) == "peer":
                 return self._introduce_unlinked()
             if not self._session.is_closed():
                 # The router accepts links, but does not answer. If it is killed, its link
@@ -201,6 +301,17 @@ class Peering:
             return set()  # a client is linked to the router only
         peers = {zid for zid, kind in known.items() if kind == "peer"}
         return peers - self._peers() - {self._own()}
+
+    def unreachable(self) -> set[str]:
+        """Return the peers of the router to which this session has no link.
+
+        A router of zbot introduces such peers to each other again, so there are none.
+        """
+        if self._meeting.uses_port:
+            return set()
+        with contextlib.suppress(zenoh.ZError):  # the session was closed
+            return self._unlinked()
+        return set()
 
     def _introduce(self) -> None:
         deadline = time.monotonic() + _INTRODUCTION_TIMEOUT_S

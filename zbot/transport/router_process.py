@@ -21,16 +21,23 @@ from zbot.transport import background_process, membership
 _PROC = Path("/proc")
 # A router that waits for ever uses no processor. On a busy machine, it uses or awaits a processor.
 _IDLE_SHARE = 0.05
+_BUSY_THREADS = 2
+_BUSY_FACTOR = 10
+_BUSY_SAMPLES = 5  # a single sample of ten nodes at 100 Hz is often above the mean
+_SAMPLE_PAUSE_S = 0.02
 _END_TIMEOUT_S = 1.0  # a killed process ends within 20 ms
 _PAUSE_S = 0.002
 _KILLED = "killed"
+REPLACEMENT = "replacement"  #: argument of a router if the router before it was killed
 
 
 def start(domain: int) -> bool:
     """Start the domain's router process, unless it runs. Return whether this call started it."""
     try:
         membership.folder().mkdir(parents=True, exist_ok=True)
-        with _path(domain).open("a+", encoding="utf-8") as file:
+        # This mode neither truncates nor appends, so that a full disk cannot keep the file empty.
+        number = os.open(_path(domain), os.O_RDWR | os.O_CREAT, 0o666)
+        with os.fdopen(number, "r+", encoding="utf-8") as file:
             return _start_locked(domain, file)
     except OSError:  # the folder is read-only: two routers may start, and one of them gets the port
         _start(domain)
@@ -40,18 +47,16 @@ def start(domain: int) -> bool:
 def _start_locked(domain: int, file: IO[str]) -> bool:
     if not background_process.lock(file):
         return False
-    process = _start(domain, file)
-    file.truncate(0)
-    file.write(str(process.pid))
+    process = _start(domain, file, is_replacement=bool(file.read()))
+    _overwrite(file, str(process.pid))
     return True
 
 
-def _start(domain: int, *files: IO[str]) -> subprocess.Popen[str]:
+def _start(domain: int, *files: IO[str], is_replacement: bool = False) -> subprocess.Popen[str]:
     null = subprocess.DEVNULL
     kept = {} if sys.platform == "win32" else {"pass_fds": [file.fileno() for file in files]}
-    process = background_process.start(
-        "zbot.transport", str(domain), stdout=null, stderr=null, **kept
-    )
+    words = [str(domain), *([REPLACEMENT] if is_replacement else [])]
+    process = background_process.start("zbot.transport", *words, stdout=null, stderr=null, **kept)
     background_process.forget(process)
     return process
 
@@ -108,12 +113,23 @@ def _read(domain: int) -> str:
 
 
 def _write(domain: int, text: str) -> None:
-    with contextlib.suppress(OSError):  # the folder is read-only
-        _path(domain).write_text(text, encoding="utf-8")
+    with (
+        contextlib.suppress(OSError),  # the folder is read-only
+        _path(domain).open("r+", encoding="utf-8") as file,
+    ):
+        _overwrite(file, text)
+
+
+def _overwrite(file: IO[str], text: str) -> None:
+    """Replace the contents of a file. On a full disk, a file that had contents has room for it."""
+    with contextlib.suppress(OSError):  # a new file on a full disk: it stays empty
+        os.lseek(file.fileno(), 0, os.SEEK_SET)
+        os.write(file.fileno(), text.encode())
+        os.ftruncate(file.fileno(), len(text))
 
 
 def _path(domain: int) -> Path:
-    return membership.folder() / f"router-{domain}.lock"
+    return background_process.lock_path(f"router-{domain}")
 
 
 def kill(domain: int, number: int) -> bool:
@@ -145,14 +161,58 @@ def is_stopped(number: int) -> bool:
     return any(state in "Tt" for state, _ in _threads(number))
 
 
-def is_idle(number: int, watch_s: float) -> bool:
-    """Watch whether a process neither uses nor awaits a processor. On Windows: `False`."""
-    begin = _threads(number)
-    time.sleep(watch_s)
-    end = _threads(number)
-    used_s = sum(seconds for _, seconds in end) - sum(seconds for _, seconds in begin)
-    is_running = any(state == "R" for state, _ in end)
-    return bool(end) and not is_running and used_s < watch_s * _IDLE_SHARE
+class IdleWatch:
+    """Watch of a process: whether it neither uses nor awaits a processor from now on.
+
+    Args:
+        number: The process id.
+    """
+
+    def __init__(self, number: int) -> None:
+        self.number = number
+        self.saw_busy_machine = is_machine_busy()  #: whether it was busy at the begin or the end
+        self._begin_s = time.monotonic()
+        self._begin = _threads(number)
+
+    def is_idle(self, watch_s: float) -> bool:
+        """Return whether the process was idle. On Windows: `False`.
+
+        On a busy machine, the process may wait for other processes, so it is watched ten times as
+        long.
+
+        Args:
+            watch_s: The process is watched for at least this time.
+        """
+        self.saw_busy_machine |= is_machine_busy(_BUSY_SAMPLES)
+        if self.saw_busy_machine:
+            watch_s *= _BUSY_FACTOR
+        time.sleep(max(0.0, watch_s - (time.monotonic() - self._begin_s)))
+        end = _threads(self.number)
+        used_s = sum(seconds for _, seconds in end) - sum(seconds for _, seconds in self._begin)
+        is_running = any(state == "R" for state, _ in end)
+        return bool(end) and not is_running and used_s < watch_s * _IDLE_SHARE
+
+
+def is_machine_busy(samples: int = 1) -> bool:
+    """Return whether more than two threads use or await each processor.
+
+    Args:
+        samples: The mean of this number of samples counts. Each further one takes 20 ms.
+    """
+    running = _running_threads()
+    for _ in range(samples - 1):
+        time.sleep(_SAMPLE_PAUSE_S)
+        running += _running_threads()
+    return running / samples > _BUSY_THREADS * (os.cpu_count() or 1)
+
+
+def _running_threads() -> float:
+    loads = _PROC / "loadavg"
+    if loads.exists():  # the fourth field is e.g. 3/1326: 3 of 1326 threads
+        return float(loads.read_text(encoding="ascii").split()[3].partition("/")[0])
+    if sys.platform != "win32":
+        return os.getloadavg()[0]
+    return 0.0  # Windows has no such figure
 
 
 def _threads(number: int) -> list[tuple[str, float]]:

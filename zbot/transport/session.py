@@ -1,42 +1,55 @@
 """Zenoh sessions, and the meeting point where the sessions of one domain find each other.
 
-A node's session is a Zenoh peer on loopback. It connects to the domain's meeting port. The first
-process on that port runs a small router, which introduces the peers to each other and serves the
-clients of the command line. When that process ends, another process opens the port.
-Only this module calls `zenoh.open()`.
+A small router process listens on the domain's meeting port. Sessions with nodes connect to it: the
+first ones are Zenoh peers, which the router introduces to each other (see `Mesh`). Later ones are
+clients of the router, as the command line's sessions are.
 """
 
 from __future__ import annotations
 
-import os
 import socket
-import sys
 import time
-from pathlib import Path
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
-import zenoh
-
-from zbot.transport import admin_query, membership, router_process
-from zbot.transport.config import MEETING_PORT, DiscoveryRange, SessionConfig, hub_port
+from zbot.transport import membership, router_process
+from zbot.transport.config import (
+    DROP_WAIT_US,
+    MEETING_PORT,
+    DiscoveryRange,
+    SessionConfig,
+    hub_port,
+)
 from zbot.transport.errors import SessionError
+from zbot.transport.mesh import Mesh
+from zbot.transport.router_state import RouterState
+from zbot.transport.zenoh_session import open_session
+
+if TYPE_CHECKING:
+    import zenoh
+
+    from zbot.wire.dialect import Dialect
 
 LOOPBACK = "127.0.0.1"
+#: A router answers within 10 ms, or within seconds when 40 nodes start at once on two cores.
+LINK_TIMEOUT_S = 5.0
 _TAKEN_TIMEOUT_S = 0.1
-_ANSWER_TIMEOUT_S = 0.3  # a router answers within 3 ms
-_QUESTIONS = 3
+_QUESTIONS = 3  # a router that has just started may not hear the first one
 _NEW_ROUTER_TIMEOUT_S = 2.0  # a router takes 0.1 s to start, and more on a busy machine
 _LINK_PAUSE_S = 0.01
 _YOUNG_S = 1.0  # a router of this age may not have all links yet
 _RELINK_PAUSE_S = 0.2  # longer than the pause between two tries to connect
+_RECONNECTION_PAUSE_S = 0.4  # nodes try every 0.1 s, and on a busy machine they are late
 _FOUND_PAUSE_S = 0.25  # enough for all machines to answer multicast and then send their tokens
 _WATCH_S = 0.3  # to see whether the router process does anything
-_OPEN_TIMEOUT_MS = 500
-# Time that a put with `DROP` waits for space in the queue. The queue is soon full if a busy machine
-# does not run the sending thread. With Zenoh's default of 1000 us, bursts lost 14 to 37 % of their
-# messages beside six busy processes. With 20 ms, one burst was lost. DDS waits 100 ms by default
-# too. A subscriber that stands still makes its publisher wait once, and not at each message.
-_DROP_WAIT_US = 100_000
+# A link takes 5 ms, and more than a second on a busy machine. Zenoh may give up in a moment in
+# which the link is half open for ever: it sends, and reads nothing. With Zenoh's own limit of 10 s,
+# close() would wait for so long for a program on the port that accepts a link and never answers.
+_OPEN_TIMEOUT_MS = 5000
+_HUB_CLIENT_OPEN_TIMEOUT_MS = 500
+_CLIENT_OPEN_TIMEOUT_MS = 300  # a router accepts a client within 5 ms if the machine is not busy
+_BUSY_OPEN_TIMEOUT_MS = 2000
+_CLIENT_TIMEOUT_MS = 2000  # of each try of a program that is a client
+_LINKED_CLIENT_TIMEOUT_S = 10.0
 _NO_FILE = SessionConfig("the configuration between hubs", "{}")
 _RETRY = {"period_init_ms": 20, "period_max_ms": 500, "period_increase_factor": 2}
 # A new router opens the port within 0.1 s. A try that nobody answers is cheap on one machine.
@@ -46,29 +59,8 @@ _RETRY_MEETING = {"period_init_ms": 20, "period_max_ms": 100, "period_increase_f
 _RETRY_HUB = _RETRY | {"period_max_ms": 2000}
 
 
-def _open(what: str, config: zenoh.Config) -> zenoh.Session:
-    if "RUST_LOG" in os.environ:
-        zenoh.try_init_log_from_env()
-    try:
-        return zenoh.open(config)
-    except zenoh.ZError as exc:
-        raise SessionError(what, str(exc)) from exc
-
-
-def process_facts(version: str) -> dict[str, Any]:
-    """Return the facts about this process, for a session's admin space (see docs/wire.md)."""
-    command = " ".join([Path(sys.argv[0]).name, *sys.argv[1:]]) if sys.argv else ""
-    # Python represents bytes that are not UTF-8 by surrogates. Zenoh's JSON parser refuses them.
-    command = command.encode(errors="replace").decode()
-    return {
-        "zbot": {
-            "version": version,
-            "host": socket.gethostname(),
-            "pid": os.getpid(),
-            "started": time.time_ns(),
-            "command": command,
-        }
-    }
+# Only one of two peers dials the other, which halves the work when many programs start.
+_ONE_DIALS = {"peer": {"to_router": "always", "to_peer": "greater-zid"}}
 
 
 def _common(facts: dict[str, Any]) -> dict[str, Any]:
@@ -79,8 +71,6 @@ def _common(facts: dict[str, Any]) -> dict[str, Any]:
         "connect/timeout_ms": -1,
         "connect/exit_on_failure": False,
         "connect/retry": _RETRY,
-        # close() waits this long for a program that accepts a link and never answers. Other
-        # programs take 5 ms.
         "transport/unicast/open_timeout": _OPEN_TIMEOUT_MS,
         # Microseconds that a put may wait for a blocked reader before the reader's link is closed.
         "transport/link/tx/queue/congestion_control/block/wait_before_close": 60_000_000,
@@ -90,26 +80,6 @@ def _common(facts: dict[str, Any]) -> dict[str, Any]:
         "transport/shared_memory/transport_optimization/messages": ["put"],
         **membership.session_settings(membership.load()),
     }
-
-
-class _RouterState(NamedTuple):
-    """Links of a session's router, or of all routers, and the age of the youngest."""
-
-    links: frozenset[str]
-    age_s: float
-
-    @classmethod
-    def of(cls, session: zenoh.Session, *, all_routers: bool = False) -> _RouterState | None:
-        """Ask the routers. Return `None` if no router answers."""
-        for _ in range(_QUESTIONS):  # a router that has just started may not hear the first one
-            links, ages = set[str](), list[float]()
-            for router in ["*"] if all_routers else map(str, session.info.routers_zid()):
-                for facts in admin_query.routers(session, router, _ANSWER_TIMEOUT_S):
-                    links |= facts.sessions.keys()
-                    ages.append((time.time_ns() - facts.started_ns) / 1e9)
-            if ages:
-                return cls(frozenset(links), min(ages))
-        return None
 
 
 def open_hub(
@@ -135,7 +105,26 @@ def open_hub(
         "scouting/multicast/enabled": False,
         **settings,
     }
-    return _open("the hub", _NO_FILE.build(_common(facts), force))
+    return open_session("the hub", _NO_FILE.build(_common(facts), force))
+
+
+def _warn(text: str, *, once: bool = False) -> None:
+    from zbot.log import get_logger  # noqa: PLC0415 - seldom used
+
+    get_logger("zbot").warning(text, once=once)
+
+
+def _is_taken(port: int) -> bool:
+    # `create_connection` takes 3 ms more, because it imports the codec for international names.
+    with socket.socket() as connection:
+        connection.settimeout(_TAKEN_TIMEOUT_S)
+        try:
+            connection.connect((LOOPBACK, port))
+        except TimeoutError:
+            return True  # the process on the port is too busy to answer
+        except OSError:
+            return False
+    return True
 
 
 def hub_endpoint() -> str:
@@ -160,11 +149,12 @@ def open_hub_client(
         "connect/endpoints": [endpoint or hub_endpoint()],
         "connect/timeout_ms": 0,
         "connect/exit_on_failure": True,
+        "transport/unicast/open_timeout": _HUB_CLIENT_OPEN_TIMEOUT_MS,
         "scouting/multicast/enabled": False,
         **(more or {}),
     }
     try:
-        return _open("a Zenoh session", _NO_FILE.build(_common({}), settings))
+        return open_session("a Zenoh session", _NO_FILE.build(_common({}), settings))
     except SessionError:
         return None
 
@@ -186,9 +176,15 @@ class MeetingPoint:
         self._reach = reach
         self._facts = facts
         self._domain = domain
+        self._mesh = Mesh(domain)
+        self._login = membership.login(membership.load())
         self.port = MEETING_PORT + domain
-        self.shares_memory = False  #: whether the peer may use shared memory for large messages
+        self.dialect: Dialect | None = None  #: the context's own, whoever is in the domain
+        self.is_client = True  #: whether the session of a command is a client of the router
+        self.shares_memory = False  #: whether nodes may use shared memory for large messages
         self._closed = False
+        # The watch of a router that has not answered this session's last question.
+        self._unanswered: router_process.IdleWatch | None = None
 
     @property
     def endpoint(self) -> str:
@@ -220,18 +216,25 @@ class MeetingPoint:
             **self._multicast(),
         }
         try:
-            return _open("the meeting router", self._config.build(_common(self._facts), force))
+            return open_session(
+                "the meeting router", self._config.build(_common(self._facts), force)
+            )
         except SessionError:
             return None
 
     def start_router(self) -> bool:
         """Start the domain's router process if no process has the meeting port.
 
+        Nothing is started if the machine has joined or left a class since this process started.
+
         Returns:
             Whether this call started the process. The port is open about 0.1 s later.
         """
-        self._end_stopped_router()
-        return self.uses_port and not self.is_taken() and router_process.start(self._domain)
+        self.end_stopped_router()
+        # A router of another user name would not accept this process's sessions.
+        is_possible = self._login == membership.login(membership.load())
+        is_needed = is_possible and self.uses_port and not self.is_taken()
+        return is_needed and router_process.start(self._domain)
 
     def end_stuck_router(self) -> bool:
         """Kill the domain's router process if it is stopped, or waits for ever and answers nothing.
@@ -241,33 +244,39 @@ class MeetingPoint:
         Returns:
             Whether the process was killed. `start_router` can then start another.
         """
-        if self._end_stopped_router():
+        if self.end_stopped_router():
             return True
         number = router_process.pid(self._domain)
-        if number is None or router_process.age_s(self._domain) < _YOUNG_S or self._answers():
+        if number is None or router_process.age_s(self._domain) < _YOUNG_S:
             return False
-        if not router_process.is_idle(number, _WATCH_S):
+        watch, self._unanswered = self._unanswered, None
+        if watch is None or watch.number != number:
+            watch = router_process.IdleWatch(number)
+            if self._answers():
+                return False
+        if not watch.is_idle(_WATCH_S):
             return False
-        return self._end_router(number)
+        # On a busy machine, this process may be the one that is too slow.
+        return not (watch.saw_busy_machine and self._answers()) and self._end_router(number)
 
-    def _end_stopped_router(self) -> bool:
+    def end_stopped_router(self) -> bool:
+        """Kill the domain's router process if it is stopped. Return whether it was killed."""
         number = router_process.pid(self._domain) if self.uses_port else None
         is_stopped = number is not None and router_process.is_stopped(number)
         return number is not None and is_stopped and self._end_router(number)
 
     def _answers(self) -> bool:
-        session = self._open_client([self.endpoint])
+        session = self._open_client(self.endpoint)
         if session is None:
             return False
+        questions = _QUESTIONS if router_process.is_machine_busy() else 1
         with session:
-            return _RouterState.of(session) is not None
+            return RouterState.of(session, questions=questions) is not None
 
     def _end_router(self, number: int) -> bool:
         if not router_process.kill(self._domain, number):
             return False
-        from zbot.log import get_logger  # noqa: PLC0415 - seldom used
-
-        get_logger("zbot").warning(
+        _warn(
             f"the router of domain {self._domain} (process {number}) did not answer: "
             "it was ended, and another is started"
         )
@@ -288,24 +297,15 @@ class MeetingPoint:
 
     def is_taken(self) -> bool:
         """Return whether a process listens on the meeting port."""
-        # `create_connection` takes 3 ms more, because it imports the codec for international names.
-        with socket.socket() as connection:
-            connection.settimeout(_TAKEN_TIMEOUT_S)
-            try:
-                connection.connect((LOOPBACK, self.port))
-            except TimeoutError:
-                return True  # the process on the port is too busy to answer
-            except OSError:
-                return False
-        return True
+        return _is_taken(self.port)
 
     @property
     def reaches_out(self) -> bool:
         """Whether the domain's programs search for other machines by multicast."""
         return self._reach is DiscoveryRange.SUBNET
 
-    def open_peer(self) -> zenoh.Session:
-        """Open the session of a process with nodes.
+    def open_node_session(self) -> zenoh.Session:
+        """Open the session of a process with nodes: a peer, or a client if the mesh is full.
 
         Raises:
             SessionError: Zenoh cannot open the session, usually because of the configuration file.
@@ -314,16 +314,37 @@ class MeetingPoint:
             "mode": "peer",
             "listen/endpoints": ["tcp/[::]:0"] if self.reaches_out else [f"tcp/{LOOPBACK}:0"],
             "connect/endpoints": [self.endpoint],
-            "transport/link/tx/queue/congestion_control/drop/wait_before_drop": _DROP_WAIT_US,
+            "transport/link/tx/queue/congestion_control/drop/wait_before_drop": DROP_WAIT_US,
+            "scouting/gossip/autoconnect_strategy": _ONE_DIALS,
             **_common(self._facts),
             "connect/retry": _RETRY_MEETING,
             **self._multicast(),
         }
         if self._reach is DiscoveryRange.OFF:
             fill |= {"listen/endpoints": [], "connect/endpoints": []}
+        elif not self._mesh.enter():
+            fill |= {"mode": "client", "listen/endpoints": []}
         built = self._config.build(fill)
         self.shares_memory = built.get_json("transport/shared_memory/enabled") == "true"
-        return _open("a Zenoh session", built)
+        if built.get_json("mode") == '"client"':
+            return self._open_linked_client(fill)
+        return open_session("a Zenoh session", built)
+
+    def _open_linked_client(self, fill: dict[str, Any]) -> zenoh.Session:
+        """Open a client, which is open only when it is linked. The router may end meanwhile.
+
+        Raises:
+            SessionError: Zenoh cannot open the session within 10 s.
+        """
+        more = {"connect/timeout_ms": _CLIENT_TIMEOUT_MS, "connect/exit_on_failure": True}
+        deadline = time.monotonic() + _LINKED_CLIENT_TIMEOUT_S
+        while True:
+            try:
+                return open_session("a Zenoh session", self._config.build({**fill, **more}))
+            except SessionError:
+                if time.monotonic() >= deadline:
+                    raise
+                self.start_router()
 
     def open_introducer(self) -> zenoh.Session:
         """Open a peer without a node. Peers link to it, and it introduces them to each other.
@@ -337,20 +358,59 @@ class MeetingPoint:
             "connect/endpoints": [self.endpoint],
             "scouting/multicast/enabled": False,
         }
-        return _open("a Zenoh session", self._config.build(_common({}), force))
+        return open_session("a Zenoh session", self._config.build(_common({}), force))
 
-    def open_client(self) -> zenoh.Session | None:
-        """Open a client session of the domain's router. Without a router, use this machine's hub.
+    def open_tool_session(self, *, wait: bool) -> zenoh.Session | None:
+        """Open the session of a command. Warn if another program has the port.
+
+        Args:
+            wait: Whether to start the domain's router if there is none.
 
         Returns:
-            The session, or `None` if there is neither router nor hub, or if none answers.
+            The session, or `None` if there is no router, or if it does not answer within 5 s.
+        """
+        session, deadline = self.open_client(), time.monotonic() + LINK_TIMEOUT_S
+        is_wanted = self.uses_port and (wait or self.reaches_out)
+        while session is None and (is_wanted or self.is_expected()):
+            if time.monotonic() > deadline or self.is_foreign():
+                session = self._open_client(hub_endpoint())  # it knows the nodes of the class
+                if session is None:
+                    self.warn_unanswered()
+                return session
+            self.end_stuck_router()
+            session = self.open_new_client()
+        is_off = self._reach is DiscoveryRange.OFF
+        return session if session is not None or is_off else self._open_client_of_hub(deadline)
+
+    def _open_client_of_hub(self, deadline: float) -> zenoh.Session | None:
+        """Open a client session of this machine's hub, which knows the nodes of other machines.
+
+        The hub does not answer questions about itself.
+        """
+        session = self._open_client(hub_endpoint())
+        while session is None and membership.load() is not None and _is_taken(hub_port()):
+            if time.monotonic() > deadline:
+                _warn("this machine's hub does not answer, so nodes of other machines are missing")
+                return None
+            session = self._open_client(hub_endpoint())
+        return session
+
+    def open_client(self) -> zenoh.Session | None:
+        """Open a client session of the domain's router.
+
+        Returns:
+            The session, or `None` if there is no router, or if it does not answer.
         """
         if self._reach is DiscoveryRange.OFF:
             return None
-        self._end_stopped_router()
-        # If this machine has no router, the hub still knows the nodes of other machines.
-        session = self._open_client([self.endpoint, hub_endpoint()])
-        state = None if session is None else _RouterState.of(session)
+        self.end_stopped_router()
+        number = router_process.pid(self._domain)
+        is_old = number is not None and router_process.age_s(self._domain) >= _YOUNG_S
+        watch = None if number is None else router_process.IdleWatch(number)
+        session = self._open_client(self.endpoint)
+        questions = 1 if is_old else _QUESTIONS
+        state = None if session is None else RouterState.of(session, questions=questions)
+        self._unanswered = watch if state is None else None
         if session is not None and state is None:
             session.close()  # the router accepts links, but answers nothing
             return None
@@ -358,29 +418,35 @@ class MeetingPoint:
             self._wait_for_links(session)
         return session
 
-    def _open_client(self, endpoints: list[str]) -> zenoh.Session | None:
+    def _open_client(self, endpoint: str) -> zenoh.Session | None:
         fill = {
             "mode": "client",
-            "connect/endpoints": endpoints,
+            "connect/endpoints": [endpoint],
             **_common(self._facts),
             "connect/timeout_ms": 0,
             "connect/exit_on_failure": True,
             "scouting/multicast/enabled": False,
         }
+        is_busy = router_process.is_machine_busy()
+        timeout_ms = _BUSY_OPEN_TIMEOUT_MS if is_busy else _CLIENT_OPEN_TIMEOUT_MS
+        fill["transport/unicast/open_timeout"] = timeout_ms
         try:
-            return _open("a Zenoh session", self._config.build(fill))
+            return open_session("a Zenoh session", self._config.build(fill))
         except SessionError:
             return None
 
     def _wait_for_links(self, session: zenoh.Session) -> None:
         """Wait until the links of a new router have not changed for a time, at most 2 s."""
         settled_s = _FOUND_PAUSE_S if self.reaches_out else _RELINK_PAUSE_S
-        known, since = None, time.monotonic()
+        known, since = frozenset[str](), time.monotonic()
         deadline = since + _NEW_ROUTER_TIMEOUT_S
         while time.monotonic() < min(deadline, since + settled_s):
-            state = _RouterState.of(session, all_routers=self.reaches_out)
+            state = RouterState.of(session, all_routers=self.reaches_out, questions=_QUESTIONS)
             if state is not None and state.links != known:
                 known, since = state.links, time.monotonic()
+            if state is not None and state.is_replacement:
+                # The nodes that had a link to the killed router connect again.
+                settled_s = _RECONNECTION_PAUSE_S if len(known) > 1 else _NEW_ROUTER_TIMEOUT_S
             time.sleep(_LINK_PAUSE_S)
 
     def open_new_client(self) -> zenoh.Session | None:
@@ -394,6 +460,20 @@ class MeetingPoint:
                 return session
         return None
 
+    def warn_unanswered(self) -> None:
+        """Log once that no router of zbot answers on the port."""
+        _warn(
+            f"nobody answers as zbot on {self.endpoint}: another program may use that port; "
+            "other nodes will not be found (choose another domain: ZBOT_DOMAIN_ID=7)",
+            once=True,
+        )
+
+    @staticmethod
+    def router_tokens() -> list[str]:
+        """Return nothing: a session of zbot gets the tokens of all others itself."""
+        return []
+
     def close(self) -> None:
-        """Never start a router from now on."""
+        """Leave the mesh, and never start a router from now on."""
         self._closed = True
+        self._mesh.leave()

@@ -74,7 +74,7 @@ class BinarySemaphore:
         self._busy_wait = BusyWait()
 
     def set(self) -> None:
-        """Let the present or the next `wait` return. Further calls before that change nothing."""
+        """Let the present or the next `wait` return. Until then, more calls change nothing."""
         try:
             self._lock.release()
         except RuntimeError:

@@ -8,8 +8,12 @@ from typing import TYPE_CHECKING, Any
 import uvicorn
 from fastapi import FastAPI
 from nicegui import ui
+from starlette.routing import WebSocketRoute
 
 from zbot.web.page import add_pages
+from zbot.web.page_address import ROSBRIDGE_PATHS
+from zbot.web.rosbridge.bridge import Bridge
+from zbot.web.rosbridge.endpoint import endpoint
 
 if TYPE_CHECKING:
     import socket
@@ -29,6 +33,8 @@ def run(
     listener: socket.socket,
     protect: Callable[[Any], Any],
     on_startup: Callable[[], None],
+    *,
+    rosbridge: bool = False,
 ) -> None:
     """Serve pages until a signal. Call it only once in a process, as NiceGUI's state is global.
 
@@ -37,9 +43,12 @@ def run(
         listener: A listening socket.
         protect: Takes an application (ASGI) and returns an application that checks requests.
         on_startup: Called when the server starts to accept requests.
+        rosbridge: Whether web programs can connect with the protocol of rosbridge.
     """
     add_pages(system)
     application = FastAPI(docs_url=None, redoc_url=None, openapi_url=None)
+    # Before NiceGUI, which answers all other paths.
+    bridge = _add_rosbridge(application, system) if rosbridge else None
     ui.run_with(
         application,
         title="zbot",
@@ -61,7 +70,18 @@ def run(
         proxy_headers=False,
         timeout_graceful_shutdown=_SHUTDOWN_TIMEOUT_S,
     )
-    _Server(config, on_startup).run([listener])
+    try:
+        _Server(config, on_startup).run([listener])
+    finally:
+        if bridge is not None:
+            bridge.close()
+
+
+def _add_rosbridge(application: FastAPI, system: System) -> Bridge:
+    bridge = Bridge(system)
+    for path in ROSBRIDGE_PATHS:
+        application.router.routes.append(WebSocketRoute(path, endpoint(bridge)))
+    return bridge
 
 
 class _Server(uvicorn.Server):

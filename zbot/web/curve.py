@@ -66,6 +66,20 @@ def numeric_fields(message: Any) -> list[str]:
     return [row.path for row in tree(message) if row.is_number]
 
 
+def thinned(
+    times: Sequence[float], values: Sequence[float], count: int
+) -> list[tuple[float, float]]:
+    """Return at most `count` points, whose curve looks the same: both extremes of each part."""
+    size = max(-(-2 * len(times) // max(count, 2)), 1)
+    points = []
+    for start in range(0, len(times), size):
+        part = range(start, min(start + size, len(times)))
+        low = min(part, key=values.__getitem__)
+        high = max(part, key=values.__getitem__)
+        points += [(times[one], values[one]) for one in sorted({low, high})]
+    return points
+
+
 def value_at(message: Any, path: FieldPath) -> float:
     """Return a number of a message. Booleans are 0 and 1.
 

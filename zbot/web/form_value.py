@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING, Any, Union
 
 import yaml
 
-from zbot.errors import ZbotError
+from zbot.errors import ZbotError, shortened
 from zbot.interfaces import FieldType, MessageSpec, get_message, spec_of
 from zbot.interfaces.spec import FLOAT32_MAX, INTEGER_RANGES
+from zbot.yaml_reader import YamlError, read_yaml
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -30,6 +31,7 @@ _FALSE = frozenset({"false", "no", "off", "0", ""})
 _YAML_NUMBERS = {".nan": "nan", ".inf": "inf", "-.inf": "-inf"}
 _LONGEST_SHOWN_ARRAY = 16
 _NANOSECONDS = 10**9
+_MOST_SECONDS = 1e12  # every time and duration is shorter
 
 
 class EntryError(ZbotError, ValueError):
@@ -85,6 +87,10 @@ def _string(kind: FieldType, text: str, path: str) -> str:
     bound = kind.string_bound
     if bound and len(text) > bound:
         raise EntryError(path, f"write at most {bound} characters, not {len(text)}")
+    try:
+        text.encode()
+    except UnicodeEncodeError:
+        raise EntryError(path, "write only characters that UTF-8 can hold") from None
     return text
 
 
@@ -112,6 +118,8 @@ def _integer(text: str, path: str) -> int:
 
 def _float(kind: FieldType, text: str, path: str) -> float:
     number = _parsed_float(text, path)
+    if math.isinf(number) and "inf" not in text.lower():
+        raise EntryError(path, f"{shortened(text)} is too large for a {kind.base}")
     if kind.base == "float32" and math.isfinite(number) and abs(number) > FLOAT32_MAX:
         raise EntryError(path, f"{text} is too large for a float32")
     return number
@@ -139,11 +147,10 @@ def _instant(base: str, text: str, path: str, now_ns: Callable[[], int]) -> Any:
 
 
 def _nanoseconds(text: str, path: str) -> int:
-    _parsed_float(text, path)  # raises an error if the text is not a number
-    seconds = Decimal(text.strip("."))  # a float would be exact only to 200 ns
-    if not seconds.is_finite():
-        raise EntryError(path, f"write seconds, not {text!r}")
-    return int(seconds * _NANOSECONDS)
+    number = _parsed_float(text, path)
+    if not abs(number) < _MOST_SECONDS:
+        raise EntryError(path, f"write seconds, not {shortened(text)}")
+    return int(Decimal(text.strip(".")) * _NANOSECONDS)  # a float would be exact only to 200 ns
 
 
 def _list(kind: FieldType, text: str, path: str) -> list[Any]:
@@ -153,8 +160,8 @@ def _list(kind: FieldType, text: str, path: str) -> list[Any]:
     bare = text if text.startswith("[") else f"[{text}]"
     try:
         # The base loader returns all values as strings, so that `no` stays a string in a string[].
-        values = yaml.load(bare, Loader=yaml.BaseLoader)
-    except yaml.YAMLError:
+        values = read_yaml(bare, yaml.BaseLoader)
+    except YamlError:
         raise EntryError(path, "write a list: [1, 2, 3]") from None
     return _elements(kind, values, path)
 
@@ -188,7 +195,8 @@ def _nested(type_name: str, values: dict[str, Any], path: str) -> Any:
     types = {field.name: field.type for field in _fields(type_name)}
     for name, value in values.items():
         if name not in types:
-            raise EntryError(f"{path}.{name}", f"{type_name} has {', '.join(types) or 'no fields'}")
+            known = f"its fields are {', '.join(types)}" if types else "it has none"
+            raise EntryError(f"{path}.{name}", f"{type_name} has no such field; {known}")
         setattr(message, name, _element(types[name], value, f"{path}.{name}"))
     return message
 

@@ -101,7 +101,8 @@ class FormView:
             on_change=changed,
             validation=one.problem,
         )
-        made.props(f'dense outlined hide-bottom-space aria-label="{one.path}"')
+        made.props("dense outlined hide-bottom-space")
+        made.props["aria-label"] = one.path
         if one.kind in {InputKind.INTEGER, InputKind.NUMBER}:
             made.props("inputmode=decimal")
         return made.classes("zb-form-input")

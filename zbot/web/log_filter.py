@@ -53,3 +53,12 @@ class LogFilter:
 def counts(lines: Iterable[LogLine]) -> Counter[int]:
     """Return the number of lines of each level."""
     return Counter(map(level_of, lines))
+
+
+def newest(lines: list[LogLine], most_characters: int) -> list[LogLine]:
+    """Return the last lines that have at most this number of characters, but at least one line."""
+    begin = len(lines)
+    while begin and (begin == len(lines) or most_characters >= lines[begin - 1].characters):
+        begin -= 1
+        most_characters -= lines[begin].characters
+    return lines[begin:]

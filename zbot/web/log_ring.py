@@ -1,4 +1,7 @@
-"""Ring buffer of the last log lines of all nodes. Readers ask for the lines after a number."""
+"""Ring buffer of the last log lines of all nodes. Readers ask for the lines after a number.
+
+Any program may publish log lines, so the buffer has limits for their sizes, too.
+"""
 
 from __future__ import annotations
 
@@ -10,6 +13,9 @@ from typing import Any
 
 #: Usually enough for a lesson, but 1000 lines a second fill the buffer in 10 s.
 CAPACITY = 10_000
+_MOST_CHARACTERS = 10_000_000  #: of all lines; a usual line has 200
+_LONGEST_TEXT = 10_000
+_LONGEST_NAME = 250
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,6 +31,11 @@ class LogLine:
     function: str
     line: int
 
+    @property
+    def characters(self) -> int:
+        """The number of characters in its texts."""
+        return sum(map(len, (self.name, self.text, self.file, self.function)))
+
 
 class LogRing:
     """Ring buffer of log lines. All methods may be called from any thread.
@@ -34,9 +45,11 @@ class LogRing:
     """
 
     def __init__(self, capacity: int = CAPACITY) -> None:
-        self._lines: deque[LogLine] = deque(maxlen=capacity)
+        self._capacity = capacity
+        self._lines: deque[LogLine] = deque()
         self._lock = threading.Lock()
         self._last = 0
+        self._characters = 0
 
     @property
     def last(self) -> int:
@@ -48,6 +61,9 @@ class LogRing:
         with self._lock:
             self._last += 1
             self._lines.append(_line(self._last, message))
+            self._characters += self._lines[-1].characters
+            while len(self._lines) > self._capacity or self._characters > _MOST_CHARACTERS:
+                self._characters -= self._lines.popleft().characters
 
     def since(self, number: int) -> list[LogLine]:
         """Return the kept lines after a number. The oldest line is the first."""
@@ -61,9 +77,13 @@ def _line(number: int, log: Any) -> LogLine:
         number,
         log.stamp.sec * 10**9 + log.stamp.nanosec,
         int(log.level),
-        log.name,
-        log.msg,
-        log.file,
-        log.function,
+        _shortened(log.name, _LONGEST_NAME),
+        _shortened(log.msg, _LONGEST_TEXT),
+        _shortened(log.file, _LONGEST_NAME),
+        _shortened(log.function, _LONGEST_NAME),
         log.line,
     )
+
+
+def _shortened(text: str, longest: int) -> str:
+    return text if len(text) <= longest else f"{text[: longest - 1]}…"

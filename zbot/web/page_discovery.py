@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import json
+import re
 import socket
 from typing import TYPE_CHECKING, Any
 
 from zbot.interfaces import get_message
+from zbot.json_reader import JsonError, read_json_object
 from zbot.node.wait_for_message import wait_for_message
 from zbot.qos import DurabilityPolicy, QoSProfile
 
@@ -18,6 +20,7 @@ TOPIC = "/_zbot_web"
 _TYPE = "std_msgs/msg/String"
 _LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 _PATIENCE_S = 2.0
+_ADDRESS = re.compile(r"https?://[^\s/]+", re.ASCII)
 
 
 def announce(node: Node, address: str) -> None:
@@ -49,5 +52,16 @@ def running_page(node: Node) -> str | None:
     )
     if not came or message is None:
         return None
-    facts = json.loads(message.data)
-    return str(facts["address"]) if facts["host"] == socket.gethostname() else None
+    return address_in(message.data)
+
+
+def address_in(text: str) -> str | None:
+    """Return the address in an announcement. None if it is invalid or from another machine."""
+    try:
+        facts = read_json_object(text)
+    except JsonError:
+        return None  # any program can publish on the topic
+    address = facts.get("address")
+    if facts.get("host") != socket.gethostname() or not isinstance(address, str):
+        return None
+    return address if _ADDRESS.fullmatch(address) else None

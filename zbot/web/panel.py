@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, Protocol, TypeVar, cast
 from nicegui import ui
 
 from zbot.log import get_logger
+from zbot.web.page_address import is_loopback
 from zbot.web.update_scheduler import UpdateScheduler
 
 if TYPE_CHECKING:
@@ -173,6 +174,11 @@ class Page(Section):
     def read_only(self) -> bool:
         """Whether the page can only show the system and not change it."""
         return self.system.read_only
+
+    @property
+    def is_local(self) -> bool:
+        """Whether the browser runs on this machine."""
+        return is_loopback(self._client.ip)
 
     def show_command(self, command: str) -> None:
         """Show the `zbot ...` command that does the same as the user's last click."""

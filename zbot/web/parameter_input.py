@@ -41,7 +41,10 @@ class ParameterInput:
         self._is_setting = False
         self._waiting: Any = None  # the next value to send, while the node has not answered yet
         self._showers: list[Callable[[Any], object]] = []
-        with ui.element("div").classes("zb-parameter").props(f'data-name="{parameter.name}"'):
+        row = ui.element("div").classes("zb-parameter")
+        # Names are never written into a text of properties: a quote in it would begin another one.
+        row.props["data-name"] = parameter.name
+        with row:
             with ui.element("div").classes("zb-row"):
                 ui.label(parameter.name).classes("zb-mono zb-parameter-name")
                 ui.label(parameter.type.text).classes("zb-muted")
@@ -77,7 +80,8 @@ class ParameterInput:
         self.show(parameter.type, parameter.value)
 
     def _add_switch(self) -> None:
-        switch = ui.switch().props(f'dense aria-label="{self._parameter.name}"')
+        switch = ui.switch().props("dense")
+        switch.props["aria-label"] = self._parameter.name
         switch.on("click", with_errors_shown(self._on_switch(switch)))
         self._showers.append(switch.set_value)
 
@@ -91,7 +95,7 @@ class ParameterInput:
         is_whole = self._parameter.type is Parameter.Type.INTEGER
         step = limits.step or (1 if is_whole else (limits.high - limits.low) / _STEPS)
         slider = ui.slider(min=limits.low, max=limits.high, step=step)
-        slider.props(f'aria-label="{self._parameter.name} slider"').classes("zb-grow")
+        slider.classes("zb-grow").props["aria-label"] = f"{self._parameter.name} slider"
         convert = round if is_whole else float
 
         async def slide(_event: object) -> None:
@@ -103,7 +107,8 @@ class ParameterInput:
 
     def _add_text(self) -> None:
         parameter = self._parameter
-        box = ui.input().props(f'dense outlined hide-bottom-space aria-label="{parameter.name}"')
+        box = ui.input().props("dense outlined hide-bottom-space")
+        box.props["aria-label"] = parameter.name
         box.classes("zb-short-number" if parameter.range is not None else "zb-grow")
         if parameter.range is not None:
             ui.label(parameter.range.text).classes("zb-muted zb-range")

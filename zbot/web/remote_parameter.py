@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from zbot.interfaces import FieldType, get_service
-from zbot.parameters.parameter import Parameter, parameter_value_to_python
+from zbot.parameters.errors import ParameterAnswerError
+from zbot.parameters.parameter import Parameter, parameter_type, parameter_value_to_python
 from zbot.web.form_value import Entry, EntryError, read, show
 from zbot.web.service_call import call
 
@@ -94,6 +95,7 @@ async def load(system: System, node: str) -> list[RemoteParameter]:
     Raises:
         ServiceError: The node has ended.
         NoAnswerError: The node does not answer.
+        ParameterAnswerError: The node's answer does not fit the request.
     """
     listed = await _ask(system, node, "list_parameters", _LIST)
     names = sorted(listed.result.names)
@@ -101,7 +103,22 @@ async def load(system: System, node: str) -> list[RemoteParameter]:
         return []
     described = await _ask(system, node, "describe_parameters", _DESCRIBE, names=names)
     got = await _ask(system, node, "get_parameters", _GET, names=names)
-    found = zip(names, got.values, described.descriptors, strict=True)
+    return remote_parameters(node, names, got.values, described.descriptors)
+
+
+def remote_parameters(
+    node: str, names: list[str], values: list[Any], descriptors: list[Any]
+) -> list[RemoteParameter]:
+    """Return the parameters in a node's answers.
+
+    Raises:
+        ParameterAnswerError: The answers do not have a value and a descriptor for each name.
+        UnknownParameterTypeError: A value has an unknown type.
+    """
+    if not len(names) == len(values) == len(descriptors):
+        reason = f"{len(values)} values and {len(descriptors)} descriptors for {len(names)} names"
+        raise ParameterAnswerError(node, reason)
+    found = zip(names, values, descriptors, strict=True)
     return [_remote(name, value, descriptor) for name, value, descriptor in found]
 
 
@@ -117,7 +134,9 @@ async def set_value(system: System, node: str, parameter: Parameter[Any]) -> str
         parameters=[parameter.to_parameter_msg()]
     )
     response = await call(system, f"{node}/set_parameters", _SET, request)
-    (result,) = response.results
+    if len(response.results) != 1:
+        raise ParameterAnswerError(node, f"it has {len(response.results)} results, not one")
+    result = response.results[0]
     return "" if result.successful else result.reason or "the node refused the value"
 
 
@@ -127,7 +146,7 @@ async def _ask(system: System, node: str, name: str, type_name: str, **fields: A
 
 
 def _remote(name: str, value: Any, descriptor: Any) -> RemoteParameter:
-    type_ = Parameter.Type(value.type)
+    type_ = parameter_type(value.type)
     return RemoteParameter(
         name,
         type_,

@@ -10,19 +10,22 @@ import hmac
 import ipaddress
 import re
 import socket
-from typing import TYPE_CHECKING, Any
-from urllib.parse import parse_qsl, urlencode, urlsplit
+from typing import TYPE_CHECKING
+from urllib.parse import urlencode, urlsplit
+
+from starlette.datastructures import Headers, MutableHeaders
+from starlette.requests import HTTPConnection
+from starlette.responses import PlainTextResponse, RedirectResponse, Response
+from starlette.websockets import WebSocketClose
+
+from zbot.web.page_address import ROSBRIDGE_PATHS, TOKEN_PARAMETER
 
 if TYPE_CHECKING:
-    from collections.abc import Awaitable, Callable, Mapping, MutableMapping
+    from collections.abc import Collection
 
-    Scope = MutableMapping[str, Any]
-    Receive = Callable[[], Awaitable[MutableMapping[str, Any]]]
-    Send = Callable[[MutableMapping[str, Any]], Awaitable[None]]
-    App = Callable[[Scope, Receive, Send], Awaitable[None]]
+    from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 _LOCAL_NAMES = frozenset({"localhost", "127.0.0.1", "::1"})
-_PARAMETER = "token"
 _HOST = re.compile(r"(?P<name>\[[0-9a-fA-F:.]+\]|[\w.-]+)(:\d+)?\Z")
 # The browser enforces this policy. A page loads nothing from other sites, and no other site can
 # show the page in a frame. unsafe-eval is needed because NiceGUI compiles templates in the browser.
@@ -33,16 +36,6 @@ _POLICY = (
 )
 
 
-def is_loopback(host: str) -> bool:
-    """Return whether only this machine can reach a host name or address."""
-    if host.lower() == "localhost":
-        return True
-    try:
-        return ipaddress.ip_address(host).is_loopback
-    except ValueError:
-        return False
-
-
 class RequestCheck:
     """Application (ASGI) that refuses requests and websockets from pages of other servers.
 
@@ -50,11 +43,20 @@ class RequestCheck:
         app: The server's application (ASGI).
         host: The host that the server listens on.
         token: The token that each browser's first request must contain. None on loopback.
+        guests: Origins whose pages may also use the websockets of rosbridge, but nothing else.
+            None means that the server does not have these websockets.
     """
 
-    def __init__(self, app: App, *, host: str, token: str | None) -> None:
+    def __init__(
+        self, app: ASGIApp, *, host: str, token: str | None, guests: Collection[str] | None = None
+    ) -> None:
         self.app = app
-        self._names = _LOCAL_NAMES | {host.lower(), *_own_names()}
+        self._guests = None if guests is None else frozenset(guests)
+        self._names = _LOCAL_NAMES | {host.lower()}
+        if token is not None:
+            # Any machine of the network can claim these names by mDNS, which is DNS rebinding. With
+            # a token, this is harmless.
+            self._names |= _own_names()
         self._token = token
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
@@ -62,26 +64,43 @@ class RequestCheck:
         if scope["type"] not in {"http", "websocket"}:
             await self.app(scope, receive, send)
             return
-        headers = _headers(scope)
-        reason = self._refusal(headers)
-        if reason is None and self._token is not None and not self._has_cookie(scope, headers):
-            if scope["type"] == "http" and self._has_token(scope):
-                await _redirect(scope, send, self._cookie(scope))
-                return
-            reason = "the token is missing: open the address that `zbot web` printed"
-        if reason is not None:
-            await _refuse(scope, send, reason)
+        response = self._response(HTTPConnection(scope))
+        if response is not None:
+            await response(scope, receive, send)
             return
+        headers = MutableHeaders(scope=scope)
         # NiceGUI would build addresses from this header of proxies, but the server has no proxy.
-        scope["headers"] = [one for one in scope["headers"] if one[0] != b"x-forwarded-prefix"]
-        await self.app(scope, receive, _with_policy(send, headers.get("host", "")))
+        del headers["x-forwarded-prefix"]
+        await self.app(scope, receive, _with_policy(send, headers["host"]))
 
-    def _refusal(self, headers: Mapping[str, str]) -> str | None:
+    def _response(self, request: HTTPConnection) -> ASGIApp | None:
+        """Return the response to a request that is not for the application."""
+        is_page = request.scope["type"] == "http"
+        is_rosbridge = not is_page and request.scope["path"] in ROSBRIDGE_PATHS
+        guests = (is_rosbridge and self._guests) or frozenset()
+        origin = request.headers.get("origin")
+        if origin is not None and _netloc(origin) is None:
+            return _refused(f"{origin!r} is not an origin", 400, is_page=is_page)
+        reason = self._refusal(request.headers, guests)
+        if reason is None and self._token is not None and not self._has_cookie(request):
+            is_right = self._matches(request.query_params.get(TOKEN_PARAMETER, ""))
+            if is_page and is_right:
+                return self._redirection(request)
+            # Programs without a browser have no cookies, so a websocket's address has the token.
+            if self._guests is None or not (is_rosbridge and is_right):
+                reason = "the token is missing: open the address that `zbot web` printed"
+        if reason is None:
+            return None
+        return _refused(reason, 403, is_page=is_page)
+
+    def _refusal(self, headers: Headers, guests: frozenset[str]) -> str | None:
         host = headers.get("host", "")
         if not self._is_ours(host):
             return f"{host!r} is not a name of this server: open the address that it printed"
         origin = headers.get("origin")
-        if origin is not None and urlsplit(origin).netloc != host:
+        if origin in guests:
+            return None
+        if origin is not None and _netloc(origin) != host:
             return f"pages of {origin} may not send requests to zbot"
         # A link on another site may open the page. Other requests from that site are refused.
         if headers.get("sec-fetch-site", "none") in {"cross-site", "same-site"}:
@@ -98,34 +117,37 @@ class RequestCheck:
         # With a token, all IP addresses are accepted, because the machine may get a new address.
         return self._token is not None and _is_address(name)
 
-    def _cookie_name(self, scope: Scope) -> str:
-        # All ports of a host share cookies. The port in the name separates two servers' cookies.
-        return f"zbot_{scope['server'][1]}"
+    def _has_cookie(self, request: HTTPConnection) -> bool:
+        return self._matches(request.cookies.get(_cookie_name(request), ""))
 
-    def _cookie(self, scope: Scope) -> str:
-        return f"{self._cookie_name(scope)}={self._token}; Path=/; HttpOnly; SameSite=Lax"
-
-    def _has_cookie(self, scope: Scope, headers: Mapping[str, str]) -> bool:
-        name = self._cookie_name(scope)
-        for pair in headers.get("cookie", "").split(";"):
-            key, _, value = pair.strip().partition("=")
-            if key == name and self._matches(value):
-                return True
-        return False
-
-    def _has_token(self, scope: Scope) -> bool:
-        given = dict(parse_qsl(scope["query_string"].decode("latin-1"))).get(_PARAMETER, "")
-        return self._matches(given)
+    def _redirection(self, request: HTTPConnection) -> Response:
+        """Set the cookie, and redirect the browser to the same address without the token."""
+        pairs = request.query_params.multi_items()
+        query = urlencode([pair for pair in pairs if pair[0] != TOKEN_PARAMETER])
+        # If the target began with two slashes, the browser would go to another server.
+        target = "/" + request.scope["path"].lstrip("/") + (f"?{query}" if query else "")
+        headers = {"referrer-policy": "no-referrer", "cache-control": "no-store"}
+        response = RedirectResponse(target, 303, headers)
+        token = str(self._token)
+        response.set_cookie(_cookie_name(request), token, httponly=True, samesite="lax")
+        return response
 
     def _matches(self, given: str) -> bool:
         return hmac.compare_digest(given.encode(), str(self._token).encode())
 
 
-def address(host: str, port: int, path: str, token: str | None) -> str:
-    """Return the address for the user's browser."""
-    name = f"[{host}]" if ":" in host else host
-    query = f"?{urlencode({_PARAMETER: token})}" if token else ""
-    return f"http://{name}:{port}{path}{query}"
+def _refused(reason: str, status: int, *, is_page: bool) -> ASGIApp:
+    if is_page:
+        return PlainTextResponse(f"{status}: {reason}\n", status, {"cache-control": "no-store"})
+    return WebSocketClose(1008, reason[:100])
+
+
+def _netloc(origin: str) -> str | None:
+    """Return the host and port of an origin. Return `None` if it is not a URL."""
+    try:
+        return urlsplit(origin).netloc
+    except ValueError:
+        return None
 
 
 def _own_names() -> set[str]:
@@ -141,45 +163,19 @@ def _is_address(name: str) -> bool:
     return True
 
 
-def _headers(scope: Scope) -> dict[str, str]:
-    return {name.decode("latin-1"): value.decode("latin-1") for name, value in scope["headers"]}
+def _cookie_name(request: HTTPConnection) -> str:
+    # All ports of a host share cookies. The port in the name separates two servers' cookies.
+    return f"zbot_{request.scope['server'][1]}"
 
 
 def _with_policy(send: Send, host: str) -> Send:
-    extra = [
-        (b"content-security-policy", _POLICY.format(host=host).encode("latin-1")),
-        (b"x-content-type-options", b"nosniff"),
-        (b"referrer-policy", b"no-referrer"),
-    ]
-
-    async def send_with_policy(message: MutableMapping[str, Any]) -> None:
+    async def send_with_policy(message: Message) -> None:
         if message["type"] == "http.response.start":
-            message["headers"] = [*message.get("headers", ()), *extra]
+            message.setdefault("headers", [])
+            headers = MutableHeaders(scope=message)
+            headers["content-security-policy"] = _POLICY.format(host=host)
+            headers["x-content-type-options"] = "nosniff"
+            headers["referrer-policy"] = "no-referrer"
         await send(message)
 
     return send_with_policy
-
-
-async def _redirect(scope: Scope, send: Send, cookie: str) -> None:
-    """Set the cookie, and redirect the browser to the same address without the token."""
-    query = scope["query_string"].decode("latin-1")
-    kept = [pair for pair in parse_qsl(query, keep_blank_values=True) if pair[0] != _PARAMETER]
-    target = scope["path"] + (f"?{urlencode(kept)}" if kept else "")
-    # If the target began with two slashes, the browser would go to another server.
-    headers = [
-        (b"location", ("/" + target.lstrip("/")).encode("latin-1", "replace")),
-        (b"set-cookie", cookie.encode("latin-1")),
-        (b"referrer-policy", b"no-referrer"),
-        (b"cache-control", b"no-store"),
-    ]
-    await send({"type": "http.response.start", "status": 303, "headers": headers})
-    await send({"type": "http.response.body", "body": b""})
-
-
-async def _refuse(scope: Scope, send: Send, reason: str) -> None:
-    if scope["type"] == "websocket":
-        await send({"type": "websocket.close", "code": 1008, "reason": reason[:100]})
-        return
-    headers = [(b"content-type", b"text/plain; charset=utf-8"), (b"cache-control", b"no-store")]
-    await send({"type": "http.response.start", "status": 403, "headers": headers})
-    await send({"type": "http.response.body", "body": f"403: {reason}\n".encode()})

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 def served_columns(title: str) -> tuple[Column, ...]:
     """Return the columns of a table of services or actions."""
-    name, kind = Column(title, "zb-mono zb-cut"), Column("Type", "zb-muted zb-cut zb-spare")
+    name, kind = Column(title, "zb-mono zb-cut"), Column("Type", "zb-muted zb-cut zb-spare zb-wide")
     return name, kind, Column("Served by", "zb-mono zb-cut")
 
 

@@ -6,12 +6,17 @@ import errno
 import secrets
 import socket
 import sys
+from typing import TYPE_CHECKING, Any
 
+from zbot.classroom.address import own_addresses
 from zbot.errors import ZbotError
 from zbot.web.browser import open_page
+from zbot.web.page_address import address, is_loopback, origin_of
 from zbot.web.page_discovery import announce
-from zbot.web.request_check import RequestCheck, address, is_loopback
 from zbot.web.system import System
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
 
 DEFAULT_HOST = "127.0.0.1"
 DEFAULT_PORT = 8080
@@ -34,6 +39,8 @@ def serve(
     open_browser: bool = False,
     read_only: bool = False,
     start_path: str = "/",
+    rosbridge: bool = False,
+    guests: Sequence[str] = (),
 ) -> None:
     """Serve the live page of this process's domain until a signal ends the server.
 
@@ -43,32 +50,45 @@ def serve(
         open_browser: Whether to open the page in the user's browser.
         read_only: Whether pages can only show the system, not change it.
         start_path: The path of the first page with its query, e.g. `/plot?curve=/pose.x`.
+        rosbridge: Whether web programs can connect with the protocol of rosbridge.
+        guests: Addresses of web servers whose pages may also use rosbridge.
 
     Raises:
         UnknownPanelError: No panel has this path.
+        OriginError: One of `guests` is not an address of a web server.
         ServerError: The server cannot listen on this host and port.
         SessionError: Zenoh cannot open a session.
     """
     # These imports take half a second, and only a running server needs them.
     from zbot.web.application import run  # noqa: PLC0415
     from zbot.web.page import check_path  # noqa: PLC0415
+    from zbot.web.request_check import RequestCheck  # noqa: PLC0415
 
     check_path(start_path)
+    origins = [origin_of(one) for one in guests]
     listener = listen(host, port)
     token = None if is_loopback(host) else secrets.token_urlsafe(16)
     try:
         with System(read_only=read_only) as system:
-            addresses = _addresses(host, listener.getsockname()[1], start_path, token)
+            own_port = listener.getsockname()[1]
+            addresses = _addresses(host, own_port, start_path, token)
+            sockets = _addresses(host, own_port, "/", token, scheme="ws") if rosbridge else []
 
             if token is None:
-                announce(system.node, address(host, listener.getsockname()[1], "", None))
+                announce(system.node, address(host, own_port, "", None))
 
             def on_startup() -> None:
-                print("\n".join(f"zbot web: {one}" for one in addresses), flush=True)
+                print("\n".join(f"zbot web: {one}" for one in addresses))
+                print("".join(f"rosbridge: {one}\n" for one in sockets), end="", flush=True)
                 if open_browser:
                     open_page(addresses[0])
 
-            run(system, listener, lambda app: RequestCheck(app, host=host, token=token), on_startup)
+            def protect(app: Any) -> RequestCheck:
+                return RequestCheck(
+                    app, host=host, token=token, guests=origins if rosbridge else None
+                )
+
+            run(system, listener, protect, on_startup, rosbridge=rosbridge)
     finally:
         listener.close()
 
@@ -107,19 +127,9 @@ def _bound(family: int, host: str, port: int) -> socket.socket:
     return listener
 
 
-def _addresses(host: str, port: int, path: str, token: str | None) -> list[str]:
-    if host not in {"0.0.0.0", "::"}:  # noqa: S104 - it is compared, not bound
-        return [address(host, port, path, token)]
-    return [address(one, port, path, token) for one in _own_addresses()]
-
-
-def _own_addresses() -> list[str]:
-    import psutil  # noqa: PLC0415 - only with the extra `web`
-
-    found = [
-        one.address
-        for interface in psutil.net_if_addrs().values()
-        for one in interface
-        if one.family is socket.AF_INET
-    ]
-    return sorted(found, key=is_loopback) or [DEFAULT_HOST]
+def _addresses(
+    host: str, port: int, path: str, token: str | None, *, scheme: str = "http"
+) -> list[str]:
+    is_any = host in {"0.0.0.0", "::"}  # noqa: S104 - it is compared, not bound
+    hosts = (*own_addresses(), DEFAULT_HOST) if is_any else (host,)
+    return [address(one, port, path, token, scheme=scheme) for one in hosts]

@@ -19,6 +19,7 @@ from zbot.node.node import Node
 from zbot.node.remote_types import learn_type
 from zbot.qos import qos_profile_rosout_default
 from zbot.web.log_ring import LogRing
+from zbot.web.payload_subscription import subscribe_to_payloads
 from zbot.web.repeated_publishing import RepeatedPublishing
 from zbot.web.shared_entities import SharedEntities
 from zbot.web.watch import Feed, UnknownTypeError, Watch, profile_for
@@ -97,6 +98,7 @@ class System:
         self.node.create_subscription(
             log_type, ROSOUT_TOPIC, self.logs.add, qos_profile_rosout_default
         )
+        self.context.graph.watch()
         self.context.graph.add_listener(self._on_token)
         self.context.start_thread("zbot web", self._spin, self._executor.wake)
 
@@ -208,16 +210,11 @@ class System:
         feed.problem = ""
         feed.decode = self.context.dialect.codec_for(message_type).decode
         try:
-            subscription = self.node.create_subscription(
-                message_type, feed.topic, feed.take, profile, raw="payload"
+            feed.subscription = subscribe_to_payloads(
+                self.node, message_type, feed.topic, feed.take, profile
             )
         except NotInitializedError:
             return  # the program has ended meanwhile
-        # A raw subscription does not check the type of a sample. With `raw = False` it does.
-        # Without this check, messages of other types on the topic would be decoded as zeros.
-        subscription.raw = False
-        subscription.report_losses_to(_ignore)
-        feed.subscription = subscription
 
     def _type_of(self, topic: str) -> str | None:
         graph, own = self.snapshot(), self.node.get_name()
@@ -367,7 +364,3 @@ async def await_future(future: Future[T], timeout_s: float | None = None) -> T:
     if future.cancelled():
         raise asyncio.CancelledError
     return future.result()  # type: ignore[return-value] # the future is complete
-
-
-def _ignore(_missing: int) -> None:
-    """Ignore lost messages. The subscription counts them, and a page shows their number."""

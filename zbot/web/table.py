@@ -19,7 +19,8 @@ class Column:
 
     Attributes:
         title: Its heading.
-        classes: CSS classes of its cells, e.g. `zb-mono` or `zb-number`.
+        classes: CSS classes of its cells, e.g. `zb-mono` or `zb-number`. `zb-spare` hides the
+            column beside details, `zb-wide` on a phone. `zb-long` is for text that may be cut.
         width: CSS width. If it is empty, the cells set the width.
     """
 
@@ -99,10 +100,10 @@ def _head(columns: Sequence[Column]) -> None:
     with ui.element("colgroup"):
         for column in columns:
             col = ui.element("col").style(f"width: {column.width}" if column.width else "")
-            col.classes(_only(column, "zb-spare"))
+            col.classes(_only(column, "zb-spare", "zb-wide"))
     with ui.element("thead"), ui.element("tr"):
         for column in columns:
-            with ui.element("th").classes(_only(column, "zb-number", "zb-spare")):
+            with ui.element("th").classes(_only(column, "zb-number", "zb-spare", "zb-wide")):
                 ui.label(column.title)
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from nicegui import ui
 
-from zbot.web.png import ImageError, encode_png, media_type
+from zbot.web.image_encoder import ImageError, encode_jpeg, media_type
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -67,7 +67,7 @@ def _add_image(section: Section, watch: Watch) -> None:
 
 def _address(message: Any) -> tuple[str, str]:
     if hasattr(message, "encoding"):
-        data, kind = encode_png(message), "image/png"
+        data, kind = encode_jpeg(message), "image/jpeg"
         text = f"{message.width} x {message.height}, {message.encoding}"
     else:
         data = bytes(message.data)

@@ -2,297 +2,181 @@
 
 A message is a header of four bytes, followed by the fields in order. The position of each number,
 counted from the end of the header, is a multiple of the number's size. The rules and the test
-vectors come from Fast CDR.
+vectors come from Fast CDR. Each type has generated code, which is compiled at first use.
 """
 
 from __future__ import annotations
 
-import sys
+import struct
 from array import array
-from dataclasses import dataclass
-from struct import Struct
-from typing import TYPE_CHECKING, Any
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, Generic, NoReturn, TypeVar
 
-from zbot.interfaces import get_interface, message_spec_of
-from zbot.interfaces.errors import FieldTypeError, FieldValueError
+from zbot.errors import ExternalShutdownException
+from zbot.interfaces import message_spec_of
+from zbot.interfaces.array_value import fixed_array
+from zbot.wire import cdr_values, value_check
+from zbot.wire.cdr_decoder import HEADER_SIZE, DecoderSource
+from zbot.wire.cdr_encoder import EncoderSource
+from zbot.wire.codec import codec_for
 from zbot.wire.errors import CodecError
-from zbot.wire.messagepack import ITEM_SIZE
+from zbot.wire.messagepack import BIG_ENDIAN
 from zbot.wire.payload import is_cdr
+from zbot.wire.value_check import Fault
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from zbot.interfaces.spec import FieldType
+    from zbot.wire.cdr_source import Source
 
-__all__ = ["cdr_codec_for"]
+__all__ = ["CdrCodec", "cdr_codec_for"]
+
+MessageT = TypeVar("MessageT")
 
 _LITTLE_ENDIAN = b"\x00\x01\x00\x00"
-_HEADER_LENGTH = 4
-_COUNT = {"<": Struct("<I"), ">": Struct(">I")}
-_UNIT_BYTES = 4  # bytes that Fast CDR writes for one wide character
+_ERRORS = (
+    Fault,
+    struct.error,
+    AttributeError,
+    TypeError,
+    ValueError,
+    ArithmeticError,
+    MemoryError,
+    BufferError,
+)
+_REASONS: dict[type[Exception], str] = {
+    struct.error: "the bytes end before the message does",
+    IndexError: "a text is longer than the bytes that follow",
+    UnicodeDecodeError: "a text is not valid UTF-8",
+    MemoryError: "it is too large for this machine's memory",
+}
+_COMMON_NAMES: dict[str, Any] = {
+    **vars(value_check),
+    **vars(cdr_values),
+    "BIG_ENDIAN": BIG_ENDIAN,
+    "HEADER": _LITTLE_ENDIAN,
+    "array": array,
+    "fixed_array": fixed_array,
+}
 
 
-class _MalformedError(Exception):
-    """The bytes are not a message of the type. The error's text is the reason."""
+class CdrCodec(Generic[MessageT]):
+    """Encoder and decoder for messages of one type, each generated at first use.
+
+    Args:
+        message_class: A message class or a dataclass.
+
+    Raises:
+        NotAMessageTypeError: The class is not a message class or a dataclass.
+    """
+
+    def __init__(self, message_class: type[MessageT]) -> None:
+        self.type_name = message_spec_of(message_class).name  #: `std_msgs/msg/String`
+        self._class = message_class
+
+    @cached_property
+    def encode(self) -> Callable[[MessageT], bytes]:
+        """Return the bytes of a message. Raise `CodecError` if a field has a wrong value."""
+        source = EncoderSource(self._class, nested=False)
+        names = {"ERRORS": _ERRORS, "explain": self._explain_encoding}
+        return _compiled(self._class, source, source.text, "encode", names | _writers(source))
+
+    def decode(self, data: bytes) -> MessageT:
+        """Return the message that bytes contain. Ignore additional bytes after the message.
+
+        Raises:
+            CodecError: The bytes are not a message of the type.
+        """
+        if data[:2] == b"\0\1" and len(data) >= HEADER_SIZE:
+            return self._decode_little(data)
+        if is_cdr(data) and len(data) >= HEADER_SIZE:
+            return self._decode_big(data)
+        reason = "the bytes do not begin with a CDR header"
+        raise CodecError("decode", self.type_name, "", reason)
+
+    @cached_property
+    def _decode_little(self) -> Callable[[bytes], MessageT]:
+        return self._decoder("<")
+
+    @cached_property
+    def _decode_big(self) -> Callable[[bytes], MessageT]:
+        return self._decoder(">")
+
+    def _decoder(self, order: str) -> Callable[[bytes], MessageT]:
+        source = DecoderSource(self._class, order, nested=False)
+        # The constructor of a dataclass may raise any exception.
+        names = {"ERRORS": Exception, "explain": self._explain_decoding}
+        return _compiled(
+            self._class, source, source.text, "decode", names | _readers(source, order)
+        )
+
+    def _explain_encoding(self, message: Any, error: Exception) -> NoReturn:
+        if isinstance(error, Fault):
+            raise CodecError("encode", self.type_name, error.path, error.reason) from error
+        # The codec for MessagePack checks each value, so its error names the field.
+        codec_for(self._class).encode(message)
+        raise CodecError("encode", self.type_name, "", str(error)) from error
+
+    def _explain_decoding(self, error: Exception) -> NoReturn:
+        if isinstance(error, ExternalShutdownException):
+            raise error  # a signal during decoding does not make the message invalid
+        if isinstance(error, Fault):
+            raise CodecError("decode", self.type_name, error.path, error.reason) from None
+        other = f"{type(error).__name__}: {error}"
+        reason = next((_REASONS[cls] for cls in type(error).__mro__ if cls in _REASONS), other)
+        raise CodecError("decode", self.type_name, "", reason) from error
 
 
-@dataclass(frozen=True, slots=True)
-class CdrCodec:
-    """Functions that encode and decode the messages of one type."""
-
-    type_name: str
-    encode: Callable[[Any], bytes]
-    decode: Callable[[bytes], Any]
+_codecs: dict[type, CdrCodec[Any]] = {}
+_nested_functions: dict[tuple[type, str], Callable[..., Any]] = {}
 
 
-def cdr_codec_for(message_class: type[Any]) -> CdrCodec:
+def cdr_codec_for(message_class: type[MessageT]) -> CdrCodec[MessageT]:
     """Return the codec of a message class. It is made at the first call and then reused.
-
-    `encode` raises `CodecError` for a message of another class or with wrong values. `decode`
-    raises `CodecError` for bytes that are not a message of the type. It ignores additional bytes
-    after the message.
 
     Raises:
         NotAMessageTypeError: The class is not a message class.
     """
     codec = _codecs.get(message_class)
     if codec is None:
-        codec = _codecs[message_class] = _codec(message_class)
+        codec = _codecs[message_class] = CdrCodec(message_class)
     return codec
 
 
-_codecs: dict[type, CdrCodec] = {}
+def _writers(source: Source) -> dict[str, Any]:
+    """Return the functions that a source calls for the messages inside its messages."""
+    return {name: _writer(cls) for name, cls in source.called.items()}
 
 
-def _codec(message_class: type[Any]) -> CdrCodec:
-    name = message_spec_of(message_class).name
-    write, read = _message_writer(message_class), _message_reader(message_class)
-
-    def encode(message: Any) -> bytes:
-        body = bytearray()
-        try:
-            write(body, message)
-        except (AttributeError, TypeError, ValueError, OverflowError, ArithmeticError) as error:
-            raise CodecError("encode", name, "", str(error)) from error
-        return _LITTLE_ENDIAN + bytes(body)
-
-    def decode(data: bytes) -> Any:
-        try:
-            return read(_Reader(data))
-        except (_MalformedError, FieldTypeError, FieldValueError) as error:
-            raise CodecError("decode", name, "", str(error)) from error
-
-    return CdrCodec(name, encode, decode)
+def _readers(source: Source, order: str) -> dict[str, Any]:
+    return {name: _reader(cls, order) for name, cls in source.called.items()}
 
 
-# -- writing ---------------------------------------------------------------------------------------
+def _writer(message_class: type[Any]) -> Callable[..., Any]:
+    key = message_class, "write"
+    if key not in _nested_functions:
+        source = EncoderSource(message_class, nested=True)
+        _nested_functions[key] = _compiled(
+            message_class, source, source.nested_text, "write", _writers(source)
+        )
+    return _nested_functions[key]
 
 
-def _align(body: bytearray, size: int) -> None:
-    body.extend(bytes(-len(body) % size))
+def _reader(message_class: type[Any], order: str) -> Callable[..., Any]:
+    key = message_class, order
+    if key not in _nested_functions:
+        source = DecoderSource(message_class, order, nested=True)
+        _nested_functions[key] = _compiled(
+            message_class, source, source.nested_text, "read", _readers(source, order)
+        )
+    return _nested_functions[key]
 
 
-def _write_count(body: bytearray, count: int) -> None:
-    _align(body, 4)
-    body += _COUNT["<"].pack(count)
-
-
-def _message_writer(message_class: type[Any]) -> Callable[[bytearray, Any], None]:
-    spec = message_spec_of(message_class)
-    fields = [(field.name, _writer(field.type)) for field in spec.fields]
-
-    def write(body: bytearray, message: Any) -> None:
-        if not fields:
-            body.append(0)  # a structure without members is one byte in CDR
-        for name, write_field in fields:
-            write_field(body, getattr(message, name))
-
-    return write
-
-
-def _writer(kind: FieldType) -> Callable[[bytearray, Any], None]:
-    if kind.kind == "scalar":
-        return _scalar_writer(kind)
-    is_sequence = kind.kind == "sequence"
-    if kind.typecode:
-        return _numbers_writer(kind.typecode, is_sequence=is_sequence)
-    write_item = _scalar_writer(kind)
-
-    def write(body: bytearray, values: Any) -> None:
-        if is_sequence:
-            _write_count(body, len(values))
-        for value in values:
-            write_item(body, value)
-
-    return write
-
-
-def _numbers_writer(typecode: str, *, is_sequence: bool) -> Callable[[bytearray, Any], None]:
-    def write(body: bytearray, values: Any) -> None:
-        numbers = values if isinstance(values, array) else array(typecode, list(values))
-        if is_sequence:
-            _write_count(body, len(numbers))
-        if len(numbers):
-            _align(body, ITEM_SIZE[typecode])
-        if sys.byteorder == "big":
-            numbers = array(typecode, numbers)
-            numbers.byteswap()
-        body += numbers.tobytes()
-
-    return write
-
-
-def _scalar_writer(kind: FieldType) -> Callable[[bytearray, Any], None]:
-    if kind.is_message:
-        return _message_writer(get_interface(kind.base))
-    if kind.base == "string":
-        return _write_string
-    if kind.base == "wstring":
-        return _write_wide_string
-    if kind.base == "bool":
-        return lambda body, value: body.append(bool(value))
-    if kind.base == "byte":
-        return lambda body, value: body.append(value[0])
-    layout = Struct(f"<{kind.typecode}")
-
-    def write(body: bytearray, value: Any) -> None:
-        _align(body, layout.size)
-        body += layout.pack(value)
-
-    return write
-
-
-def _write_string(body: bytearray, text: str) -> None:
-    data = text.encode()
-    _write_count(body, len(data) + 1)
-    body += data
-    body.append(0)
-
-
-def _write_wide_string(body: bytearray, text: str) -> None:
-    units = array("H", text.encode("utf-16-le" if sys.byteorder == "little" else "utf-16-be"))
-    _write_count(body, len(units))
-    for unit in units:
-        body += unit.to_bytes(_UNIT_BYTES, "little")
-
-
-# -- reading ---------------------------------------------------------------------------------------
-
-
-class _Reader:
-    """Cursor over the bytes of a message. It raises an error if a read goes beyond the end."""
-
-    def __init__(self, data: bytes) -> None:
-        if not is_cdr(data) or len(data) < _HEADER_LENGTH:
-            raise _MalformedError("the bytes do not begin with a CDR header")
-        self.order = "<" if data[1] else ">"
-        self._body = memoryview(data)[_HEADER_LENGTH:]
-        self._position = 0
-
-    def align(self, size: int) -> None:
-        self._position += -self._position % size
-
-    def take(self, size: int) -> memoryview:
-        begin, end = self._position, self._position + size
-        if end > len(self._body):
-            raise _MalformedError("the bytes end before the message does")
-        self._position = end
-        return self._body[begin:end]
-
-    def count(self, item_size: int) -> int:
-        """Return the number of items that follow. Each item has at least `item_size` bytes."""
-        self.align(4)
-        count: int = _COUNT[self.order].unpack(self.take(4))[0]
-        if count * item_size > len(self._body) - self._position:
-            raise _MalformedError("a sequence is longer than the bytes that follow")
-        return count
-
-
-def _message_reader(message_class: type[Any]) -> Callable[[_Reader], Any]:
-    spec = message_spec_of(message_class)
-    fields = [(field.name, _reader(field.type)) for field in spec.fields]
-
-    def read(reader: _Reader) -> Any:
-        if not fields:
-            reader.take(1)
-        return message_class(**{name: read_field(reader) for name, read_field in fields})
-
-    return read
-
-
-def _reader(kind: FieldType) -> Callable[[_Reader], Any]:
-    if kind.kind == "scalar":
-        return _scalar_reader(kind)
-    size = kind.size if kind.kind == "array" else None
-    if kind.typecode:
-        return _numbers_reader(kind.typecode, size)
-    read_item = _scalar_reader(kind)
-
-    def read(reader: _Reader) -> Any:
-        count = reader.count(1) if size is None else size
-        return [read_item(reader) for _ in range(count)]
-
-    return read
-
-
-def _numbers_reader(typecode: str, size: int | None) -> Callable[[_Reader], Any]:
-    width = ITEM_SIZE[typecode]
-
-    def read(reader: _Reader) -> Any:
-        count = reader.count(width) if size is None else size
-        numbers: array[Any] = array(typecode)
-        if count:
-            reader.align(width)
-            numbers.frombytes(reader.take(count * width))
-        if (reader.order == "<") != (sys.byteorder == "little"):
-            numbers.byteswap()
-        return numbers
-
-    return read
-
-
-def _scalar_reader(kind: FieldType) -> Callable[[_Reader], Any]:
-    if kind.is_message:
-        return _message_reader(get_interface(kind.base))
-    if kind.base == "string":
-        return _read_string
-    if kind.base == "wstring":
-        return _read_wide_string
-    if kind.base == "bool":
-        return _read_bool
-    if kind.base == "byte":
-        return lambda reader: bytes(reader.take(1))
-    layouts = {order: Struct(f"{order}{kind.typecode}") for order in "<>"}
-    size = layouts["<"].size
-
-    def read(reader: _Reader) -> Any:
-        reader.align(size)
-        return layouts[reader.order].unpack(reader.take(size))[0]
-
-    return read
-
-
-def _read_bool(reader: _Reader) -> bool:
-    value = reader.take(1)[0]
-    if value > 1:
-        raise _MalformedError(f"{value} is not a bool")
-    return bool(value)
-
-
-def _read_string(reader: _Reader) -> str:
-    count = reader.count(1)
-    data = bytes(reader.take(count))
-    try:
-        return data.rstrip(b"\0").decode() if count else ""
-    except UnicodeDecodeError:
-        raise _MalformedError("a text is not valid UTF-8") from None
-
-
-def _read_wide_string(reader: _Reader) -> str:
-    count = reader.count(_UNIT_BYTES)
-    order = "little" if reader.order == "<" else "big"
-    units = [int.from_bytes(reader.take(_UNIT_BYTES), order) for _ in range(count)]  # type: ignore[arg-type]
-    try:
-        return b"".join(unit.to_bytes(2, "little") for unit in units).decode("utf-16-le")
-    except (OverflowError, UnicodeDecodeError):
-        raise _MalformedError("a wide text is not valid UTF-16") from None
+def _compiled(
+    message_class: type[Any], source: Source, text: str, name: str, more: dict[str, Any]
+) -> Callable[..., Any]:
+    names = _COMMON_NAMES | source.names | more
+    filename = f"<CDR codec of {message_spec_of(message_class).name}>"
+    exec(compile(text, filename, "exec"), names)  # noqa: S102 - our own text
+    function: Callable[..., Any] = names[name]
+    return function

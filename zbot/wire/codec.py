@@ -17,6 +17,7 @@ from zbot.errors import ExternalShutdownException
 from zbot.interfaces import get_interface, message_spec_of
 from zbot.interfaces.array_value import fixed_array
 from zbot.wire import generator, value_check
+from zbot.wire.default_memory import begin_message, count_elements
 from zbot.wire.errors import CodecError
 from zbot.wire.generator import Layout, function_name, is_numeric_array
 from zbot.wire.keys import encoding
@@ -35,7 +36,7 @@ from zbot.wire.value_check import Fault
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-__all__ = ["Codec", "CodecError", "codec_for"]
+__all__ = ["Codec", "CodecError", "codec_for", "layout_of"]
 
 MessageT = TypeVar("MessageT")
 
@@ -64,6 +65,8 @@ _COMMON_NAMES: dict[str, Any] = {
     "extension": extension,
     "array": array,
     "fixed_array": fixed_array,
+    "begin_message": begin_message,
+    "count_elements": count_elements,
     "EMPTY": {},
     "inf": math.inf,
     "nan": math.nan,
@@ -93,7 +96,7 @@ class Codec(Generic[MessageT]):
     def source(self) -> str:
         """Source of the generated functions, for debugging."""
         return "\n\n".join(
-            write(self._spec, _layout(self._class))
+            write(self._spec, layout_of(self._class))
             for write in (generator.encode_source, generator.decode_source)
         )
 
@@ -178,7 +181,8 @@ def _path_of(text: str, value: Any) -> str:
     return ""
 
 
-def _layout(message_class: type[Any]) -> Layout:
+def layout_of(message_class: type[Any]) -> Layout:
+    """Return how a message class or a dataclass stores its fields."""
     return _dataclass_layout(message_class) if is_dataclass(message_class) else Layout()
 
 
@@ -195,7 +199,7 @@ def _function(
 ) -> Callable[[Any], Any]:
     """Return one of a type's generated functions. `more` has further names for it."""
     spec = message_spec_of(message_class)
-    source = _SOURCES[name](spec, _layout(message_class))
+    source = _SOURCES[name](spec, layout_of(message_class))
     verb, nested = _NESTED_CALLS[name]
     names = _COMMON_NAMES | more | {"CLASS": message_class, "new": message_class.__new__}
     for field in spec.fields:

@@ -6,7 +6,7 @@ from typing import Any
 
 from zbot.wire.messagepack import Bytes, UnreadableError, pack, unpack
 
-__all__ = ["ENCODING", "pack_error", "unpack_error"]
+__all__ = ["ENCODING", "error_text", "pack_error", "unpack_error"]
 
 ENCODING = "application/msgpack"
 
@@ -17,6 +17,12 @@ def pack_error(error: BaseException) -> bytes:
     return pack({"error": kind, "message": str(error) or kind})
 
 
+def error_text(error: BaseException) -> str:
+    """Return an exception as one text: its class name, a colon and its own text."""
+    kind = type(error).__name__
+    return f"{kind}: {error}" if str(error) else kind
+
+
 def unpack_error(data: Bytes) -> tuple[str, str]:
     """Return the kind and message of an error reply. Bytes in another format become the message."""
     try:
@@ -25,4 +31,6 @@ def unpack_error(data: Bytes) -> tuple[str, str]:
         reply = None
     if isinstance(reply, dict) and isinstance(reply.get("message"), str):
         return str(reply.get("error", "error")), reply["message"]
-    return "error", bytes(data).decode(errors="replace")
+    text = bytes(data).decode(errors="replace")
+    kind, colon, message = text.partition(": ")
+    return (kind, message) if colon and kind.isidentifier() else ("error", text)

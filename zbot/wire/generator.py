@@ -13,6 +13,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, NamedTuple
 
 from zbot.interfaces.spec import INTEGER_RANGES, Field, FieldType, MessageSpec
+from zbot.wire.default_memory import has_large_elements, large_element
 from zbot.wire.messagepack import BIG_ENDIAN, ITEM_SIZE, map_header
 
 if TYPE_CHECKING:
@@ -47,7 +48,8 @@ def decode_source(spec: MessageSpec, layout: Layout) -> str:
     unpacked = "values = unpack(data)"
     if any(map(is_numeric_array, spec.fields)):
         unpacked += " if len(data) < LARGE else unpack_large(data, ARRAYS)"
-    body = _guarded([unpacked, *_unpack_lines(spec, layout)], "explain(error)")
+    begin = ["begin_message(len(data))"] if has_large_elements(spec) else []
+    body = _guarded([*begin, unpacked, *_unpack_lines(spec, layout)], "explain(error)")
     return _function("decode(data)", body)
 
 
@@ -142,6 +144,9 @@ def _from_map_field(field: Field) -> Lines:
     if kind.is_message:
         unpack = function_name("unpack", kind.base)
         lines += [] if kind.kind == "scalar" else _checked(field)
+        octets = large_element(field)
+        if octets:
+            lines.append(f"count_elements({field.name!r}, {variable}, {octets})")
         return lines + _nested(field, unpack, "Fault as fault", f"fault.inside({field.name!r})")
     return lines + _checked(field)
 

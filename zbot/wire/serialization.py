@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, TypeVar, cast
+from typing import Any, TypeVar
 
 from zbot.wire.payload import is_cdr
 
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-__all__ = ["deserialize_message", "is_cdr", "raw_decoder", "serialize_message"]
+__all__ = ["deserialize_message", "is_cdr", "serialize_message"]
 
 MsgT = TypeVar("MsgT")
 
@@ -35,9 +32,4 @@ def deserialize_message(serialized_message: bytes, message_type: type[MsgT]) -> 
     """
     from zbot.wire.cdr import cdr_codec_for  # noqa: PLC0415 - few programs need it
 
-    return cast("MsgT", cdr_codec_for(message_type).decode(bytes(serialized_message)))
-
-
-def raw_decoder(decode: Callable[[Any], Any]) -> Callable[[Any], bytes]:
-    """Return a function that converts payloads to CDR. `decode` is the decoder of the payloads."""
-    return lambda payload: serialize_message(decode(payload))
+    return cdr_codec_for(message_type).decode(bytes(serialized_message))

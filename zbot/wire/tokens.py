@@ -5,6 +5,8 @@ A token is a Zenoh key that exists until its entity or its session ends. `zbot n
 
     @zbot/<domain>/<zid>/<nid>/<nid>/NN/<enclave>/<namespace>/<node>
     @zbot/<domain>/<zid>/<nid>/<eid>/<kind>/<enclave>/<namespace>/<node>/<name>/<type>/<hash>/<qos>
+
+ROS 2's own tokens begin with `@ros2_lv` (see `zbot.wire.rmw_zenoh`).
 """
 
 from __future__ import annotations
@@ -18,20 +20,27 @@ from zbot.wire.attachment import GID_LENGTH
 from zbot.wire.errors import TokenError
 from zbot.wire.keys import SHARED_DOMAIN, SHARED_SPACE, domain_text, is_number
 from zbot.wire.qos import parse_qos, qos_text
+from zbot.wire.xxh3 import MIN_LENGTH, xxh3_128
 
 if TYPE_CHECKING:
     from zbot.qos import QoSProfile
 
 __all__ = [
+    "ROS2_TOKEN_PREFIX",
+    "TOKEN_PREFIX",
     "EndpointToken",
     "EntityKind",
     "NodeToken",
     "gid_of",
+    "mangle",
+    "mangled_key",
+    "namesake_selector",
     "parse_token",
     "token_selector",
 ]
 
 TOKEN_PREFIX = "@zbot"  # noqa: S105 - a key's first chunk, not a secret
+ROS2_TOKEN_PREFIX = "@ros2_lv"  # noqa: S105 - as above
 _NODE_CHUNKS = 9
 _ENDPOINT_CHUNKS = 13
 _MAX_DIGITS = 10
@@ -61,7 +70,7 @@ class NodeToken:
 
     def __post_init__(self) -> None:
         if not self.key:
-            object.__setattr__(self, "key", _mangled_key(self, self.nid, EntityKind.NODE))
+            object.__setattr__(self, "key", mangled_key(TOKEN_PREFIX, self))
 
     @property
     def kind(self) -> EntityKind:
@@ -100,8 +109,8 @@ class EndpointToken:
 
     def __post_init__(self) -> None:
         if not self.key:
-            fields = map(_mangle, (self.name, self.type_name, self.type_hash))
-            node_key = _mangled_key(self, self.eid, self.kind)
+            fields = map(mangle, (self.name, self.type_name, self.type_hash))
+            node_key = mangled_key(TOKEN_PREFIX, self)
             object.__setattr__(self, "key", "/".join((node_key, *fields, qos_text(self.qos))))
 
     @property
@@ -116,29 +125,43 @@ class EndpointToken:
         return hash(self.key)
 
 
-def token_selector(domain: int) -> str:
+def token_selector(domain: int, prefix: str = TOKEN_PREFIX) -> str:
     """Return the key expression of all tokens of a domain."""
-    return f"{TOKEN_PREFIX}/{domain_text(domain)}/**"
+    return f"{prefix}/{domain_text(domain)}/**"
+
+
+def namesake_selector(token: NodeToken | EndpointToken, prefix: str = TOKEN_PREFIX) -> str:
+    """Return the key expression of all nodes with a node's name, or of all endpoints on a name."""
+    domain = f"{prefix}/{domain_text(token.domain)}"
+    if isinstance(token, NodeToken):
+        full = "/".join(map(mangle, (token.namespace, token.node)))
+        return f"{domain}/*/*/*/{EntityKind.NODE.value}/*/{full}"
+    return f"{domain}/*/*/*/*/*/*/*/{mangle(token.name)}/**"
 
 
 # Each access to a token's `gid` calls this function, and there are only a few different keys.
 @lru_cache(maxsize=4096)
 def gid_of(key: str) -> bytes:
-    """Return the 16 bytes that identify a token's owner: the BLAKE2b hash of the token's text."""
+    """Return the 16 bytes that identify a token's owner: the hash of the token's text.
+
+    It is XXH3 for a token of ROS 2, and BLAKE2b for a token of zbot.
+    """
+    if key.startswith(ROS2_TOKEN_PREFIX) and len(key) >= MIN_LENGTH:
+        return xxh3_128(key.encode())
     import hashlib  # noqa: PLC0415 - 4 ms, and commands that only list need no gids
 
     return hashlib.blake2b(key.encode(), digest_size=GID_LENGTH).digest()
 
 
-def parse_token(key: str) -> NodeToken | EndpointToken:
+def parse_token(key: str, prefix: str = TOKEN_PREFIX) -> NodeToken | EndpointToken:
     """Return the token in a liveliness key. Chunks that a later version adds are ignored.
 
     Raises:
-        TokenError: The key is not a token of zbot.
+        TokenError: The key is not a token with this prefix.
     """
     chunks = key.split("/")
-    if chunks[0] != TOKEN_PREFIX:
-        raise TokenError(key, f"it does not begin with {TOKEN_PREFIX}")
+    if chunks[0] != prefix:
+        raise TokenError(key, f"it does not begin with {prefix}")
     if len(chunks) < _NODE_CHUNKS:
         raise TokenError(key, f"it has {len(chunks)} chunks and needs at least {_NODE_CHUNKS}")
     if "" in chunks or not key.isprintable():
@@ -185,14 +208,16 @@ def _endpoint_token(key: str, chunks: list[str]) -> EndpointToken:
     )
 
 
-def _mangled_key(token: NodeToken | EndpointToken, eid: int, kind: EntityKind) -> str:
-    ids = f"{domain_text(token.domain)}/{token.zid}/{token.nid}/{eid}/{kind.value}"
-    names = "/".join(map(_mangle, (token.enclave, token.namespace, token.node)))
-    return f"{TOKEN_PREFIX}/{ids}/{names}"
+def mangled_key(prefix: str, token: NodeToken | EndpointToken) -> str:
+    """Return the first nine chunks of a token. The token of a node has no more."""
+    eid = token.nid if isinstance(token, NodeToken) else token.eid
+    ids = f"{domain_text(token.domain)}/{token.zid}/{token.nid}/{eid}/{token.kind.value}"
+    names = "/".join(map(mangle, (token.enclave, token.namespace, token.node)))
+    return f"{prefix}/{ids}/{names}"
 
 
-# "/" separates chunks, so a field's "/" becomes "%", which cannot occur in a ROS name.
-def _mangle(field: str) -> str:
+def mangle(field: str) -> str:
+    """Return a field with `%` for each `/`, which separates chunks. No name in ROS 2 has a `%`."""
     return field.replace("/", "%")
 
 

@@ -1,4 +1,7 @@
-"""`zbot build`: checks packages for errors before they run. It builds nothing."""
+"""`zbot build`: checks packages for errors before they run. It builds nothing.
+
+It writes `install/setup.bash`, because lessons type `source install/setup.bash` after a build.
+"""
 
 from __future__ import annotations
 
@@ -13,11 +16,18 @@ from zbot.errors import ZbotError, close_matches
 from zbot.package import packages
 from zbot.package.finder import BUNDLED_NAMES
 from zbot.package.manifest import ManifestError, read_manifest
-from zbot.package.workspace import MANIFEST, package_folders, package_name
+from zbot.package.workspace import (
+    MANIFEST,
+    build_roots,
+    package_folders,
+    package_name,
+)
 from zbot_cli.input.many_values import ManyValuesCommand
 from zbot_cli.output.exit_status import Status
 from zbot_cli.output.listing import new_app
 from zbot_cli.packages.check.package import check_package
+from zbot_cli.packages.known_workspaces import remember, workspace_folder
+from zbot_cli.packages.setup_scripts import source_line, write_setup_scripts
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -121,7 +131,7 @@ def build(
     Other options of colcon build are accepted and have no effect.
     """
     started = time.monotonic()
-    folders = _by_name(list(package_folders(base_paths)))
+    folders = _by_name(list(package_folders(base_paths, build_roots())))
     chosen = _chosen(folders, select, up_to, skip)
     known = {*packages(), *folders}.difference(BUNDLED_NAMES)
     failed, noisy = [], []
@@ -134,7 +144,20 @@ def build(
     _summarize(len(chosen), failed, noisy, time.monotonic() - started)
     if not folders:
         print("\nhint: put the packages of a workspace into its folder src", file=sys.stderr)
+    # Lessons build a workspace before it has packages, and then source its script.
+    is_workspace = bool(folders) or Path("src").is_dir()
+    if is_workspace and _write_scripts(base_paths) and folders and not failed:
+        print(f"To use the packages from every folder, type: {source_line()}")
     return Status.ERROR if failed else Status.OK
+
+
+def _write_scripts(base_paths: list[Path] | None) -> bool:
+    """Write the scripts of the workspace to its folder `install`; return whether they are there."""
+    if base_paths:
+        return write_setup_scripts(Path("install"), [path.resolve() for path in base_paths])
+    roots = build_roots()
+    remember(roots)
+    return write_setup_scripts(workspace_folder(roots) / "install", [roots[0][0]])
 
 
 def _by_name(folders: list[Path]) -> dict[str, Path]:

@@ -40,12 +40,14 @@ def complete(words: list[str], nouns: Iterable[str]) -> int:
 def _candidates(done: Sequence[str], unfinished: str, nouns: Iterable[str]) -> Iterable[str]:
     if not done:
         return (
-            ["--help", "--version", "--config", "--debug"] if unfinished.startswith("-") else nouns
+            ["--help", "--version", "--config", "--debug", "--domain", "--rmw"]
+            if unfinished.startswith("-")
+            else nouns
         )
     if done[0] == "run":
         return _executables(done[1:])
     if done[0] == "launch" and not unfinished.startswith("-"):
-        return _launch_files(done[1:])
+        return _launch_files(done[1:], unfinished)
     if done[0] not in nouns:
         return []
     from zbot_cli.nouns import load, verbs  # noqa: PLC0415 - not needed by `zbot run`
@@ -59,10 +61,33 @@ def _candidates(done: Sequence[str], unfinished: str, nouns: Iterable[str]) -> I
         return []
     if unfinished.startswith("-"):
         return _options(verb)
-    positions = [word for word in done[2:] if not word.startswith("-")]
+    positions, option = _split(verb, done[2:] if known else done[1:])
+    if option:
+        found: Iterable[str] = _OPTION_VALUES.get(option, _nothing)(positions, unfinished)
+        return found
     values = _VALUES.get((done[0], done[1] if len(done) > 1 else ""), ())
     source = values[min(len(positions), len(values) - 1)] if values else None
     return source(positions, unfinished) if source is not None else []
+
+
+def _split(verb: Any, words: Sequence[str]) -> tuple[list[str], str]:
+    """Return the words that are no options and no values of options, and the option at the end.
+
+    The option is an empty string if the next word is not its value.
+    """
+    with_value = {
+        name for one in verb.params if not getattr(one, "is_flag", True) for name in one.opts
+    }
+    positions: list[str] = []
+    option = ""
+    for word in words:
+        if option:
+            option = ""
+        elif word.startswith("-"):
+            option = word if word in with_value else ""
+        else:
+            positions.append(word)
+    return positions, option
 
 
 def _options(command: Any) -> list[str]:
@@ -81,11 +106,12 @@ def _executables(done: Sequence[str]) -> Iterable[str]:
     return {one.name for group in inside for one in group} if len(done) == 1 else []
 
 
-def _launch_files(done: Sequence[str]) -> Iterable[str]:
+def _launch_files(done: Sequence[str], unfinished: str) -> Iterable[str]:
     import zbot.compat  # noqa: F401, PLC0415 - launch files import ROS 2's names
-    from zbot_cli.packages.launch_file import candidates  # noqa: PLC0415 - needed only for `launch`
+    from zbot_cli.packages.launch_file import candidates, paths  # noqa: PLC0415 - needed only for `launch`
 
-    return candidates([word for word in done if not word.startswith("-")])
+    words = [word for word in done if not word.startswith("-")]
+    return [*candidates(words), *(() if words else paths(unfinished))]
 
 
 def _topics(_: Sequence[str], unfinished: str) -> Iterable[str]:
@@ -121,7 +147,12 @@ def _parameters(done: Sequence[str], _: str) -> Iterable[str]:
 
     with hidden_node("complete") as node:
         remote = RemoteParameters(node, 0)
-        return remote.names(remote.find(done[0]))
+        return filter(_is_plain_word, remote.names(remote.find(done[0])))
+
+
+def _is_plain_word(name: str) -> bool:
+    """Return whether a shell reads a name as it is. A node may choose any name for a parameter."""
+    return all(char.isalnum() or char in "_-./" for char in name)
 
 
 def _parameter_to_set(done: Sequence[str], unfinished: str) -> Iterable[str]:
@@ -194,6 +225,12 @@ def _workspace_packages(_: Sequence[str], __: str) -> Iterable[str]:
     return map(package_name, package_folders())
 
 
+def _added_packages(_: Sequence[str], __: str) -> Iterable[str]:
+    from zbot.interfaces.added import added_packages  # noqa: PLC0415 - needed only for this verb
+
+    return added_packages()
+
+
 def _packages(_: Sequence[str], __: str) -> Iterable[str]:
     from zbot.interfaces import packages  # noqa: PLC0415 - needed only for types
 
@@ -247,6 +284,53 @@ def _request(done: Sequence[str], _: str) -> Iterable[str]:
     return [f"'{json.dumps(json_value(request))}'"]
 
 
+def _nothing(_: Sequence[str], __: str) -> Iterable[str]:
+    return ()
+
+
+def _fields(done: Sequence[str], _: str) -> Iterable[str]:
+    """Return the fields of a topic's messages, e.g. `pose.position.x`."""
+    from zbot_cli.domain.topic_types import message_class  # noqa: PLC0415 - needed only for `--field`
+
+    types = done[1:2] or list(_topic_type(done, "") if done else [])
+    return _field_paths(message_class(types[0]), "") if len(types) == 1 else []
+
+
+def _field_paths(message_type: Any, prefix: str) -> Iterable[str]:
+    from zbot.interfaces import get_message  # noqa: PLC0415 - needed only for `--field`
+
+    for field in message_type._SPEC.fields:  # noqa: SLF001 - our own class
+        yield prefix + field.name
+        if field.type.is_message and field.type.kind == "scalar":
+            yield from _field_paths(get_message(field.type.base), f"{prefix}{field.name}.")
+
+
+def _profiles(_: Sequence[str], __: str) -> Iterable[str]:
+    from zbot.qos import QoSPresetProfiles  # noqa: PLC0415 - needed only for `--qos-profile`
+
+    return QoSPresetProfiles.short_keys()
+
+
+def _choices(*words: str) -> Any:
+    return lambda _, __: words
+
+
+#: Sources of candidates for the word after an option.
+_OPTION_VALUES: dict[str, Any] = {
+    "--build-type": _choices("ament_python", "ament_cmake", "cmake"),
+    "--field": _fields,
+    "--packages-select": _workspace_packages,
+    "--packages-skip": _workspace_packages,
+    "--packages-up-to": _workspace_packages,
+    "--qos-durability": _choices("volatile", "transient_local"),
+    "--qos-history": _choices("keep_last", "keep_all"),
+    "--qos-liveliness": _choices("automatic", "manual_by_topic"),
+    "--qos-profile": _profiles,
+    "--qos-reliability": _choices("reliable", "best_effort"),
+    "--show": _choices("all", "active", "nodes"),
+}
+
+
 def _shells(_: Sequence[str], __: str) -> Iterable[str]:
     return ("bash", "zsh", "fish", "powershell")
 
@@ -258,8 +342,7 @@ _VALUES: dict[tuple[str, str], tuple[Any, ...]] = {
     ("action", "info"): (_actions,),
     ("action", "send_goal"): (_actions, _action_type, _goal),
     ("action", "type"): (_actions,),
-    ("build", "--packages-select"): (_workspace_packages,),
-    ("build", "--packages-up-to"): (_workspace_packages,),
+    ("bag", "record"): (_topics,),
     ("lifecycle", "get"): (_managed_nodes,),
     ("lifecycle", "list"): (_managed_nodes,),
     ("lifecycle", "set"): (_managed_nodes, _transitions),
@@ -270,6 +353,7 @@ _VALUES: dict[tuple[str, str], tuple[Any, ...]] = {
     ("param", "list"): (_nodes,),
     ("param", "load"): (_nodes, None),
     ("param", "set"): (_nodes, _parameter_to_set),
+    ("pkg", "deps"): (_all_packages,),
     ("pkg", "executables"): (_all_packages,),
     ("pkg", "prefix"): (_all_packages,),
     ("pkg", "xml"): (_all_packages,),
@@ -291,5 +375,7 @@ _VALUES: dict[tuple[str, str], tuple[Any, ...]] = {
     ("interface", "show"): (_all_types,),
     ("interface", "proto"): (_all_types,),
     ("interface", "package"): (_packages,),
+    ("interface", "remove"): (_added_packages,),
     ("completion", ""): (_shells,),
+    ("setup-shell", ""): (_shells,),
 }

@@ -54,7 +54,7 @@ _INSTALL = {
 }
 
 
-@app.callback(invoke_without_command=True)
+@app.command()
 def completion(
     shell: Annotated[str | None, typer.Argument(help="bash, zsh, fish or powershell")] = None,
 ) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import platform
+import re
 import socket
 import sys
 import time
@@ -17,7 +18,10 @@ import typer
 from zbot.errors import ZbotError
 from zbot.graph.snapshot import Snapshot, full_names, processes
 from zbot.names import fully_qualified, is_hidden, nearest
-from zbot.transport import config
+from zbot.terminal.text import escape_control_characters
+from zbot.transport import config, environment, running_programs
+from zbot.transport.errors import NoRouterError
+from zbot.transport.rmw_choice import RMW_ZENOH, dialect_of_rmw
 from zbot.version import __version__
 from zbot_cli.domain.client import client, snapshot_of
 from zbot_cli.output.exit_status import Status
@@ -32,7 +36,7 @@ app = new_app("Check this machine and the domain for problems", has_verbs=False)
 
 _OLDEST_PYTHON = (3, 10)
 _CONNECT_TIMEOUT_S = 0.5
-_TESTED_ZENOH = "1.10"
+_TESTED_ZENOH = (1, 10)
 _LARGEST_CLOCK_STEP_S = 0.1
 
 
@@ -43,14 +47,15 @@ class Finding:
     check: str
     text: str
     advice: str = ""
+    is_warning: bool = False  #: the check passed, but the advice may help if something else fails
 
     @property
     def is_ok(self) -> bool:
         """Whether nothing has to be done."""
-        return not self.advice
+        return self.is_warning or not self.advice
 
 
-@app.callback(invoke_without_command=True)
+@app.command()
 def doctor(
     report: Annotated[
         bool, typer.Option("-r", "--report", help="List nodes, topics and processes too")
@@ -78,7 +83,13 @@ def doctor(
     if as_json:
         print_json(
             [
-                {"check": one.check, "ok": one.is_ok, "text": one.text, "advice": one.advice}
+                {
+                    "check": one.check,
+                    "ok": one.is_ok,
+                    "warning": one.is_warning,
+                    "text": one.text,
+                    "advice": one.advice,
+                }
                 for one in findings
             ]
         )
@@ -90,16 +101,15 @@ def doctor(
 
 def _print(findings: list[Finding], bad: int) -> None:
     for finding in findings:
-        mark = "ok  " if finding.is_ok else "FAIL"
+        mark = "WARN" if finding.is_warning else "ok  " if finding.is_ok else "FAIL"
         print(f"{mark}  {finding.check}: {finding.text}")
         if finding.advice:
             print(f"      -> {finding.advice}")
     print()
-    print(
-        f"All {len(findings)} checks passed"
-        if not bad
-        else f"{bad}/{len(findings)} check(s) failed"
-    )
+    warnings = sum(finding.is_warning for finding in findings)
+    ending = f", with {warnings} warning(s)" if warnings else ""
+    total = len(findings)
+    print(f"{bad}/{total} check(s) failed{ending}" if bad else f"All {total} checks passed{ending}")
 
 
 @contextlib.contextmanager
@@ -111,6 +121,13 @@ def _client_or_none() -> Iterator[Context | None]:
         yield None  # the checks of the configuration report the error
 
 
+def _speaks_ros2() -> bool:
+    with contextlib.suppress(ZbotError):  # the check of the configuration reports the error
+        dialect = dialect_of_rmw(None, in_class=False, file=config.load())
+        return dialect.identifier == RMW_ZENOH
+    return False
+
+
 def _local_findings() -> Iterator[Finding]:
     checks: tuple[tuple[str, Callable[[], Finding]], ...] = (
         ("python", _python),
@@ -119,15 +136,20 @@ def _local_findings() -> Iterator[Finding]:
         ("discovery range", _range),
         ("configuration", _configuration),
         ("loopback", _loopback),
-        ("meeting port", _meeting_port),
+        ("meeting port", _ros2_router if _speaks_ros2() else _meeting_port),
         ("clock", _clock),
         ("class", _class),
+        ("visible nodes", _visibility),
+        ("rclpy", _rclpy),
     )
     for name, check in checks:
         try:
             yield check()
         except ZbotError as error:
             yield Finding(name, "not usable", str(error))
+    with contextlib.suppress(ZbotError):  # the checks above report the error
+        yield from _environment()
+        yield from _programs_outside()
 
 
 def _python() -> Finding:
@@ -138,10 +160,16 @@ def _python() -> Finding:
 
 def _versions() -> Finding:
     zenoh, machine = version("eclipse-zenoh"), f"{platform.system()} {platform.machine()}"
-    is_tested = zenoh.startswith(f"{_TESTED_ZENOH}.")
-    advice = f"zbot was tested with another version: pip install 'eclipse-zenoh=={_TESTED_ZENOH}.*'"
     text = f"{__version__}, eclipse-zenoh {zenoh}, {machine}"
-    return Finding("zbot", text, "" if is_tested else advice)
+    tested = ".".join(map(str, _TESTED_ZENOH))
+    remedy = f"pip install 'eclipse-zenoh=={tested}.*'"
+    found = tuple(int(part) for part in re.findall(r"\d+", zenoh)[:2])
+    if found > _TESTED_ZENOH:
+        advice = f"zbot was tested with Zenoh {tested}: if something fails, try {remedy}"
+        return Finding("zbot", text, advice, is_warning=True)
+    return Finding(
+        "zbot", text, f"this Zenoh is too old: {remedy}" if found < _TESTED_ZENOH else ""
+    )
 
 
 def _domain() -> Finding:
@@ -191,6 +219,14 @@ def _meeting_port() -> Finding:
     return Finding("meeting port", f"{name} is used by a program that is not zbot", advice)
 
 
+def _ros2_router() -> Finding:
+    try:
+        with client():
+            return Finding("ROS 2 router", "it answers, and programs speak rmw_zenoh_cpp")
+    except NoRouterError as error:
+        return Finding("ROS 2 router", "none answers", str(error))
+
+
 def _clock() -> Finding:
     started, steady = time.time(), time.monotonic()
     with socket.socket() as probe:  # connecting takes some time, in which the clock may jump
@@ -215,11 +251,50 @@ def _class() -> Finding:
     if not state["hub"]:
         advice = "the hub of this machine is not running: `zbot status` says how to start it"
         return Finding("class", f"joined {where}", advice)
-    if state["role"] in {"student", "partner"} and not state["linked"]:
-        other = f"{state['host']}:{state['port']}"
-        advice = f"{other} does not answer: connect to the network of that machine"
-        return Finding("class", f"joined {where}, not linked", advice)
+    if state["problem"]:
+        link = "linked" if state["linked"] else "not linked"
+        return Finding("class", f"joined {where}, {link}", state["problem"])
+    join = state["join"]
+    if join and join["former_host"]:
+        advice = f"students must join again at {join['host']}, the new address of this machine"
+        return Finding("class", f"opened {where} at {join['former_host']}", advice)
     return Finding("class", f"joined {where}")
+
+
+def _visibility() -> Finding:
+    from zbot.classroom.visibility import settled  # noqa: PLC0415 - not needed by `--help`
+
+    found = settled()
+    if found is None:
+        return Finding("visible nodes", "no hub of this machine answers")
+    seen = f"{len(found.running)} running, this machine's hub sees {len(found.hub)}"
+    if found.of_class is not None:
+        seen += f", and the class sees {len(found.of_class)}"
+    problems = "; ".join(found.problems())
+    advice = f"{problems}: end these nodes and start them again" if problems else ""
+    return Finding("visible nodes", seen, escape_control_characters(advice))
+
+
+def _environment() -> Iterator[Finding]:
+    for one in environment.differences():
+        yield Finding("environment", one.setting, one.text, is_warning=not one.hides)
+
+
+def _programs_outside() -> Iterator[Finding]:
+    count = sum(len(one.nodes) for one in running_programs.outside())
+    if count:
+        advice = escape_control_characters(running_programs.outside_text())
+        yield Finding("running nodes", f"{count} outside the class", advice)
+
+
+def _rclpy() -> Finding:
+    """Say whether `zbot bridge dds` would find a genuine rclpy."""
+    from importlib.machinery import PathFinder  # noqa: PLC0415 - asks none of zbot's finders
+
+    found = PathFinder.find_spec("rclpy")
+    if found is None or not found.origin:
+        return Finding("rclpy", "zbot's own; `zbot bridge dds` needs a genuine one")
+    return Finding("rclpy", f"a genuine one in {found.origin.removesuffix('/__init__.py')}")
 
 
 def _graph_findings(graph: Snapshot) -> list[Finding]:
@@ -231,7 +306,23 @@ def _graph_findings(graph: Snapshot) -> list[Finding]:
         *_duplicate_names(graph),
         *_type_clashes(graph),
         *_lonely_subscriptions(graph),
+        *_bridges(graph),
     ]
+
+
+def _bridges(graph: Snapshot) -> Iterator[Finding]:
+    from zbot.bridge.bridge_graph import bridges_in  # noqa: PLC0415 - few machines have one
+
+    for view in bridges_in(graph.tokens).values():
+        text = f"topics and services: {len(view.names)}, nodes of ROS 2: {len(view.nodes)}"
+        if view.nodes or view.names:
+            yield Finding("bridge", text)
+        else:
+            advice = (
+                "is the robot on, and is --ros-domain the robot's domain? Only on one machine: is "
+                "ROS_AUTOMATIC_DISCOVERY_RANGE the same? Of two bridges, only one carries"
+            )
+            yield Finding("bridge", text, advice, is_warning=True)
 
 
 def _duplicate_names(graph: Snapshot) -> Iterator[Finding]:

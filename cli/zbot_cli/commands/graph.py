@@ -37,7 +37,7 @@ class PictureError(ZbotError, OSError):
         super().__init__(f"cannot write {path}: {reason}; choose a folder that exists")
 
 
-@app.callback(invoke_without_command=True)
+@app.command()
 def graph(
     mode: Annotated[Mode, typer.Option("--show", help="Which topics to show")] = Mode.ALL,
     nodes: Annotated[str, typer.Option("--nodes", help=f"Which nodes: {_Filter}")] = "/",

@@ -2,12 +2,25 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
+from zbot.errors import ZbotError
 from zbot_cli.output.listing import new_app
+
+
+class KeystoreError(ZbotError):
+    """The router of ROS 2 has no certificates of its own."""
+
+    def __init__(self) -> None:
+        super().__init__(
+            "`zbot hub --rmw` has no option --keystore: write TLS into the file that "
+            "ZENOH_ROUTER_CONFIG_URI names"
+        )
+
 
 app = new_app("Link other machines to this one", has_verbs=False)
 
@@ -25,7 +38,15 @@ def hub(
         Path | None, typer.Option("--keystore", help="Folder of this machine's certificate")
     ] = None,
 ) -> None:
-    """Link the machines that join this one, until Ctrl-C."""
+    """Link the machines that join this one, until Ctrl-C.
+
+    With --rmw, run the router of ROS 2's nodes, like rmw_zenohd.
+    """
+    from zbot.transport.rmw_choice import RMW_VARIABLE, RMW_ZENOH  # noqa: PLC0415 - not for --help
+
+    if os.environ.get(RMW_VARIABLE) == RMW_ZENOH:
+        _serve_ros2(listen, connect, keystore)
+        return
     from zbot.classroom.address import (  # noqa: PLC0415 - not needed by `--help`
         EVERYWHERE,
         own_addresses,
@@ -60,3 +81,21 @@ def hub(
             print(f"on the other machines: zbot join {shown}", flush=True)
 
     serve("hub", lambda: settings, print_addresses)
+
+
+def _serve_ros2(listen: list[str] | None, connect: list[str] | None, keystore: Path | None) -> None:
+    from zbot.classroom.address import parse_address  # noqa: PLC0415 - not needed by `--help`
+    from zbot.classroom.hub_process import serve_session  # noqa: PLC0415 - as above
+    from zbot.transport.rmw_meeting import RmwRouter  # noqa: PLC0415 - as above
+
+    if keystore is not None:
+        raise KeystoreError
+    router = RmwRouter(
+        [parse_address(word).endpoint for word in listen or []],
+        [parse_address(word).endpoint for word in connect or []],
+    )
+    known = ", ".join(router.listen)
+    serve_session(
+        router.open,
+        lambda: print(f"the router of ROS 2 listens on {known}; Ctrl-C ends it", flush=True),
+    )

@@ -1,8 +1,10 @@
-"""Verbs of `zbot interface`: list types and packages, and show definitions."""
+"""Verbs of `zbot interface`: list types and packages, show definitions, and add packages."""
 
 from __future__ import annotations
 
 import sys
+from contextlib import nullcontext
+from pathlib import Path
 from typing import Annotated
 
 import typer
@@ -17,9 +19,12 @@ from zbot.interfaces import (
     interface_names,
     packages,
 )
+from zbot.interfaces.location import core_packages
+from zbot.interfaces.repositories import how_to_add, repository_of
 from zbot.names import nearest
 from zbot_cli.domain.types import all_types, find_types, type_hint
 from zbot_cli.output.definition import definition
+from zbot_cli.output.exit_status import Status
 from zbot_cli.output.listing import AsJson, new_app, print_json
 
 app = new_app("Look at message, service and action types")
@@ -42,10 +47,13 @@ class PackageError(ZbotError):
     """No package of that name has message, service or action types."""
 
     def __init__(self, package: str) -> None:
-        guess = nearest(package, packages())
-        self.hint = (
-            f"did you mean {guess}?" if guess else "`zbot interface packages` lists all packages"
-        )
+        guess = "" if repository_of(package) else nearest(package, packages())
+        if guess:
+            self.hint = f"did you mean {guess}?"
+        elif repository_of(package):
+            self.hint = how_to_add(package)
+        else:
+            self.hint = "`zbot interface packages` lists all packages"
         super().__init__(f"Unknown package '{package}'")
 
 
@@ -130,7 +138,9 @@ def list_packages(
 def show(
     type_name: Annotated[
         str,
-        typer.Argument(metavar="TYPE", help="e.g. geometry_msgs/msg/Twist, or - to read a pipe"),
+        typer.Argument(
+            metavar="TYPE", help="Type, e.g. geometry_msgs/msg/Twist, or - to read a pipe"
+        ),
     ],
     all_comments: Annotated[
         bool, typer.Option("--all-comments", help="Show comments of nested types too")
@@ -169,7 +179,9 @@ def _spec(word: str) -> InterfaceSpec:
 
 @app.command("proto")
 def proto(
-    type_name: Annotated[str, typer.Argument(metavar="TYPE", help="e.g. geometry_msgs/msg/Twist")],
+    type_name: Annotated[
+        str, typer.Argument(metavar="TYPE", help="Type, e.g. geometry_msgs/msg/Twist")
+    ],
     no_quotes: Annotated[
         bool, typer.Option("--no-quotes", help="Leave out the quotes around the text")
     ] = False,
@@ -189,3 +201,62 @@ def proto(
     )
     text = dump(plain(part()))
     print(text if no_quotes else f'"{text}"')
+
+
+class SourceNotFoundError(ZbotError):
+    """There is no file or folder with the name that was given to `zbot interface add`."""
+
+    def __init__(self, word: str) -> None:
+        self.word = word
+        super().__init__(f"there is no folder or archive '{word}'")
+
+
+@app.command("add")
+def add(
+    source: Annotated[
+        str,
+        typer.Argument(
+            metavar="SOURCE",
+            help="Folder or archive (zip, tar, wheel) with packages, or a name on PyPI",
+        ),
+    ],
+) -> int:
+    """Add a package's types for all projects.
+
+    The definitions are copied, so SOURCE can be deleted afterwards. ROS 2's own packages such as
+    std_msgs always come from zbot. Other packages come from the workspace, or else from the added
+    packages, or else from zbot.
+    """
+    from zbot.interfaces import added, collection  # noqa: PLC0415 - only this verb reads archives
+    from zbot_cli.packages import pypi  # noqa: PLC0415 - as above
+
+    path = Path(source).expanduser()
+    if not path.exists() and not pypi.is_name(source):
+        raise SourceNotFoundError(source)
+    with nullcontext(path) if path.exists() else pypi.downloaded(source) as place:
+        found = collection.collect(place)
+    core = core_packages()
+    new = [package for package in found if package.name not in core]
+    for package in new:
+        added.check(package)
+    for package in new:
+        added.store(package)
+        count = len(package.texts)
+        print(f"{package.name}: {count} type{'s' * (count != 1)} added")
+    for name in sorted({one.name for one in found}.intersection(core)):
+        print(f"warning: {name} is not added: it is part of ROS 2 and of zbot", file=sys.stderr)
+    lacking = sorted({name for package in new for name in added.check(package)})
+    for name in lacking:
+        print(f"warning: the types use {name}: {how_to_add(name)}", file=sys.stderr)
+    return Status.OK if new and not lacking else Status.ERROR
+
+
+@app.command("remove")
+def remove(
+    package_name: Annotated[str, typer.Argument(help="Name of a package that was added")],
+) -> None:
+    """Remove a package that was added."""
+    from zbot.interfaces import added  # noqa: PLC0415 - only this verb and `add` use the store
+
+    added.remove(package_name)
+    print(f"{package_name}: removed")

@@ -23,19 +23,45 @@ def join(
     number: Annotated[
         int | None, typer.Option("--number", help="Your number in the class, 1 to 232")
     ] = None,
+    new_student: Annotated[
+        bool, typer.Option("--new-student", help="You are not in the teacher's list of students")
+    ] = False,
     keystore: Annotated[
         Path | None, typer.Option("--keystore", help="Folder of this machine's certificate")
     ] = None,
 ) -> None:
     """Join a class or another machine that runs `zbot hub`."""
     from zbot.classroom import student  # noqa: PLC0415 - not needed by `--help`
+    from zbot_cli.domain.client import print_programs_outside  # noqa: PLC0415 - as above
 
-    joined = student.join(target, name=name, number=number, keystore=keystore, ask_pin=_ask_pin)
+    joined = student.join(
+        target,
+        name=name,
+        number=number,
+        is_new=new_student,
+        keystore=keystore,
+        ask_pin=_ask_pin,
+        ask_name=_ask_name,
+    )
     if joined.in_class:
         print(f'joined "{joined.class_name}": {joined.name}, you are number {joined.number}')
-        print("restart nodes that are already running; `zbot leave` leaves the class")
+        print("`zbot leave` leaves the class")
     else:
         print(f"joined {joined.host}:{joined.port}; `zbot leave` leaves it")
+    _print_differences()
+    print_programs_outside()
+
+
+def _print_differences() -> None:
+    """Print what the environment says against what was joined."""
+    from zbot.errors import ZbotError  # noqa: PLC0415 - not needed by `--help`
+    from zbot.transport import environment  # noqa: PLC0415 - as above
+
+    try:
+        for one in environment.differences():
+            print(one.text, file=sys.stderr)
+    except ZbotError as error:  # a variable or file that no program can use
+        print(error, file=sys.stderr)
 
 
 def _ask_pin(class_name: str) -> str | None:
@@ -48,3 +74,10 @@ def _ask_pin(class_name: str) -> str | None:
 
         return getpass(f'PIN of "{class_name}": ').strip()
     return sys.stdin.readline().strip() or None
+
+
+def _ask_name(given: str, known: str) -> bool | None:
+    """Ask whether the student is the similar name in the list. `None` without a terminal."""
+    if not sys.stdin.isatty():
+        return None
+    return typer.confirm(f'The teacher\'s list has no "{given}", but "{known}". Are you {known}?')

@@ -18,6 +18,8 @@ from zbot.launch.introspector import LaunchIntrospector
 from zbot.launch.service import LaunchService
 from zbot.launch.source import AnyLaunchDescriptionSource
 from zbot.launch.substitution import TextSubstitution, describe
+from zbot.package.ros_variables import set_ros_variables
+from zbot.package.workspace import set_workspace_variable
 from zbot_cli.commands.run import find as find_executable
 from zbot_cli.output.listing import new_app
 from zbot_cli.packages import launch_file
@@ -69,12 +71,17 @@ def launch(
             "-a", "--show-all-subprocesses-output", help="Show all output of all processes"
         ),
     ] = False,
+    strict: Annotated[
+        bool, typer.Option("--strict", help="Fail if something in the file cannot run here")
+    ] = False,
     prefix: Annotated[
         str, typer.Option("--launch-prefix", help="Command to put before every executable")
     ] = "",
     prefix_filter: Annotated[
         str,
-        typer.Option("--launch-prefix-filter", help="REGEX of the executables that get the prefix"),
+        typer.Option(
+            "--launch-prefix-filter", help="Regular expression of executables that get the prefix"
+        ),
     ] = "",
 ) -> int:
     """Run a launch file."""
@@ -86,6 +93,8 @@ def launch(
     # only its own objects.
     zbot.compat.install_names({"launch", "launch_ros", "launch_xml", "launch_yaml"})
     path, rest = launch_file.find(words)
+    set_ros_variables()
+    set_workspace_variable(path.parent)  # launch files and processes import the packages
     arguments = parse_arguments(rest)
     if show_args or print_description:
         return _show(path, arguments_only=show_args)
@@ -95,6 +104,7 @@ def launch(
         argv=rest,
         noninteractive=noninteractive or not sys.stdin or not sys.stdin.isatty(),
         debug=debug,
+        strict=strict,
         find_program=lambda package, executable: find_executable([package, executable]),
     )
     options = {PREFIX: prefix, PREFIX_FILTER: prefix_filter}

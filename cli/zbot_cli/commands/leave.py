@@ -2,18 +2,51 @@
 
 from __future__ import annotations
 
+import sys
+from typing import Annotated
+
+import typer
+
+from zbot_cli.output.exit_status import Status
 from zbot_cli.output.listing import new_app
 
 app = new_app("Leave the class or the other machine", has_verbs=False)
 
 
 @app.command()
-def leave() -> None:
+def leave(
+    yes: Annotated[
+        bool, typer.Option("--yes", "-y", help="Close the teacher's class without a question")
+    ] = False,
+) -> None:
     """Leave the class or the other machine."""
     from zbot.classroom import student  # noqa: PLC0415 - not needed by `--help`
     from zbot.classroom.errors import NotJoinedError  # noqa: PLC0415 - as above
+    from zbot_cli.domain.client import print_programs_outside  # noqa: PLC0415 - as above
 
+    if not (yes or _may_close()):
+        print("the class stays open")
+        raise typer.Exit(Status.ERROR)
     left = student.leave()
     if left is None:
         raise NotJoinedError
     print(f"left {left.class_name or left.host}")
+    print_programs_outside()
+
+
+def _may_close() -> bool:
+    """Return whether the command may close this machine's class. Without a class it may."""
+    from zbot.classroom.errors import ConfirmationError  # noqa: PLC0415 - not needed by `--help`
+    from zbot.transport import membership  # noqa: PLC0415 - as above
+
+    try:
+        present = membership.load()
+    except membership.MembershipError:
+        return True  # leaving removes the damaged file
+    if present is None or present.role != "teacher":
+        return True
+    if not sys.stdin.isatty():
+        raise ConfirmationError(present.class_name)
+    return typer.confirm(
+        f'This closes the class "{present.class_name}" for all students. Close it?'
+    )

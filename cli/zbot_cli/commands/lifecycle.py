@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from zbot_cli.domain.client import hidden_node, snapshot
+from zbot_cli.domain.client import hidden_node, note_if_nobody_runs, snapshot
 from zbot_cli.domain.managed_nodes import ManagedNodes, NodeSilentError, managed_nodes
 from zbot_cli.input.option_groups import with_option_groups
 from zbot_cli.output.exit_status import Status
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
     from lifecycle_msgs.msg import State, TransitionDescription
 
-app = new_app("Look at managed nodes, change their states")
+app = new_app("Look at managed nodes and change their states")
 
 NodeName = Annotated[str, typer.Argument(help="Name of the node, e.g. /lc_talker")]
 
@@ -52,14 +52,18 @@ def nodes(
     daemon: DaemonOptions = NO_DAEMON,
 ) -> None:
     """List the managed nodes that are running."""
-    names = managed_nodes(snapshot(), include_hidden=show_all)
+    graph = snapshot()
+    note_if_nobody_runs(graph)
+    names = managed_nodes(graph, include_hidden=show_all)
     print_names(names, count=count, as_json=as_json)
 
 
 @app.command("get")
 @with_option_groups
 def get(
-    node_name: Annotated[str | None, typer.Argument(help="All managed nodes if left out")] = None,
+    node_name: Annotated[
+        str | None, typer.Argument(help="Name of the node; without it, all managed nodes")
+    ] = None,
     as_json: AsJson = False,
     search: NodeSearch = VISIBLE_NODES,
 ) -> None:
@@ -95,12 +99,12 @@ def _plain(state: State) -> dict[str, Any]:
 def list_transitions(
     node_name: NodeName,
     show_all: Annotated[
-        bool, typer.Option("-a", "--all", help="Include transitions not possible now")
+        bool, typer.Option("-a", "--all", help="List all transitions, also those not possible now")
     ] = False,
     as_json: AsJson = False,
     search: NodeSearch = VISIBLE_NODES,
 ) -> None:
-    """List the transitions possible for a node now."""
+    """List the transitions that a node allows now."""
     with _managed(search.timeout) as remote:
         found = remote.transitions(remote.find(node_name), show_all=show_all)
     if as_json:

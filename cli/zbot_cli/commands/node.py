@@ -12,7 +12,7 @@ from zbot.errors import ZbotError
 from zbot.graph.snapshot import full_names
 from zbot.names import fully_qualified, is_hidden, nearest
 from zbot.wire.tokens import EntityKind
-from zbot_cli.domain.client import client, full_name, snapshot, snapshot_of
+from zbot_cli.domain.client import client, full_name, note_if_nobody_runs, snapshot, snapshot_of
 from zbot_cli.input.option_groups import with_option_groups
 from zbot_cli.output.listing import NO_DAEMON, AsJson, DaemonOptions, new_app, print_json
 
@@ -24,6 +24,15 @@ app = new_app("Look at nodes")
 
 #: Service type that `info` leaves out, as ros2 does. Nodes use it to describe their types.
 _TYPE_DESCRIPTION = "type_description_interfaces/srv/GetTypeDescription"
+#: The keys in JSON of the groups that `info` prints.
+_KEYS = {
+    "Subscribers": "subscriptions",
+    "Publishers": "publishers",
+    "Service Servers": "service_servers",
+    "Service Clients": "service_clients",
+    "Action Servers": "action_servers",
+    "Action Clients": "action_clients",
+}
 
 
 class UnknownNodeNameError(ZbotError):
@@ -51,16 +60,22 @@ def list_nodes(
     daemon: DaemonOptions = NO_DAEMON,
 ) -> None:
     """List the nodes that are running."""
-    nodes = [node for node in snapshot().nodes if show_all or not is_hidden(_name(node))]
+    graph = snapshot()
+    note_if_nobody_runs(graph)
+    nodes = [node for node in graph.nodes if show_all or not is_hidden(_name(node))]
     names = full_names(nodes)
     if count:
         print(len(names))
     elif as_json:
-        print_json([{"name": node.node, "namespace": node.namespace} for node in nodes])
+        print_json([_facts(node) for node in nodes])
     else:
         _warn_of_duplicates(names)
         for name in names:
             print(name)
+
+
+def _facts(node: NodeToken) -> dict[str, str]:
+    return {"node": _name(node), "name": node.node, "namespace": node.namespace}
 
 
 def _name(node: NodeToken) -> str:
@@ -101,7 +116,8 @@ def info(
         )
     groups = _groups(graph, name, include_hidden=include_hidden)
     if as_json:
-        print_json({"node": name, **{title: dict(group) for title, group in groups.items()}})
+        lists = {_KEYS[title]: dict(group) for title, group in groups.items()}
+        print_json({"node": name, **lists})
         return
     print(name)
     for title, group in groups.items():
@@ -154,22 +170,38 @@ def _processes(context: object) -> dict[str, Process]:
     return processes(context.session)  # type: ignore[attr-defined]
 
 
+def _check_own(name: str) -> None:
+    """Raise `NodeKillError` if the teacher has named a node of a student."""
+    from zbot.transport import config, membership  # noqa: PLC0415 - needed only by this verb
+
+    joined, domain = membership.load(), config.domain_id()
+    if joined is not None and joined.role == "teacher" and domain:
+        raise NodeKillError(
+            f"{name} runs on the laptop of student {domain}, and a teacher cannot end programs "
+            f"there: ask the student to type `zbot node kill {name}`"
+        )
+
+
 def _end(name: str, process: Process | None, *, force: bool) -> None:
     import os  # noqa: PLC0415 - needed only by this verb
     import signal  # noqa: PLC0415 - needed only by this verb
     import socket  # noqa: PLC0415 - needed only by this verb
 
     if process is None:
+        _check_own(name)
         raise NodeKillError(f"the process of {name} does not publish its pid; end it where it runs")
     if process.host != socket.gethostname():
         raise NodeKillError(f"{name} runs on {process.host} (pid {process.pid}); end it there")
-    number = signal.SIGKILL if force and hasattr(signal, "SIGKILL") else signal.SIGTERM
+    # On Windows SIGTERM ends a process at once, as SIGKILL does elsewhere.
+    number = signal.SIGTERM
+    if sys.platform != "win32" and force:
+        number = signal.SIGKILL
     try:
         os.kill(process.pid, number)
-    except ProcessLookupError:
-        raise NodeKillError(f"the process {process.pid} of {name} has already ended") from None
     except PermissionError:
         raise NodeKillError(
             f"the process {process.pid} of {name} belongs to another user"
         ) from None
+    except OSError:  # Windows has no ProcessLookupError for a number that no process has
+        raise NodeKillError(f"the process {process.pid} of {name} has already ended") from None
     print(f"{name}: ended process {process.pid} ({process.command})")

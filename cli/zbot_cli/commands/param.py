@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 import typer
 
 from zbot.errors import ZbotError
+from zbot.parameters.errors import ParameterAnswerError
 from zbot.parameters.file import sections
 from zbot.parameters.parameter import NoParametersError, Parameter
-from zbot_cli.domain.client import hidden_node
+from zbot_cli.domain.client import hidden_node, note_if_nobody_runs
 from zbot_cli.domain.parameters import ANSWER_TIMEOUT_S, ParameterNotSetError, RemoteParameters
 from zbot_cli.input.many_values import ManyValuesCommand
 from zbot_cli.input.option_groups import with_option_groups
@@ -78,7 +79,8 @@ def _end(failures: int) -> None:
 def list_parameters(
     node_name: Annotated[str | None, typer.Argument(help="Only this node")] = None,
     pattern: Annotated[
-        str | None, typer.Option("--filter", help="Only names whose beginning matches REGEX")
+        str | None,
+        typer.Option("--filter", help="Only names whose beginning matches this expression"),
     ] = None,
     prefixes: Annotated[
         list[str] | None, typer.Option("--param-prefixes", help="Only names below these prefixes")
@@ -95,6 +97,8 @@ def list_parameters(
     with _remote(search.timeout, service_timeout) as remote:
         one = None if node_name is None else remote.find(node_name)
         nodes = remote.nodes(include_hidden=search.include_hidden) if one is None else [one]
+        if not nodes:
+            note_if_nobody_runs(remote.graph())
         answers = remote.ask_all(
             nodes, "ListParameters", lambda request, _: request(prefixes=prefixes or [])
         )
@@ -253,6 +257,9 @@ def _send(
         answer = remote.ask(node, "SetParametersAtomically", parameters=messages)
         return [answer.result] * len(messages)
     results: list[Any] = remote.ask(node, "SetParameters", parameters=messages).results
+    if len(results) != len(messages):
+        reason = f"it has {len(results)} results for {len(messages)} parameters"
+        raise ParameterAnswerError(node, reason)
     return results
 
 

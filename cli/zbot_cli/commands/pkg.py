@@ -12,17 +12,22 @@ import typer
 from zbot.errors import ZbotError, close_matches
 from zbot.package import PackageNotFoundError, package_prefix, package_share, packages
 from zbot.package.finder import find_package
-from zbot.package.workspace import MANIFEST
+from zbot.package.workspace import MANIFEST, current_workspace, package_folders, package_name
 from zbot_cli.commands.run import PackageNotFoundError as UnknownPackageError
 from zbot_cli.input.many_values import ManyValuesCommand
+from zbot_cli.output.exit_status import Status
 from zbot_cli.output.listing import AsJson, new_app, print_json
 from zbot_cli.packages import executables
 from zbot_cli.packages.author import email_address, full_name
+from zbot_cli.packages.check.problem import shown_path
 from zbot_cli.packages.creation import Plan, create, known_licenses
 from zbot_cli.packages.executables import Executable, all_packages, program_file
+from zbot_cli.packages.known_workspaces import remember
 
 if TYPE_CHECKING:
     from xml.etree.ElementTree import Element
+
+    from zbot_cli.packages.lacking import Lacking
 
 app = new_app("Find and create packages")
 
@@ -33,7 +38,7 @@ class NoPackageError(ZbotError):
     """There is no package of that name."""
 
     def __init__(self, name: str, hint: str) -> None:
-        self.name, self.hint = name, hint
+        self.package, self.hint = name, hint
         super().__init__("Package not found")
 
 
@@ -99,8 +104,12 @@ def create_package(
     maintainer_name: Annotated[
         str, typer.Option("--maintainer-name", help="Name of the maintainer")
     ] = "",
-    node_name: Annotated[str, typer.Option("--node-name", help="Add a program")] = "",
-    library_name: Annotated[str, typer.Option("--library-name", help="Add a library")] = "",
+    node_name: Annotated[
+        str, typer.Option("--node-name", help="Add a program with this name")
+    ] = "",
+    library_name: Annotated[
+        str, typer.Option("--library-name", help="Add a library with this name")
+    ] = "",
 ) -> None:
     """Create a new package."""
     if license_name == "?":
@@ -123,6 +132,7 @@ def create_package(
         library=library_name,
     )
     create(plan)
+    remember(current_workspace())
     if license_name not in known_licenses():
         _warn_of_license(license_name)
     if plan.node and build_type is not BuildType.AMENT_PYTHON:
@@ -187,6 +197,56 @@ def _executables(name: str) -> list[Executable]:
     # If several packages have the same name, the first package is used.
     first = {package.name: package for package in reversed(inside)}
     return sorted(one for package in first.values() for one in package.executables)
+
+
+@app.command("deps")
+def dependencies(
+    package_names: Annotated[
+        list[str] | None,
+        typer.Argument(metavar="[PACKAGE]...", help="Look only at these packages"),
+    ] = None,
+    as_json: AsJson = False,
+) -> int:
+    """Show which message and Python packages are missing."""
+    import zbot.compat  # noqa: F401, PLC0415 - its packages, such as rclpy, are here
+    from zbot_cli.packages.lacking import OTHER, lacking_packages  # noqa: PLC0415 - slow to import
+
+    folders = {package_name(folder): folder for folder in package_folders()}
+    unknown = [name for name in package_names or () if name not in folders]
+    if unknown:
+        raise UnknownPackageError(unknown[0], sorted(folders))
+    chosen = [folders[name] for name in package_names or folders]
+    lacking = lacking_packages(chosen, folders)
+    if as_json:
+        keys = ("name", "kind", "file", "line", "get")
+        rows = [(one.name, one.kind, str(one.path), one.line, one.get) for one in lacking]
+        print_json([dict(zip(keys, row, strict=True)) for row in rows])
+    else:
+        _print_lacking(lacking, len(chosen))
+    return Status.ERROR if any(one.kind != OTHER for one in lacking) else Status.OK
+
+
+def _print_lacking(lacking: list[Lacking], count: int) -> None:
+    titles = {
+        "message": "Missing message packages and types:",
+        "python": "Missing Python packages:",
+    }
+    for kind, title in titles.items():
+        listed = [one for one in lacking if one.kind == kind]
+        if listed:
+            print(title)
+        for one in listed:
+            print(f"  {one.name}  ({shown_path(one.path)}:{one.line})\n      {one.get}")
+    if not any(one.kind in titles for one in lacking):
+        print(f"No message or Python package is missing in {count} package{'s' * (count != 1)}.")
+    others: dict[str, list[str]] = {}
+    for one in lacking:
+        if one.kind not in titles:
+            others.setdefault(one.get, []).append(one.name)
+    if others:
+        print("Other packages that package.xml names and that are not here:")
+    for reason, names in sorted(others.items()):
+        print(f"  {', '.join(names)}{reason and f': {reason}'}")
 
 
 @app.command("prefix")

@@ -31,7 +31,7 @@ def share(
         command({"op": "open", "on": not stop})
         print(f"{'only the teacher' if stop else 'everybody'} can publish in /class/")
         return
-    if not (owner.isascii() and owner.isdigit()) or reader is None:
+    if not (owner.isascii() and owner.isdigit() and len(owner) < 9) or reader is None:
         raise typer.BadParameter("name the owner and the reader of the topics: zbot share 17 18")
     command({"op": "share", "owner": int(owner), "reader": reader, "on": not stop})
     word = "no longer sees" if stop else "sees"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from zbot.terminal.text import escape_control_characters
 from zbot_cli.output.listing import AsJson, new_app, print_json
 
 app = new_app("Show the class or the other machine", has_verbs=False)
@@ -19,17 +20,33 @@ def status(as_json: AsJson = False) -> None:
 
 
 def _lines(state: dict[str, Any]) -> list[str]:
+    outside = [escape_control_characters(state["outside"])] if state["outside"] else []
     if state["role"] is None:
-        return ["this machine has joined nothing: its nodes see only each other"]
-    lines = [_role(state)]
+        return ["this machine has joined nothing: its nodes see only each other", *outside]
+    lines = [_role(state), *_invitation(state["join"])]
     if not state["hub"]:
         again = "zbot class start" if state["role"] == "teacher" else "zbot join"
         lines.append(f"the hub of this machine is not running: `{again}` starts it again")
     elif state["role"] in {"student", "partner"}:
-        where = f"{state['host']}:{state['port']}"
-        reason = state["problem"] or f"{where} does not answer"
-        lines.append("linked" if state["linked"] else f"not linked: {reason}")
+        link = "linked" if state["linked"] else "not linked"
+        lines.append(f"{link}: {state['problem']}" if state["problem"] else link)
+    elif state["problem"]:
+        lines.append(state["problem"])
+    lines += [*state["differences"], *outside]
     return lines + [f"the teacher said: {text}" for text in state["notices"]]
+
+
+def _invitation(join: dict[str, Any] | None) -> list[str]:
+    if join is None:
+        return []
+    lines = [f"students type: zbot join {join['code'] or join['host']}"]
+    lines += [f"PIN: {join['pin']}"] if join["pin"] else []
+    if join["former_host"]:
+        lines.append(
+            f"the address of this machine was {join['former_host']}, and is now {join['host']}: "
+            "students who have joined must join again"
+        )
+    return lines
 
 
 def _role(state: dict[str, Any]) -> str:

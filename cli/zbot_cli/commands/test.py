@@ -2,16 +2,21 @@
 
 from __future__ import annotations
 
+import ast
 import importlib.util
 import subprocess
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, ClassVar, TypeGuard
 
 import typer
 
 import zbot.compat
 from zbot.errors import ZbotError
+from zbot.package.ros_variables import set_ros_variables
+from zbot.package.workspace import package_folders, package_name, set_workspace_variable
+from zbot_cli.commands.build import UnknownPackagesError
+from zbot_cli.input.many_values import ManyValuesCommand
 from zbot_cli.output.exit_status import Status
 from zbot_cli.output.listing import new_app
 
@@ -20,6 +25,7 @@ if TYPE_CHECKING:
 
 app = new_app("Run tests and launch tests", has_verbs=False)
 
+_FUNCTION = "generate_test_description"
 _PLUGIN = "zbot.compat.pytest_plugin"
 
 
@@ -40,7 +46,11 @@ class NoPytestError(ZbotError):
         super().__init__("without pytest, zbot can run only launch files with test cases")
 
 
-@app.command("test")
+class _TestCommand(ManyValuesCommand):
+    many: ClassVar[frozenset[str]] = frozenset({"--packages-select"})
+
+
+@app.command("test", cls=_TestCommand)
 def run_tests(
     words: Annotated[
         list[str] | None,
@@ -49,26 +59,30 @@ def run_tests(
             help="Files or folders, and launch arguments; without PATH: ./test or this folder",
         ),
     ] = None,
+    select: Annotated[
+        list[str] | None,
+        typer.Option("--packages-select", help="Run the tests of these packages of the workspace"),
+    ] = None,
 ) -> int:
     """Run tests.
 
     A file with generate_test_description() is launched. Its test cases run during the launch.
     All other tests are run by pytest. With options after --, pytest also runs the launch files.
-
-    Examples:
-      zbot test test/test_talker_listener_launch.py
-      zbot test src/my_package -- -k talker
     """
     given = list(words or ())
     # The options of pytest begin at the first word with a dash, because typer removes the `--`.
     end = next((place for place, word in enumerate(given) if word.startswith("-")), len(given))
     given, options = given[:end], given[end:]
     paths = [Path(word) for word in given if ":=" not in word]
-    if not paths:
+    if select:
+        paths += _test_folders(select)
+    elif not paths:
         paths = [Path("test") if Path("test").is_dir() else Path()]
     for path in paths:
         if not path.exists():
             raise NoTestsError(path)
+    set_ros_variables()
+    set_workspace_variable(paths[0])
     arguments = [word for word in given if ":=" in word]
     launches = [path for path in paths if not options and _is_launch(path)]
     others = [path for path in paths if path not in launches]
@@ -77,12 +91,42 @@ def run_tests(
     return Status.ERROR if failed or code else Status.OK
 
 
+def _test_folders(names: list[str]) -> list[Path]:
+    folders = {package_name(folder): folder for folder in package_folders()}
+    unknown = [name for name in names if name not in folders]
+    if unknown:
+        raise UnknownPackagesError("--packages-select", unknown, folders)
+    found = [folders[name] for name in names]
+    return [folder / "test" if (folder / "test").is_dir() else folder for folder in found]
+
+
 def _is_launch(path: Path) -> bool:
     """Return whether a file is a launch test with unittest cases, as `launch_test` runs them."""
     if not path.is_file():
         return False
     text = path.read_text(encoding="utf-8", errors="replace")
-    return "def generate_test_description" in text and "launch_pytest" not in text
+    return _FUNCTION in text and "launch_pytest" not in text and _FUNCTION in _top_names(text)
+
+
+def _top_names(text: str) -> set[str]:
+    """Return the names that a Python file defines, assigns or imports outside of functions."""
+    try:
+        statements = ast.parse(text).body
+    except (SyntaxError, ValueError):
+        return set()  # pytest reports the file's mistake
+    names = set()
+    for one in statements:
+        if isinstance(one, (ast.FunctionDef, ast.AsyncFunctionDef)):
+            names.add(one.name)
+        elif isinstance(one, (ast.Import, ast.ImportFrom)):
+            names.update(alias.asname or alias.name for alias in one.names)
+        else:
+            names.update(each.id for each in ast.walk(one) if _is_assigned(each))
+    return names
+
+
+def _is_assigned(one: ast.AST) -> TypeGuard[ast.Name]:
+    return isinstance(one, ast.Name) and isinstance(one.ctx, ast.Store)
 
 
 def _run_launch(path: Path, words: Sequence[str]) -> bool:

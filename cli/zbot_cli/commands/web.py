@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Annotated
 
 import typer
@@ -17,7 +18,7 @@ class NoWebExtraError(ZbotError):
 
     def __init__(self, missing: str) -> None:
         self.missing = missing
-        super().__init__(f"the page needs {missing}: pip install 'zbot[web]'")
+        super().__init__(f'the page needs {missing}: install it with pip install "zbot[web]"')
 
 
 @app.command()
@@ -31,6 +32,14 @@ def web(
     read_only: Annotated[
         bool, typer.Option("--read-only", help="Allow no changes from the page")
     ] = False,
+    rosbridge: Annotated[
+        bool,
+        typer.Option("--rosbridge", help="Serve web programs too, e.g. programs that use roslibjs"),
+    ] = False,
+    origin: Annotated[
+        list[str] | None,
+        typer.Option("--origin", help="Web server whose pages may use rosbridge too; repeatable"),
+    ] = None,
 ) -> None:
     """Show the running system in a browser."""
     serve_page(
@@ -39,6 +48,8 @@ def web(
         port=port,
         open_browser=not no_browser,
         read_only=read_only,
+        rosbridge=rosbridge or bool(origin),
+        guests=origin or (),
     )
 
 
@@ -49,8 +60,10 @@ def serve_page(
     port: int = 8080,
     open_browser: bool = True,
     read_only: bool = False,
+    rosbridge: bool = False,
+    guests: Sequence[str] = (),
 ) -> None:
-    """Serve the page until Ctrl-C, and open it in a browser at a path.
+    """Serve the page until Ctrl-C, and open it in a browser at a path. See `zbot.web.server`.
 
     Raises:
         NoWebExtraError: The extra `web` is not installed.
@@ -68,6 +81,8 @@ def serve_page(
         open_browser=open_browser and has_desktop(),
         read_only=read_only,
         start_path=path,
+        rosbridge=rosbridge,
+        guests=guests,
     )
 
 
@@ -79,6 +94,6 @@ def check_extra() -> None:
     """
     from importlib.util import find_spec  # noqa: PLC0415 - only the page needs it
 
-    for name in ("nicegui", "psutil"):
-        if find_spec(name) is None:
+    for module, name in (("nicegui", "nicegui"), ("psutil", "psutil"), ("PIL", "pillow")):
+        if find_spec(module) is None:
             raise NoWebExtraError(name)

@@ -10,7 +10,10 @@ from typing import TYPE_CHECKING
 from zbot.context import Context
 from zbot.errors import ExternalShutdownException
 from zbot.graph.snapshot import Snapshot
-from zbot.transport.config import DiscoveryRange, discovery_range
+from zbot.names import is_hidden
+from zbot.terminal.text import escape_control_characters
+from zbot.transport import running_programs
+from zbot.transport.config import DiscoveryRange, discovery_range, domain_id
 from zbot_cli.output.exit_status import Status
 
 if TYPE_CHECKING:
@@ -31,6 +34,7 @@ def client(*, wait: bool = False) -> Iterator[Context]:
             "discovery is switched off (ZBOT_DISCOVERY_RANGE=OFF): no node can be seen",
             file=sys.stderr,
         )
+    print_programs_outside()
     context = Context(mode="client")
     context.init([])
     try:
@@ -38,6 +42,13 @@ def client(*, wait: bool = False) -> Iterator[Context]:
         yield context
     finally:
         context.shutdown()
+
+
+def print_programs_outside() -> None:
+    """Print the nodes of this machine that run outside what the machine has joined."""
+    text = running_programs.outside_text()
+    if text:
+        print(escape_control_characters(text), file=sys.stderr)
 
 
 def snapshot_of(context: Context) -> Snapshot:
@@ -49,6 +60,16 @@ def snapshot() -> Snapshot:
     """Return the graph of the domain at this moment."""
     with client() as context:
         return snapshot_of(context)
+
+
+def note_if_nobody_runs(graph: Snapshot) -> None:
+    """Say on stderr, in a terminal only, that a list is empty because no node is running."""
+    if sys.stderr.isatty() and all(is_hidden(node.node) for node in graph.nodes):
+        print(
+            f"no node is running in domain {domain_id()}; start one in another terminal, "
+            "e.g. zbot run sensor",
+            file=sys.stderr,
+        )
 
 
 @contextlib.contextmanager

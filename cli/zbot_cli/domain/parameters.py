@@ -10,7 +10,12 @@ from zbot.errors import ZbotError
 from zbot.graph.snapshot import full_names
 from zbot.interfaces import get_service
 from zbot.names import fully_qualified, is_hidden, nearest
-from zbot.parameters.parameter import Parameter, infer_parameter, parameter_value_to_python
+from zbot.parameters.parameter import (
+    Parameter,
+    infer_parameter,
+    parameter_type,
+    parameter_value_to_python,
+)
 from zbot_cli.domain.client import full_name
 
 if TYPE_CHECKING:
@@ -91,17 +96,18 @@ class RemoteParameters:
         """
         full = full_name(name)
         if not self._node.wait_for_node(full, self._timeout_s):
-            raise NodeNotFoundError(full, visible_nodes(self._snapshot()))
+            raise NodeNotFoundError(full, visible_nodes(self.graph()))
         return full
 
     def nodes(self, *, include_hidden: bool) -> list[str]:
         """Return the nodes that have parameter services."""
-        graph = self._snapshot()
+        graph = self.graph()
         services = {name for name, _ in graph.services()}
         found = full_names(graph.nodes) if include_hidden else visible_nodes(graph)
         return sorted({name for name in found if f"{name}/list_parameters" in services})
 
-    def _snapshot(self) -> Snapshot:
+    def graph(self) -> Snapshot:
+        """Return the graph of the domain at this moment."""
         return self._node.context.graph.snapshot()
 
     def ask_all(
@@ -136,7 +142,7 @@ class RemoteParameters:
     def _send(self, node: str, srv_type: Any, request: Any) -> Any:
         name = f"{node}/{_snake(srv_type.__name__)}"
         client = self._node.create_client(srv_type, name)
-        is_offered = any(name == one for one, _ in self._snapshot().services())
+        is_offered = any(name == one for one, _ in self.graph().services())
         if not is_offered or not client.wait_for_service(self._answer_timeout_s):
             raise NoParameterServicesError(node, f"{node} has no {name}")
         return client.call_async(request)
@@ -204,7 +210,7 @@ class RemoteParameters:
     def types(self, node: str, names: Sequence[str]) -> dict[str, Parameter.Type]:
         """Return the declared types of parameters of the node."""
         answer = self.ask(node, "DescribeParameters", names=list(names)).descriptors
-        return {one.name: Parameter.Type(one.type) for one in answer}
+        return {one.name: parameter_type(one.type) for one in answer}
 
     def typed(self, node: str, values: dict[str, Any]) -> list[Parameter[Any]]:
         """Return values of a file as parameters. In the file, bytes are lists of integers."""
@@ -233,7 +239,7 @@ def is_octets(value: Any) -> bool:
 
 
 def _parameter(name: str, value: Any) -> Parameter[Any]:
-    return Parameter(name, Parameter.Type(value.type), parameter_value_to_python(value))
+    return Parameter(name, parameter_type(value.type), parameter_value_to_python(value))
 
 
 def _snake(name: str) -> str:

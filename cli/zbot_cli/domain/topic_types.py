@@ -3,14 +3,21 @@
 from __future__ import annotations
 
 import sys
+import time
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
 from zbot.names import nearest
+from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
     from zbot.graph.snapshot import Snapshot
     from zbot.node.node import Node
+
+#: Seconds after which a command says that a topic has no publisher or no subscription.
+HINT_DELAY_S = 2.0
 
 
 class SeveralTypesError(ZbotError):
@@ -52,19 +59,65 @@ def wait_for_type(node: Node, name: str) -> str:
     graph = node.context.graph
     found = only_type(graph.snapshot(), name)
     if found is None:
-        print_waiting(graph.snapshot(), name)
+        started, is_hinted = time.monotonic(), print_waiting(graph.snapshot(), name)
         while found is None and node.context.ok():
             graph.wait_for(lambda snapshot: only_type(snapshot, name) is not None, 0.5)
             found = only_type(graph.snapshot(), name)
+            if not (found or is_hinted) and time.monotonic() - started >= HINT_DELAY_S:
+                print_missing(graph.snapshot(), name, EntityKind.PUBLISHER)
+                is_hinted = True
     return found or ""
 
 
-def print_waiting(graph: Snapshot, name: str) -> None:
-    """Print on stderr that the command waits for a topic. Add the most similar name if any."""
+def print_waiting(graph: Snapshot, name: str) -> bool:
+    """Print on stderr that the command waits for a topic. Add the most similar name if any.
+
+    Returns:
+        Whether there is a similar name.
+    """
     known = [topic for topic, _ in graph.topics()]
     guess = nearest(name, known)
     hint = f"; did you mean {guess}?" if guess else ""
     print(f"waiting for {name} to appear{hint}", file=sys.stderr, flush=True)
+    return guess is not None
+
+
+def hint_if_silent(node: Node, names: Sequence[str], is_silent: Callable[[], bool]) -> None:
+    """After two seconds, print on stderr which topics have no publisher and which are similar.
+
+    The node's executor must spin.
+
+    Args:
+        node: The node of the command.
+        names: The topics that the command listens to.
+        is_silent: Whether no message has arrived. Plain Zenoh programs do not appear in the graph.
+    """
+    from zbot.executor.clock import Clock  # noqa: PLC0415 - needed only by commands that listen
+    from zbot.time import ClockType  # noqa: PLC0415 - as above
+
+    def check() -> None:
+        timer.cancel()
+        if is_silent():
+            for name in names:
+                print_missing(node.context.graph.snapshot(), name, EntityKind.PUBLISHER)
+
+    timer = node.create_timer(HINT_DELAY_S, check, clock=Clock(clock_type=ClockType.STEADY_TIME))
+
+
+def print_missing(graph: Snapshot, name: str, kind: EntityKind) -> None:
+    """Print on stderr that a topic has no publisher or no subscription. Add the most similar name.
+
+    Args:
+        graph: The graph.
+        name: The topic. If it has an endpoint of the kind, nothing is printed.
+        kind: PUBLISHER or SUBSCRIPTION.
+    """
+    if graph.on(name, kind):
+        return
+    guess = nearest(name, [known for known, _ in graph.names_and_types(kind)])
+    hint = f"did you mean {guess}?" if guess else "`zbot topic list` shows the topics"
+    verb = "publishes" if kind is EntityKind.PUBLISHER else "subscribes to"
+    print(f"nobody {verb} {name}; {hint}", file=sys.stderr, flush=True)
 
 
 def message_class(type_name: str) -> type[Any]:

@@ -11,7 +11,7 @@ from zbot.interfaces.kinds import KINDS
 from zbot.names import nearest
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Container, Iterator
 
 
 class InvalidTypeError(ZbotError):
@@ -20,6 +20,32 @@ class InvalidTypeError(ZbotError):
     def __init__(self, word: str, hint: str) -> None:
         self.word, self.hint = word, hint
         super().__init__("The passed message type is invalid")
+
+
+class UnknownTypeError(ZbotError):
+    """No type on this machine, and no type that a node uses, has this name."""
+
+    def __init__(self, word: str, hint: str) -> None:
+        self.word, self.hint = word, hint
+        super().__init__(f"Unknown type '{word}'")
+
+
+def check_known(word: str, kind: str, used: Container[str]) -> str:
+    """Return the full name of a type: `std_msgs/String` is short for `std_msgs/msg/String`.
+
+    Args:
+        word: The name on the command line.
+        kind: `msg`, `srv` or `action`.
+        used: Types that nodes use. This machine may lack their definitions.
+
+    Raises:
+        UnknownTypeError: There is no such type.
+    """
+    name = word if word.count("/") == 2 else word.replace("/", f"/{kind}/", 1)
+    if name not in used and not _exists(name):
+        known = (one for one in all_types() if f"/{kind}/" in one)
+        raise UnknownTypeError(word, type_hint(word, [], known))
+    return name
 
 
 def looks_like_type(word: str) -> bool:

@@ -10,6 +10,7 @@ import os
 import re
 
 from zbot.errors import ZbotError
+from zbot.transport.config import COMMAND_DOMAIN
 
 NOUNS = frozenset({"action", "graph", "lifecycle", "node", "param", "service", "topic"})
 
@@ -49,5 +50,5 @@ def select_domain(words: list[str]) -> list[str]:
         domain = match.group(1)
         kept += [match.group(2)] if match.group(2) else []
     if domain is not None:
-        os.environ["ZBOT_DOMAIN_ID"] = domain
+        os.environ[COMMAND_DOMAIN] = domain
     return kept

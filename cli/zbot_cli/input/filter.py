@@ -9,16 +9,18 @@ from __future__ import annotations
 import ast
 import contextlib
 import operator
+import warnings
 from numbers import Real
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import ZbotError
+from zbot.errors import ZbotError, shortened
 from zbot.interfaces.field_path import FieldPathError, follow
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
 _MOST_NODES = 200
+_MOST_CHARACTERS = 10_000
 _BINARY: dict[type[ast.AST], Callable[[Any, Any], Any]] = {
     ast.Add: operator.add,
     ast.Sub: operator.sub,
@@ -91,8 +93,12 @@ class Filter:
 
     def __init__(self, expression: str) -> None:
         self._expression = expression
+        if len(expression) > _MOST_CHARACTERS:
+            raise FilterError(shortened(expression), "it is too long")
         try:
-            tree = ast.parse(expression.strip(), mode="eval")
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")  # the error below is enough
+                tree = ast.parse(expression.strip(), mode="eval")
         except (SyntaxError, ValueError, RecursionError, MemoryError) as exc:
             reason = getattr(exc, "msg", None) or "it is too long"
             raise FilterError(expression, reason) from None

@@ -39,7 +39,13 @@ def raise_on_ctrl_c() -> None:
 def _print_unless_interrupt(
     kind: type[BaseException], value: BaseException, trace: TracebackType | None
 ) -> None:
-    if not issubclass(kind, KeyboardInterrupt):
+    if issubclass(kind, KeyboardInterrupt):
+        return
+    if hasattr(sys.stderr, "stream"):  # a TerminalStream, which would show Python's colours as text
+        import traceback  # noqa: PLC0415 - only for errors in zbot and for --debug
+
+        traceback.print_exception(kind, value, trace)
+    else:
         sys.__excepthook__(kind, value, trace)
 
 

@@ -141,7 +141,7 @@ def _parsed(text: str) -> Tree | None:
     try:
         node = yaml_text.compose(text)
         return None if node is None or _is_empty(node) else _tree(node, text)
-    except yaml_text.YAMLError as exc:
+    except yaml_text.YamlError as exc:
         raise _syntax_error(text, exc) from None
 
 
@@ -193,16 +193,15 @@ def _assigned(text: str) -> Tree:
         # A collection needs brackets. `data=a: b` is a string whose quotes the shell removed.
         if not isinstance(node, yaml_text.CollectionNode) or node.flow_style:
             return _tree(node, text)
-    except yaml_text.YAMLError:
+    except yaml_text.YamlError:
         pass
     return Word(text, text)
 
 
-def _syntax_error(text: str, exc: yaml_text.YAMLError) -> ValuesError:
-    problem = getattr(exc, "problem", None) or "it is not YAML"
-    place = _place(text, getattr(exc, "problem_mark", None))
+def _syntax_error(text: str, exc: yaml_text.YamlError) -> ValuesError:
+    place = "" if exc.line is None else _place(text, exc)
     hint = 'write it like "{linear: {x: 2.0}}", with a blank after each colon'
-    return ValuesError(f"The values are not YAML: {problem}{place}", hint)
+    return ValuesError(f"The values are not YAML: {exc.problem}{place}", hint)
 
 
 def _place(text: str, mark: Any) -> str:
@@ -329,9 +328,13 @@ def _scalar(kind: FieldType, word: Word, path: str) -> Any:
     if word.value is None or isinstance(word.value, bool):
         found = "nothing" if word.value is None else word.text
         raise PopulateError(f"{path} is a number, not {found}", _example(kind, path))
-    if kind.base.startswith("float"):
-        return float(word.value)
-    number = _integer(word.value, path)
+    try:
+        number: Any = (
+            float(word.value) if kind.base.startswith("float") else _integer(word.value, path)
+        )
+    except (ValueError, OverflowError):
+        text = f"{path} is a number ({kind.base}), not {word.text!r}"
+        raise PopulateError(text, _example(kind, path)) from None
     return bytes([number]) if kind.base == "byte" else number
 
 

@@ -43,7 +43,8 @@ class QosOptions:
     durability: Annotated[str | None, _option("durability", "volatile or transient_local")] = None
     liveliness: Annotated[str | None, _option("liveliness", "automatic or manual_by_topic")] = None
     lease_s: Annotated[
-        float | None, _option("liveliness-lease-duration-seconds", "Lease of the liveliness")
+        float | None,
+        _option("liveliness-lease-duration-seconds", "Seconds of the liveliness lease"),
     ] = None
 
     def to_publish(self) -> QoSProfile:

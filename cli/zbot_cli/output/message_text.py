@@ -93,10 +93,16 @@ class Formatter:
         parts = [json_value(path.select(message)) for path in self._paths] or [json_value(message)]
         value = parts[0] if len(parts) == 1 else parts
         if self._form.with_info:
-            value = {"topic": topic, "info": dict(info), "message": value}
+            value = {"topic": topic, "info": _info_facts(info), "message": value}
         elif self._with_topic:
             value = {"topic": topic, "message": value}
         return json.dumps(value, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def _info_facts(info: MessageInfo) -> dict[str, object]:
+    gid = info["publisher_gid"]
+    facts = {key: value for key, value in info.items() if key != "publisher_gid"}
+    return facts | {"gid": None if gid is None else gid["data"].hex()}
 
 
 # -- YAML ----------------------------------------------------------------------------------------

@@ -10,6 +10,7 @@ import time
 from collections import deque
 from typing import TYPE_CHECKING
 
+from zbot.terminal.text import escape_control_characters, write_styled
 from zbot_cli.output.braille import Curve, draw
 
 if TYPE_CHECKING:
@@ -67,12 +68,12 @@ class TerminalPlot:
         if not self._is_terminal:
             self._loop(_PIPED_FRAME_S)
             return
-        sys.stdout.write(_ENTER)
+        write_styled(sys.stdout, _ENTER)
         try:
             self._loop(_FRAME_S)
         finally:
             # The last picture stays readable above the prompt.
-            print(_LEAVE + "\n".join(self._lines()))
+            write_styled(sys.stdout, _LEAVE + "\n".join(self._lines()) + "\n")
 
     def _loop(self, frame_s: float) -> None:
         pause = threading.Event()
@@ -90,7 +91,7 @@ class TerminalPlot:
         lines = self._lines()
         if self._is_terminal:
             text = "".join(f"{line}{_CLEAR_LINE}\n" for line in lines[:-1]) + lines[-1]
-            sys.stdout.write(f"{_HOME}{text}{_CLEAR_LINE}{_CLEAR_BELOW}")
+            write_styled(sys.stdout, f"{_HOME}{text}{_CLEAR_LINE}{_CLEAR_BELOW}")
         else:
             sys.stdout.write("\n".join(lines) + "\n\n")
         sys.stdout.flush()
@@ -105,7 +106,7 @@ class TerminalPlot:
             for points in (self._points.get(one.name, ()),)
         ]
         curves += [Curve(topic, ()) for topic in self._curves.waiting]
-        return draw(
+        lines = draw(
             curves,
             width=size.columns,
             height=size.lines,
@@ -113,3 +114,6 @@ class TerminalPlot:
             to_s=to_s,
             coloured=self._is_terminal and not os.environ.get("NO_COLOR"),
         )
+        if not self._is_terminal:
+            return lines
+        return [escape_control_characters(line, keep_colours=True) for line in lines]

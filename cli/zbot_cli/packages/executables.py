@@ -5,12 +5,15 @@ from __future__ import annotations
 import importlib.util
 import os
 import sys
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from importlib.machinery import PathFinder
 from pathlib import Path, PurePosixPath
 
+from zbot.package.bundled_nodes import BUNDLED_NODES
 from zbot.package.cmake_file import read_cmake
-from zbot.package.setup_file import SetupFileError, data_files, declared_scripts
+from zbot.package.errors import SetupFileError
+from zbot.package.python_finder import import_paths
+from zbot.package.setup_file import data_files, declared_scripts
 from zbot.package.workspace import package_folders, package_name, read_text
 
 #: Entry point group of nodes. An installed package may add its own nodes.
@@ -18,18 +21,6 @@ GROUP = "zbot.nodes"
 BUNDLED = "zbot_nodes"
 _PROJECT = "zbot"
 _COMMAND = "zbot_cli."
-_DEMO_NODES = frozenset({"add_two_ints_client", "add_two_ints_server", "listener", "talker"})
-#: For the name of each ROS 2 package: the bundled nodes that zbot also offers under this name.
-_ALIASES: dict[str, frozenset[str]] = {
-    "action_tutorials_cpp": frozenset({"fibonacci_action_client", "fibonacci_action_server"}),
-    "action_tutorials_py": frozenset({"fibonacci_action_client", "fibonacci_action_server"}),
-    "demo_nodes_cpp": _DEMO_NODES | {"parameter_blackboard"},
-    "demo_nodes_py": _DEMO_NODES,
-    "lifecycle": frozenset({"lifecycle_talker"}),
-    "lifecycle_py": frozenset({"lifecycle_talker"}),
-    "tf2_ros": frozenset({"static_transform_publisher", "tf2_echo"}),
-    "turtlesim": frozenset({"draw_square", "mimic", "turtle_teleop_key", "turtlesim_node"}),
-}
 #: Short names of bundled nodes.
 _NICKNAMES = {"turtlesim": "turtlesim_node"}
 
@@ -76,13 +67,6 @@ def workspace_packages() -> list[Package]:
     return [_of_sources(folder, paths) for folder in folders]
 
 
-def import_paths(folder: Path) -> list[str]:
-    """Return the folders in which Python finds the modules of a package."""
-    inner = folder / "src"
-    has_inner = inner.is_dir() and any(inner.glob("*/__init__.py"))
-    return [str(inner), str(folder)] if has_inner else [str(folder)]
-
-
 def _of_sources(folder: Path, paths: tuple[str, ...]) -> Package:
     name = package_name(folder)
     own = import_paths(folder)
@@ -90,6 +74,7 @@ def _of_sources(folder: Path, paths: tuple[str, ...]) -> Package:
     folders = (*own, *(path for path in paths if path not in own))
     try:
         scripts, files = declared_scripts(folder), program_files(folder)
+        compiled = frozenset(read_cmake(folder).compiled)
     except SetupFileError as error:
         return Package(name, (), folder, str(error))
     declared = [
@@ -98,7 +83,6 @@ def _of_sources(folder: Path, paths: tuple[str, ...]) -> Package:
         if not target.startswith(_COMMAND)  # the `zbot` command itself, in zbot's own sources
     ]
     installed = [Executable(name, one, str(path), folders) for one, path in files.items()]
-    compiled = frozenset(read_cmake(folder).compiled)
     return Package(name, (*declared, *installed), folder, "", compiled)
 
 
@@ -123,7 +107,11 @@ def _data_programs(folder: Path) -> dict[str, Path]:
         return {}
     place = PurePosixPath("lib", package_name(folder))
     files = (file for target, file in data_files(folder) if PurePosixPath(target) == place)
-    return {Path(file).name: folder / file for file in files if (folder / file).is_file()}
+    return {Path(file).name: folder / file for file in files if _is_present(folder / file)}
+
+
+def _is_present(path: Path) -> bool:
+    return os.path.isfile(path)  # noqa: PTH113 - the path may be no valid name
 
 
 def _is_python(path: Path) -> bool:
@@ -162,11 +150,17 @@ def bundled_packages() -> list[Package]:
     modules = sorted(path.stem for folder in folders for path in Path(folder).glob("[a-z]*.py"))
     names = {module: module for module in modules} | _NICKNAMES
     nodes = [Executable(BUNDLED, name, f"{BUNDLED}.{names[name]}:main") for name in sorted(names)]
-    aliases = (
-        Package(alias, tuple(replace(one, package=alias) for one in nodes if one.name in names))
-        for alias, names in _ALIASES.items()
+    replaced = (_replacing(name) for name, programs in BUNDLED_NODES.items() if programs)
+    return [Package(BUNDLED, tuple(nodes)), *replaced]
+
+
+def _replacing(package: str) -> Package:
+    """Return a ROS 2 package with the bundled nodes that replace its programs."""
+    modules = sorted(BUNDLED_NODES[package].items())
+    return Package(
+        package,
+        tuple(Executable(package, name, f"{BUNDLED}.{one}:main") for name, one in modules),
     )
-    return [Package(BUNDLED, tuple(nodes)), *aliases]
 
 
 def installed_packages() -> list[Package]:

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
 _BUNDLED = "zbot"
-_ENDINGS = (".py", ".xml", ".yaml", ".yml")
+_ENDINGS = (".py", ".xml", ".yaml", ".yml", ".launch")
 _MARKS = (".launch.", "_launch.")
 
 
@@ -100,6 +100,17 @@ def candidates(done: Sequence[str]) -> Iterable[str]:
     if description is None:
         return []
     return [f"{one.action.name}:=" for one in declared_arguments(description, path=str(path))]
+
+
+def paths(unfinished: str) -> Iterable[str]:
+    """Return the paths of launch files, and of folders, that begin with an unfinished word."""
+    typed, slash, _ = unfinished.rpartition("/")
+    folder = Path(typed or "/") if slash else Path()
+    for entry in sorted(folder.iterdir() if folder.is_dir() else ()):
+        if entry.is_dir() and not entry.name.startswith("."):
+            yield f"{typed}{slash}{entry.name}/"
+        elif _is_launch_file(entry.absolute()):
+            yield f"{typed}{slash}{entry.name}"
 
 
 def _is_launch_file(path: Path) -> bool:

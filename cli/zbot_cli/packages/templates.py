@@ -90,7 +90,7 @@ if(CMAKE_COMPILER_IS_GNUCXX OR CMAKE_CXX_COMPILER_ID MATCHES "Clang")
   add_compile_options(-Wall -Wextra -Wpedantic)
 endif()
 
-# packages that this one needs
+# packages that this package needs
 $packages
 $targets
 if(BUILD_TESTING)
@@ -105,7 +105,7 @@ PLAIN_CMAKE_LISTS = Template("""\
 cmake_minimum_required(VERSION 3.8)
 project($name)
 
-# packages that this one needs
+# packages that this package needs
 $packages
 $targets
 install(FILES package.xml DESTINATION share/$${PROJECT_NAME})

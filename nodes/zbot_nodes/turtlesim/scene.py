@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
     from zbot_msgs.srv import TurtleScene
 
-#: Name of the service below the node's name. It is hidden, because its last part begins with `_`.
+#: Name of the service below the node's name. Names that begin with `_` are hidden.
 SCENE = "~/_scene"
 
 

@@ -56,6 +56,11 @@ class Rotation:
     start: float = 0.0  #: heading at the start, rad
 
 
+def finite(value: float) -> float:
+    """Return a number, or 0 for NaN and infinity. A page that has no number sends NaN."""
+    return value if math.isfinite(value) else 0.0
+
+
 @dataclass
 class Turtle:
     """Turtle. Lengths are in metres, angles are in rad, and y points down."""
@@ -84,13 +89,14 @@ class Turtle:
 
     def command(self, forward: float, turn: float, sideways: float | None = None) -> None:
         """Set a velocity, which lasts 1 s. `None` keeps the present value of `sideways`."""
-        self.forward, self.turn = forward, turn
+        self.forward, self.turn = finite(forward), finite(turn)
         if sideways is not None:
-            self.sideways = sideways
+            self.sideways = finite(sideways)
         self._since_command_s = 0.0
 
     def teleport_to(self, x: float, y_up: float, heading: float) -> None:
         """Jump to a pose at the next tick."""
+        x, y_up, heading = finite(x), finite(y_up), finite(heading)
 
         def go() -> None:
             self.x, self.y, self.heading = x, max(0.0, SIZE - y_up), heading
@@ -99,6 +105,7 @@ class Turtle:
 
     def teleport_by(self, linear: float, angular: float) -> None:
         """Turn and then jump ahead at the next tick."""
+        linear, angular = finite(linear), finite(angular)
 
         def go() -> None:
             self.heading += angular
@@ -121,6 +128,7 @@ class Turtle:
             )
             self.end_rotation(RotationState.ABORTED)
         rotation.start = self.heading
+        rotation.theta = finite(rotation.theta)
         self.rotation = rotation
 
     def end_rotation(self, state: RotationState) -> None:
@@ -214,6 +222,7 @@ class TurtleWorld:
         elif name in self.turtles:
             self._log("error", f"A turtle named [{name}] already exists")
             return None
+        x, y_up, theta = finite(x), finite(y_up), finite(theta)
         turtle = self.turtles[name] = Turtle(name, x, SIZE - y_up, theta)
         self._log("info", f"Spawning turtle [{name}] at x=[{x:f}], y=[{y_up:f}], theta=[{theta:f}]")
         return turtle

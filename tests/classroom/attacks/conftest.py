@@ -6,9 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
-from tests.classroom.attacked import AttackedClass
-from zbot.security.pin import PinClient
-from zbot.security.secret import Secret
+from tests.classroom.attacked import AttackedClass, pin_client
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -38,6 +36,12 @@ def ben(request: pytest.FixtureRequest, room: AttackedClass) -> Iterator[zenoh.S
 
 
 @pytest.fixture
+def guest(room: AttackedClass) -> Iterator[zenoh.Session]:
+    with room.as_guest_of_ben() as session:
+        yield session
+
+
+@pytest.fixture
 def lobby_user(room: AttackedClass) -> Iterator[zenoh.Session]:
     with room.as_lobby_user() as session:
         yield session
@@ -54,7 +58,7 @@ asked = AttackedClass.ask_admission
 
 def claimed(session: zenoh.Session, pin: str, request: dict[str, Any]) -> dict[str, Any]:
     """Claim a number with a PIN; return the claim and its answer."""
-    client = PinClient(Secret(pin))
+    client = pin_client(session, pin)
     challenge = asked(session, {"op": "enrol", **client.hello()})
     if "refused" in challenge:
         return {"answer": challenge}

@@ -90,7 +90,7 @@ def test_impersonate_the_teacher(
         (room.teacher_session, COMMAND_KEY),
         (room.teacher_session, facts_key(17)),
     ):
-        told = [reply.ok.payload.to_bytes() for reply in asking.get(key, timeout=2) if reply.ok]
+        told = [reply.ok.payload.to_bytes() for reply in asking.get(key, timeout=20) if reply.ok]
         assert told
         assert b"forged" not in b"".join(told)
     for one in forged:
@@ -103,6 +103,18 @@ def test_send_the_teachers_commands(room: AttackedClass, ben: zenoh.Session) -> 
         assert not [reply for reply in replies if reply.ok]
     assert room.ben.run("class", "list").code == 1
     assert room.ben.run("class", "free", "17").code == 1
+    assert room.listed()[17]["name"] == "Ana"
+
+
+def test_a_router_of_a_students_own_has_the_students_rights_only(
+    room: AttackedClass, guest: zenoh.Session, lobby_user: zenoh.Session
+) -> None:
+    assert room.talk.hears(room.teacher_session, guest, "18/work")
+    assert room.talk.hears(guest, room.teacher_session, "18/work")
+    test_read_a_foreign_domain(room, guest)
+    test_write_a_foreign_domain(room, guest)
+    test_deletes_and_wildcard_puts_reach_nobody(room, guest)
+    test_impersonate_the_teacher(room, guest, lobby_user)
     assert room.listed()[17]["name"] == "Ana"
 
 

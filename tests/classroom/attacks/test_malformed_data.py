@@ -7,6 +7,7 @@ import json
 import subprocess
 import sys
 import threading
+import time
 
 import pytest
 import zenoh
@@ -14,8 +15,9 @@ import zenoh
 from tests.classroom.attacked import PIN, AttackedClass, Computer
 from tests.classroom.attacks.conftest import claimed, is_plain
 from tests.classroom.talk import HERE, answers, dialling
-from tests.conftest import wait_until
+from tests.conftest import allowed, wait_until
 from zbot.classroom.keys import NOTICES_KEY, facts_key, here_key
+from zbot.classroom.running_nodes import MAX_LISTED
 from zbot.security.access import MAX_MESSAGE_SIZE
 
 
@@ -89,6 +91,26 @@ def test_malformed_tokens(room: AttackedClass, ben: zenoh.Session) -> None:
         assert is_plain(shown)
     for one in declared:
         one.undeclare()
+
+
+def test_a_flood_of_tokens_does_not_fill_the_teachers_list(
+    room: AttackedClass, ben: zenoh.Session
+) -> None:
+    space = "@zbot/18/a"
+    declared = [
+        ben.liveliness().declare_token(f"{space}/{number}/{number}/NN/%/%/node_{number}")
+        for number in range(2000)
+    ]
+    assert wait_until(lambda: len(room.listed()[18]["nodes"]) == MAX_LISTED, 20)
+    began_s = time.monotonic()
+    shown = room.teacher.do("class", "list")
+    assert time.monotonic() - began_s < allowed(2)
+    row = next(line for line in shown.splitlines() if "Ben" in line)
+    assert f"more than {MAX_LISTED} nodes, the rest is not shown" in row
+    assert "Ana" in shown
+    for one in declared:
+        one.undeclare()
+    assert wait_until(lambda: room.listed()[18]["nodes"] == [], 20)
 
 
 def test_malformed_samples_and_attachments(room: AttackedClass, ben: zenoh.Session) -> None:

@@ -17,6 +17,8 @@ import socket
 import sys
 import time
 
+assert sys.platform == "linux"  # other systems have no AF_PACKET
+
 _ALL_PROTOCOLS = 0x0003
 _SOL_PACKET = 263
 _VNET_HEADER = 15  # PACKET_VNET_HDR: checksums and segments that the kernel still has to make

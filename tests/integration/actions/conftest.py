@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 import zbot
+from tests.conftest import allowed
 from zbot.action import (
     ActionClient,
     ActionServer,
@@ -69,7 +70,7 @@ class Pair:
             executor = zbot.MultiThreadedExecutor(threads, context=context)
         self.serving = self._spin(self.server_node, executor=executor)
         self._spin(self.client_node)
-        assert self.client.wait_for_server(5)
+        assert self.client.wait_for_server(zbot.Duration(seconds=5))
 
     def send(self, order: int = 5, **options: Any) -> Handle:
         future = self.client.send_goal_async(Fibonacci.Goal(order=order), **options)
@@ -81,7 +82,7 @@ class Pair:
 def done(future: zbot.Future[Any], timeout_s: float = 5.0) -> Any:
     over = threading.Event()
     future.add_waker(over.set)
-    assert over.wait(timeout_s), "the future was never completed"
+    assert over.wait(allowed(timeout_s)), "the future was never completed"
     return future.result()
 
 

@@ -120,7 +120,7 @@ def test_results_expire_and_free_their_memory(pair: Pair) -> None:
         kept.append(goal)
         return compute(goal)
 
-    pair.begin(execute, result_timeout=0.5)
+    pair.begin(execute, result_timeout=allowed(0.5))
     handle = pair.send(1)
     assert status_of(handle.get_result()) is GoalState.SUCCEEDED
     assert wait_until(lambda: kept[0].status == GoalState.UNKNOWN)
@@ -169,6 +169,17 @@ def test_a_goal_is_canceled_when_the_server_agrees(pair: Pair) -> None:
     assert status_of(response) is GoalState.CANCELED
     assert list(response.result.sequence) == [8]
     assert handle.cancel_goal().return_code == CancelGoal.Response.ERROR_GOAL_TERMINATED
+
+
+def test_a_client_has_the_private_names_of_rclpy(pair: Pair) -> None:
+    pair.begin(until_canceled, cancel_callback=accept_cancel)
+    handle = pair.send(8)
+    client: Any = pair.client
+    assert done(client._cancel_goal_async(handle)).return_code == CancelGoal.Response.ERROR_NONE
+    assert status_of(done(client._get_result_async(handle))) is GoalState.CANCELED
+    assert status_of(client._get_result(handle)) is GoalState.CANCELED
+    terminated = CancelGoal.Response.ERROR_GOAL_TERMINATED
+    assert client._cancel_goal(handle).return_code == terminated
 
 
 def test_no_goal_is_canceled_unless_the_server_has_a_callback(pair: Pair) -> None:

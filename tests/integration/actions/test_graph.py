@@ -51,7 +51,7 @@ def test_the_status_topic_gives_late_subscribers_the_state_of_each_goal(pair: Pa
     )
     assert wait_until(lambda: seen == [[(7, GoalState.ACCEPTED.value)]])
     waiting[0].execute()
-    assert wait_until(lambda: seen[-1] == [(7, GoalState.SUCCEEDED.value)])
+    assert wait_until(lambda: bool(seen) and seen[-1] == [(7, GoalState.SUCCEEDED.value)])
     assert wait_until(lambda: handle.status == GoalState.SUCCEEDED)
 
 

@@ -117,7 +117,8 @@ def test_a_waiting_coroutine_is_not_resumed_before_its_future_is_done(
             node.destroy_timer(timer)
 
     complete(executor, executor.create_task(ask))
-    assert [answer.looks for answer in answers] == [1, 1]
+    # None if a timer of another thread completes the future before the coroutine looks at it.
+    assert max(answer.looks for answer in answers) <= 1
 
 
 def test_done_callbacks_run_in_the_executor(single: zbot.Executor) -> None:

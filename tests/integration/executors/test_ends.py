@@ -189,5 +189,5 @@ def test_destroying_a_node_while_another_thread_spins_it_is_clean(
 
 
 def test_module_functions_need_init() -> None:
-    with pytest.raises(NotInitializedError, match=r"zbot\.init\(\)"):
+    with pytest.raises(NotInitializedError, match=r"(zbot|rclpy)\.init\(\)"):
         zbot.Node("early")

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 import zbot
-from tests.conftest import wait_until
+from tests.conftest import allowed, wait_until
 from zbot.node.parameter_client import AsyncParameterClient
 from zbot.parameters.errors import ParameterNotDeclaredException
 from zbot.parameters.parameter import Parameter
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 def answer(future: zbot.Future[Any]) -> Any:
     over = threading.Event()
     future.add_waker(over.set)
-    assert over.wait(5)
+    assert over.wait(allowed(5))
     return future.result()
 
 

@@ -155,8 +155,9 @@ with zbot.init():
     ],
 )
 def test_a_program_ends_after_its_last_line(start: Start, way: str, code: int) -> None:
-    program = start(source=HEAD + f"robot = Robot()\nrobot.tick()\n{way}\n", by_zbot=True)
-    program.wait_for("up")
+    source = f"{HEAD}robot = Robot()\nrobot.tick()\nprint('last', flush=True)\n{way}\n"
+    program = start(source=source, by_zbot=True)
+    program.wait_for("last")
     begin = time.monotonic()
     assert program.wait() == code
     assert time.monotonic() - begin < allowed(LIMIT_S)

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from tests.conftest import allowed
+from tests.conftest import allowed, wait_until
 from tests.integration.process.conftest import HEAD, LIMIT_S, SEED, stop_without_errors
 
 if TYPE_CHECKING:
@@ -240,7 +240,7 @@ def test_a_signal_during_the_start_of_a_thread_does_not_block_the_exit(
     program = start(source=STARTS.format(thread=thread, then=then))
     begin = time.monotonic()
     assert program.wait() == -signal.SIGINT
-    assert time.monotonic() - begin < allowed(2 * LIMIT_S)
+    assert time.monotonic() - begin < allowed(4 * LIMIT_S)  # most of it is the start of Python
     assert not program.output
 
 
@@ -315,6 +315,39 @@ print("spin ended")
     program.wait_for("ready")
     assert stop_without_errors(program, signal.SIGINT) == 0
     assert program.lines == ["ready", "own handler", "spin ended"]
+
+
+THREAD_THAT_GOES_ON = """
+import threading, zbot
+from zbot.process import at_exit
+zbot.init()
+node = zbot.Node("robot")
+
+def work():
+    at_exit.wait_for_end(60)
+    print("goes on", flush=True)
+    threading.Event().wait()
+
+threading.Thread(target=work).start()
+print("ready", flush=True)
+zbot.spin(node)
+"""
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM], ids=["SIGINT", "SIGTERM"])
+def test_a_second_signal_ends_a_program_whose_threads_go_on(start: Start, number: int) -> None:
+    program = start(source=THREAD_THAT_GOES_ON)
+    program.wait_for("ready")
+    program.process.send_signal(number)
+    program.wait_for("goes on")
+
+    def has_ended() -> bool:
+        program.process.send_signal(number)
+        return program.process.poll() is not None
+
+    assert wait_until(has_ended, 20)
+    assert program.wait() == -number
+    assert "Traceback" not in program.output
 
 
 def test_sigterm_during_a_sleep_is_visible_in_the_exit_status(start: Start) -> None:

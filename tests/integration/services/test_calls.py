@@ -105,6 +105,7 @@ class TestAnswers:
         assert client.wait_for_service(5)
         assert client.call(Trigger.Request()).message == text
 
+    @pytest.mark.own_dialect("in ROS 2 all servers of a name get each request")
     def test_a_request_is_served_once_by_several_servers_of_one_name(
         self, make_context: MakeContext, spin: Spin, caller: zbot.Node
     ) -> None:
@@ -122,6 +123,7 @@ class TestAnswers:
         assert [client.call(Request(a=a, b=1)).sum for a in range(20)] == list(range(1, 21))
         assert served == list(range(20))
 
+    @pytest.mark.own_dialect("it sends a response in zbot's own form")
     def test_a_plain_zenoh_server_answers(self, caller: zbot.Node) -> None:
         session = caller.context.session
         key = f"{caller.context.get_domain_id()}/add"

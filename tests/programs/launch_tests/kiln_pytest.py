@@ -35,20 +35,20 @@ def test_the_kiln_is_hot(kiln: ExecuteProcess, launch_context: Any) -> None:
     def is_hot(text: str) -> None:
         assert text.strip() == "hot"
 
-    tools.assert_output_sync(launch_context, kiln, is_hot, timeout=10)
+    tools.assert_output_sync(launch_context, kiln, is_hot, timeout=60)
     assert not tools.wait_for_output_sync(launch_context, kiln, lambda text: "cold" in text, 0.01)
 
 
 @pytest.mark.launch(fixture=firing)
 async def test_it_starts_in_a_coroutine(kiln: ExecuteProcess, launch_context: Any) -> None:
-    assert await tools.wait_for_start(launch_context, kiln, timeout=10)
-    assert await tools.wait_for_output(launch_context, kiln, lambda text: "hot" in text, 10)
+    assert await tools.wait_for_start(launch_context, kiln, timeout=60)
+    assert await tools.wait_for_output(launch_context, kiln, lambda text: "hot" in text, 60)
     assert not await tools.wait_for_exit(launch_context, kiln, timeout=0.01)
 
 
 @pytest.mark.launch(fixture=firing)
 def test_it_burns_until_the_yield(kiln: ExecuteProcess, launch_context: Any) -> Iterator[None]:
-    assert tools.wait_for_output_sync(launch_context, kiln, lambda text: "hot" in text, 10)
+    assert tools.wait_for_output_sync(launch_context, kiln, lambda text: "hot" in text, 60)
     assert kiln.return_code is None
     yield
     assert kiln.return_code == 0

@@ -46,29 +46,29 @@ class TestMill(unittest.TestCase):
         rclpy.shutdown()
 
     def test_the_probe_measures(self, probe: ExecuteProcess, proc_info: Any) -> None:
-        proc_info.assertWaitForStartup(probe, timeout=10)
+        proc_info.assertWaitForStartup(probe, timeout=60)
         measured = rclpy.Future()
         self.node.create_subscription(Float64, "humidity", measured.set_result, 10)
-        rclpy.spin_until_future_complete(self.node, measured, timeout_sec=20)
+        rclpy.spin_until_future_complete(self.node, measured, timeout_sec=60)
         self.assertEqual(measured.result().data, 49.0)
 
     def test_the_topic_has_messages(self) -> None:
-        with WaitForTopics([("humidity", Float64)], timeout=20) as waiting:
+        with WaitForTopics([("humidity", Float64)], timeout=60) as waiting:
             self.assertEqual(waiting.topics_received(), {"humidity"})
             self.assertEqual(waiting.received_messages("humidity")[0].data, 49.0)
 
     def test_the_mill_stops(self, mill: ExecuteProcess, proc_info: Any, grain: str) -> None:
-        proc_info.assertWaitForShutdown(mill, timeout=10)
-        self.proc_output.assertWaitFor(f"{grain} is ground", process=mill, timeout=10)
+        proc_info.assertWaitForShutdown(mill, timeout=60)
+        self.proc_output.assertWaitFor(f"{grain} is ground", process=mill, timeout=60)
         with self.assertRaises(AssertionError):
             self.proc_output.assertWaitFor("barley", process=mill, timeout=0.01)
 
     def test_a_sack_is_added(self, launch_service: Any, proc_info: Any, proc_output: Any) -> None:
         sack = python("sack", "print('open')\ninput()")
         with launch_process(launch_service, sack, proc_info, proc_output) as process:
-            self.assertTrue(process.wait_for_output(lambda text: "open" in text, timeout=10))
+            self.assertTrue(process.wait_for_output(lambda text: "open" in text, timeout=60))
             self.assertTrue(process.running)
-        self.assertTrue(process.wait_for_shutdown(timeout=10))
+        self.assertTrue(process.wait_for_shutdown(timeout=60))
         self.assertFalse(process.running)
 
 

@@ -5,12 +5,18 @@ from typing import Any
 
 import pytest
 
-from zbot.classroom.admission import AdmissionRequest, AdmissionService, release_proof
+from zbot.classroom.admission import AdmissionRequest, AdmissionService, proof
 from zbot.classroom.register import Register
 from zbot.security.pin import PinClient, PinError
 from zbot.security.secret import Secret
 
 Document = dict[str, Any]
+
+HUB = "tcp/10.0.0.1:7447"
+
+
+def make_client(pin: str = "", hub: str = HUB) -> PinClient:
+    return PinClient(Secret(pin), "Robots", hub)
 
 
 class Class:
@@ -23,12 +29,13 @@ class Class:
             "Robots",
             pin,
             self.register,
+            is_own_hub=lambda hub: hub == HUB,
             credentials=lambda number: {"secret": f"s{number}"},
             changed=self.changed.append,
         )
 
     def request_admission(self, request: AdmissionRequest, pin: str = "") -> Document:
-        client = PinClient(Secret(pin))
+        client = make_client(pin)
         challenge = self.admission.answer({"op": "enrol", **client.hello()})
         sealed = self.admission.answer({"op": "claim", **client.claim(challenge, asdict(request))})
         return sealed if "refused" in sealed else client.opened(sealed)
@@ -47,6 +54,19 @@ def test_a_laptop_gets_a_number_and_its_credentials() -> None:
     assert given["name"] == "Cem"
     assert given["secret"] == "s17"
     assert lesson.changed == [17]
+
+
+def test_a_laptop_that_dialled_another_machine_gets_a_sentence() -> None:
+    hello = make_client("1234", hub="tcp/10.0.0.66:7447").hello()
+    answer = Class("1234").admission.answer({"op": "enrol", **hello})
+    assert answer["refused"] == "question"
+    assert "did not dial the class's own machine" in answer["sentence"]
+
+
+def test_an_older_laptop_gets_a_sentence() -> None:
+    answer = Class("1234").admission.answer({"op": "enrol", "public": "ab" * 384})
+    assert answer["refused"] == "question"
+    assert answer["sentence"].startswith("zbot on this laptop is older than zbot of the class:")
 
 
 def test_a_wrong_pin_is_refused_and_claims_no_number() -> None:
@@ -72,7 +92,7 @@ def test_a_number_out_of_range_is_refused() -> None:
 
 def test_a_claim_cannot_be_used_twice() -> None:
     lesson = Class()
-    client = PinClient(Secret(""))
+    client = make_client()
     challenge = lesson.admission.answer({"op": "enrol", **client.hello()})
     claim = {"op": "claim", **client.claim(challenge, asdict(AdmissionRequest("m1", "laptop")))}
     client.opened(lesson.admission.answer(claim))
@@ -81,26 +101,28 @@ def test_a_claim_cannot_be_used_twice() -> None:
 
 def test_a_claim_is_bound_to_its_proof() -> None:
     lesson = Class()
-    client = PinClient(Secret(""))
+    client = make_client()
     challenge = lesson.admission.answer({"op": "enrol", **client.hello()})
     claim = client.claim(challenge, asdict(AdmissionRequest("m1", "laptop", number=17)))
-    claim["claim"] = claim["claim"].replace("7", "8") if "7" in claim["claim"] else "00"
+    claim["claim"] = claim["claim"][:-2] + ("00" if claim["claim"][-2:] != "00" else "01")
     assert "refused" in lesson.admission.answer({"op": "claim", **claim})
 
 
 def test_only_the_holder_can_return_a_number() -> None:
     lesson = Class()
     given = lesson.request_admission(AdmissionRequest("m1", "laptop", number=17))
-    stolen = {"op": "release", "number": 17, "proof": release_proof("guess")}
+    stolen = {"op": "release", "number": 17, "proof": proof("guess", "release")}
     assert lesson.admission.answer(stolen) == {"released": False}
     assert 17 in lesson.register.students
-    honest = {"op": "release", "number": 17, "proof": release_proof(given["claim"])}
+    honest = {"op": "release", "number": 17, "proof": proof(given["claim"], "release")}
     assert lesson.admission.answer(honest) == {"released": True}
     assert lesson.admission.answer(honest) == {"released": False}
 
 
 def test_guesses_are_delayed() -> None:
     lesson = Class("1234")
+    server = lesson.admission._pin_server
+    server._now = lambda: server._counted  # all guesses come at once
     answers = []
     for number in range(20):
         try:

@@ -9,6 +9,7 @@ from zbot.classroom.register import (
     NumberError,
     Register,
     RosterError,
+    SimilarNameError,
     TakenError,
     clean_name,
     load_roster,
@@ -127,3 +128,36 @@ def test_an_invalid_list_is_refused_with_the_line(text: str, reason: str) -> Non
 def test_a_missing_list_is_refused(tmp_path: Path) -> None:
     with pytest.raises(RosterError, match="No such file"):
         load_roster(tmp_path / "nowhere.csv")
+
+
+def test_a_roster_with_an_odd_line_end_is_one_error() -> None:
+    with pytest.raises(RosterError, match="line 1 of the list"):
+        read_roster("1,Ana\r2,Ben\n")
+
+
+def test_a_roster_with_thousands_of_digits_is_one_error() -> None:
+    with pytest.raises(RosterError, match="is not a number from 1 to 232") as caught:
+        read_roster("9" * 5000 + ",Ana\n")
+    assert len(str(caught.value)) < 300
+
+
+def test_a_name_that_is_similar_to_one_of_the_list_is_a_question(register: Register) -> None:
+    with pytest.raises(SimilarNameError, match='no "Anna", but "Ana"'):
+        register.claim(None, "Anna", "laptop", "host")
+    assert register.claim(None, "Anna", "laptop", "host", is_new=True).name == "Anna"
+    assert register.claim(None, "ANA", "other", "host").number == 3
+    assert register.claim(None, "Anne", "third", "host").number == 2  # Ana is here already
+
+
+def test_a_laptop_that_returns_with_a_similar_name_is_asked_too(register: Register) -> None:
+    register.claim(None, "Ana", "laptop", "host")
+    with pytest.raises(SimilarNameError):
+        register.claim(None, "Anna", "laptop", "host")
+
+
+def test_laptops_with_equal_host_names_get_different_names() -> None:
+    register = Register()
+    names = [register.claim(None, None, f"laptop{k}", "lab-pc").name for k in range(30)]
+    assert names[:3] == ["lab-pc", "lab-pc-2", "lab-pc-3"]
+    assert len(set(names)) == 30
+    assert register.claim(None, None, "laptop0", "lab-pc").name == "lab-pc"

@@ -30,22 +30,27 @@ This page lists every public module, class, function and method of rclpy 9.1 (RO
 * **present**: the name is there. The tests in `tests/unit/compat/rclpy_calls/` call each of its
   methods.
 * **partly**: the class is there. The listed methods are absent, have no effect, or do less.
-* **no-op**: programs can import the name, but it does nothing when the program runs. It is there
-  for type annotations.
+* **no-op**: programs can import the name, but it has no effect. Nearly all of these names are for
+  type annotations.
 * **absent**: the name is not there.
 
-In the reasons, "the C library" is `rcl`. rclpy uses this library, and zbot does not use it.
+The last column of the tables has reasons. There, "the C library" means `rcl`. rclpy uses this
+library, and zbot does not use it.
 
-`python -m tests.unit.compat.rclpy_table` writes this page. A test compares it with the code.
+`python -m tests.unit.compat.rclpy_table` writes this page. A test compares the page with the code.
 
 zbot differs from rclpy on purpose in these points:
 
 * A call of a service without a server fails at once with a `ServiceError`. A call also
-  fails if its server ends. In rclpy the future stays pending for ever.
+  fails if its server ends. In rclpy, the futures of these calls stay pending for ever.
 * When a node is destroyed, all its entities disappear from the graph at the same time. This is
   also true for action servers. In rclpy an action server stays until its own `destroy()`.
 * `Rate.sleep()` works even if no executor spins in another thread.
 * A `MultiThreadedExecutor` has at least two threads if the program does not give a number.
+* Messages check every value that a program assigns, and `check_fields=False` changes nothing. With
+  `ROS_PYTHON_CHECK_FIELDS=0` in the environment, they check as in rclpy: only messages that are
+  made with `check_fields=True` check their values. If a message has a wrong value, `publish` still
+  raises a `CodecError`.
 
 """
 #: Reasons for absent names; by module, by `module.name`, or by the name alone.

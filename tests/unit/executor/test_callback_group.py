@@ -46,7 +46,7 @@ def test_only_one_of_many_threads_reserves_an_exclusive_group() -> None:
     entered: list[bool] = []
 
     def enter(_: int) -> None:
-        barrier.wait(5)
+        barrier.wait()
         entered.append(group.beginning_execution(Entity()))
 
     in_threads(enter, 8)

@@ -147,7 +147,7 @@ def test_many_threads_complete_a_future() -> None:
     future.add_done_callback(calls.append)
 
     def complete(number: int) -> None:
-        barrier.wait(5)
+        barrier.wait()
         future.set_result(number)
 
     in_threads(complete, 8)

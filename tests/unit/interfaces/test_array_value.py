@@ -1,12 +1,15 @@
 from __future__ import annotations
 
 import copy
+import sys
 from array import array
+from types import ModuleType
+from typing import Any
 
 import numpy as np
 import pytest
 
-from zbot.interfaces import array_value
+from zbot.interfaces import array_value, field_check
 from zbot.interfaces.array_value import (
     DTYPES,
     elements_text,
@@ -21,7 +24,8 @@ from zbot.interfaces.parser import parse_message
 @pytest.fixture
 def without_numpy(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(array_value, "numpy", lambda: None)
-    monkeypatch.setattr(array_value, "is_ndarray", lambda _value: False)
+    for module in (array_value, field_check):
+        monkeypatch.setattr(module, "is_ndarray", lambda _value: False)
 
 
 @pytest.mark.parametrize("typecode", DTYPES)
@@ -73,3 +77,13 @@ def test_without_numpy_fixed_arrays_are_arrays() -> None:
     assert cls() != message
     with pytest.raises(ValueError, match="a list of 2 values"):
         cls(x=[1])
+
+
+def test_messages_are_made_while_another_thread_imports_numpy(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    fields = "uint8[] x\nstring[] y\nfloat64[2] z"
+    cls = make_message(parse_message("demo_msgs/msg/Demo", fields), {})
+    monkeypatch.setitem(sys.modules, "numpy", ModuleType("numpy"))  # it is empty at first
+    message: Any = cls(x=(3, 4), y=("five",), z=(1, 2))
+    assert message.x == array("B", [3, 4])

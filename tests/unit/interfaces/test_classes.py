@@ -16,6 +16,7 @@ from zbot.interfaces.classes import make_message, module_name
 from zbot.interfaces.errors import FieldTypeError, PositionalFieldError, UnknownFieldError
 from zbot.interfaces.message import Message
 from zbot.interfaces.parser import parse_message
+from zbot.wire.codec import CodecError, codec_for
 
 
 def define(text: str) -> type[Any]:
@@ -126,6 +127,43 @@ def test_arrays_of_messages_hold_new_messages() -> None:
     first, second = define("geometry_msgs/Point[2] x")().x
     assert first == second
     assert first is not second
+
+
+@pytest.fixture
+def without_checks(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("ROS_PYTHON_CHECK_FIELDS", "0")
+
+
+_ALL_KINDS = "string text\nbool on\nint8 small\nstring[] words\nuint8[] raw\nfloat64[2] pair"
+
+
+@pytest.mark.usefixtures("without_checks")
+def test_fields_are_not_checked_if_the_environment_says_so() -> None:
+    cls: Any = define(_ALL_KINDS)
+    message = cls(text=False, small=1000, words=("a", 1), raw=[1], pair=[1, 2], txt="unknown")
+    assert (message.text, message.small, message.words) == (False, 1000, ("a", 1))
+    message.on = "yes"
+    assert message.on == "yes"
+    assert (message.raw, list(message.pair)) == (array("B", [1]), [1.0, 2.0])
+    assert copy.deepcopy(message) == message
+    with pytest.raises(CodecError, match="field 'text': expected a string, not bool False"):
+        codec_for(cls).encode(message)
+    with pytest.raises(TypeError, match="give the fields of demo_msgs/msg/Demo by name"):
+        cls("text")
+    with pytest.raises(AssertionError):
+        message.raw = ["a"]
+
+
+@pytest.mark.usefixtures("without_checks")
+def test_a_message_without_checks_can_ask_for_them() -> None:
+    cls: Any = define(_ALL_KINDS)
+    for wrong in ({"text": False}, {"small": 1000}, {"words": ["a", 1]}, {"txt": "unknown"}):
+        with pytest.raises(AssertionError):
+            cls(check_fields=True, **wrong)
+    message = cls(text="a", check_fields=True)
+    with pytest.raises(AssertionError):
+        message.text = False
+    assert define("int32 check_fields")(check_fields=3).check_fields == 3
 
 
 def test_an_unknown_field_is_refused_with_the_near_one() -> None:
@@ -268,9 +306,19 @@ def test_a_default_is_a_constant_like_its_field(line: str) -> None:
     assert cls.X__DEFAULT is not cls().x
 
 
-def test_constants_with_reserved_names_are_refused() -> None:
-    cls = define("int32 SPEC=1\nint32 TYPE_NAME=2\nint32 x")
-    assert cls.SPEC.name == cls.TYPE_NAME == "demo_msgs/msg/Demo"
+def test_public_names_are_those_of_ros() -> None:
+    cls: Any = define("int32 SPEC=1\nint32 TYPE_NAME=2\nint32 x")
+    ours = {"SLOT_TYPES", "get_fields_and_field_types"}
+    assert {name for name in dir(cls) if name[0] != "_"} == {"SPEC", "TYPE_NAME", "x", *ours}
+    assert (cls.SPEC, cls.TYPE_NAME) == (1, 2)
+    assert repr(copy.copy(cls(x=3))) == "demo_msgs.msg.Demo(x=3)"
+    service = get_service("std_srvs/srv/SetBool")
+    assert {name for name in dir(service) if name[0] != "_"} == {"Event", "Request", "Response"}
+
+
+def test_a_message_with_the_field_duplicate_can_be_copied() -> None:
+    cls: Any = define("bool duplicate")
+    assert copy.deepcopy(cls(duplicate=True)).duplicate
 
 
 @pytest.mark.parametrize(
@@ -288,7 +336,7 @@ def test_any_name_can_be_the_name_of_a_field(name: str) -> None:
 
 def test_a_service_is_a_namespace() -> None:
     service: Any = get_service("std_srvs/srv/SetBool")
-    assert service.Request.TYPE_NAME == "std_srvs/srv/SetBool_Request"
+    assert service.Request._TYPE_NAME == "std_srvs/srv/SetBool_Request"
     assert service.Response(success=True, message="on").success
     assert service.Event().request == []
     assert service.Event is get_interface("std_srvs/srv/SetBool_Event")
@@ -301,7 +349,7 @@ def test_an_action_is_a_namespace() -> None:
     action: Any = get_action("example_interfaces/action/Fibonacci")
     assert action.Goal(order=3).order == 3
     assert action.Result().sequence == array("i")
-    assert action.Feedback.TYPE_NAME == "example_interfaces/action/Fibonacci_Feedback"
+    assert action.Feedback._TYPE_NAME == "example_interfaces/action/Fibonacci_Feedback"
     impl = action.Impl
     assert impl.SendGoalService.Request(goal=action.Goal(order=3)).goal.order == 3
     assert impl.GetResultService.Response().status == 0

@@ -9,6 +9,7 @@ import pytest
 from zbot.interfaces.content_filter import ContentFilter, ContentFilterError
 
 from geometry_msgs.msg import Twist, Vector3
+from sensor_msgs.msg import LaserScan
 from std_msgs.msg import Bool, Float32MultiArray, Int32, String
 
 INTS = [Int32(data=number) for number in range(7)]
@@ -96,3 +97,19 @@ def test_an_invalid_expression_is_rejected_with_the_reason(
 def test_a_parameter_that_is_not_a_value_is_rejected() -> None:
     with pytest.raises(ContentFilterError, match="put strings in quotes"):
         chosen(TEXTS, "data = %0", "abc")
+
+
+@pytest.mark.parametrize(
+    "expression",
+    [
+        "ranges[0] LIKE 'a'",
+        "ranges[0] = 'a'",
+        "ranges[0:2] = 1",
+        "ranges = 1",
+        "ranges[0].x = 1",
+        "ranges[0] = TRUE",
+    ],
+)
+def test_elements_of_empty_lists_have_a_type(expression: str) -> None:
+    with pytest.raises(ContentFilterError):
+        ContentFilter(expression, (), LaserScan)

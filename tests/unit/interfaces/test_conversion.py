@@ -7,7 +7,6 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus, KeyValue
 
 from zbot.interfaces import lookup
 from zbot.interfaces import slot_type as idl
@@ -23,10 +22,11 @@ from zbot.interfaces.set_fields import set_message_fields
 
 import example_interfaces.action
 from builtin_interfaces.msg import Time
+from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus, KeyValue
 from geometry_msgs.msg import Point32, Polygon, PoseStamped, PoseWithCovariance
 from rcl_interfaces.msg import ParameterDescriptor
 from sensor_msgs.msg import JointState
-from std_msgs.msg import Header, String, UInt8MultiArray
+from std_msgs.msg import Header, Int8, String, UInt8MultiArray
 
 NAMED = JointState(name=["left", "right"], position=[0.5, 1.5])
 
@@ -225,3 +225,22 @@ def test_a_file_that_is_not_there_is_a_lookup_error() -> None:
 )
 def test_any_value_is_shortened(value: Any, expected: Any) -> None:
     assert convert_value(value, truncate_length=2) == expected
+
+
+@pytest.mark.parametrize(
+    ("values", "kind", "sentence"),
+    [
+        ({"dta": 1}, AttributeError, "'Int8' object has no attribute 'dta'; did you mean 'data'?"),
+        (
+            {"data": "x"},
+            ValueError,
+            "field 'data' of std_msgs/msg/Int8 must be of the type int8, not 'x'",
+        ),
+    ],
+)
+def test_an_error_names_the_field_and_what_is_near(
+    values: dict[str, Any], kind: type[Exception], sentence: str
+) -> None:
+    with pytest.raises(kind) as caught:
+        set_message_fields(Int8(), values)
+    assert str(caught.value) == sentence

@@ -19,6 +19,26 @@ HASHES: dict[str, str] = json.loads(
 )
 
 
+# Types of ROS 2's DDS middleware, which zbot does not have.
+DDS_TYPES = {
+    "Gid": (
+        "char[16] data",
+        "RIHS01_ab6f21cfbb0a6dbb837161e1110c2051a2850ed9f9c53944d7115d9bcebedf71",
+    ),
+    "NodeEntitiesInfo": (
+        (
+            "string<=256 node_namespace\nstring<=256 node_name\n"
+            "Gid[] reader_gid_seq\nGid[] writer_gid_seq"
+        ),
+        "RIHS01_8ffef65ee2d088c63b1e8fcd31e800ba9fc8dbe0ee15ca60d1676de5218087a7",
+    ),
+    "ParticipantEntitiesInfo": (
+        "Gid gid\nNodeEntitiesInfo[] node_entities_info_seq",
+        "RIHS01_91a0593bacdcc50ea9bdcf849a938b128412cc1ea821245c663bcd26f83c295e",
+    ),
+}
+
+
 def nothing_inside(name: str) -> InterfaceSpec:
     raise AssertionError(name)
 
@@ -26,6 +46,16 @@ def nothing_inside(name: str) -> InterfaceSpec:
 @pytest.mark.parametrize("name", HASHES)
 def test_hash_equals_that_of_ros(name: str) -> None:
     assert type_hash(name) == HASHES[name]
+
+
+@pytest.mark.parametrize("short", DDS_TYPES)
+def test_hash_of_nested_and_bounded_fields_equals_that_of_ros(short: str) -> None:
+    specs = {
+        name: parse_message(name, text)
+        for name, (text, _) in ((f"rmw_dds_common/msg/{one}", DDS_TYPES[one]) for one in DDS_TYPES)
+    }
+    spec = specs[f"rmw_dds_common/msg/{short}"]
+    assert description.hash_of(spec, specs.__getitem__) == DDS_TYPES[short][1]
 
 
 def test_a_class_has_the_hash_of_its_name() -> None:

@@ -1,8 +1,11 @@
 from __future__ import annotations
 
 import importlib
+import importlib.util
 import subprocess
 import sys
+from importlib import import_module
+from importlib.machinery import ModuleSpec
 from pathlib import Path
 from typing import Any
 
@@ -28,6 +31,47 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.chdir(source)
     monkeypatch.syspath_prepend(str(source))
     return source
+
+
+@pytest.mark.parametrize("statement", ["from ant_msgs.msg import Leaf", "import ant_msgs"])
+def test_a_missing_package_of_definitions_is_explained(statement: str) -> None:
+    with pytest.raises(ModuleNotFoundError) as caught:
+        exec(statement)
+    assert caught.value.name == "ant_msgs"
+    text = str(caught.value)
+    assert text.startswith("No module named 'ant_msgs'. To add the package, type `zbot interface ")
+    assert "put its .msg files into a folder ant_msgs/msg of your workspace" in text
+    assert importlib.util.find_spec("ant_msgs") is None
+    with pytest.raises(ModuleNotFoundError, match=r"; did you mean 'sensor_msgs'\? To add"):
+        import_module("sensors_msgs")
+
+
+def test_the_repository_of_a_missing_package_is_named() -> None:
+    text = "download https://github.com/PX4/px4_msgs and type `zbot interface add` with its folder"
+    with pytest.raises(ModuleNotFoundError, match=text):
+        import_module("px4_msgs.msg")
+
+
+def test_a_type_of_another_version_is_explained() -> None:
+    with pytest.raises(
+        ImportError, match="your robot's version of control_msgs to `zbot interface"
+    ):
+        exec("from control_msgs.msg import TypeOfTomorrow")
+    with pytest.raises(ImportError, match=r"did you mean 'PidState'\?"):
+        exec("from control_msgs.msg import PidStat")
+    with pytest.raises(ImportError, match=r"'std_msgs\.msg'$"):
+        exec("from std_msgs.msg import TypeOfTomorrow")
+
+
+def test_a_later_finder_may_have_the_package(monkeypatch: pytest.MonkeyPatch) -> None:
+    class Later:
+        @staticmethod
+        def find_spec(name: str, path: object, target: object = None) -> ModuleSpec | None:
+            del path, target
+            return ModuleSpec(name, None, is_package=True) if name == "bee_msgs" else None
+
+    monkeypatch.setattr(sys, "meta_path", [*sys.meta_path, Later])
+    assert importlib.import_module("bee_msgs").__name__ == "bee_msgs"
 
 
 @pytest.mark.parametrize(

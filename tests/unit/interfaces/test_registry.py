@@ -73,7 +73,7 @@ def test_types_are_found_by_full_and_short_names(name: str, full: str) -> None:
 
 def test_a_known_kind_may_be_left_out() -> None:
     assert get_service("std_srvs/SetBool") is get_service("std_srvs/srv/SetBool")
-    assert get_action("example_interfaces/Fibonacci").TYPE_NAME.count("/action/") == 1
+    assert get_action("example_interfaces/Fibonacci")._TYPE_NAME.count("/action/") == 1
 
 
 @pytest.mark.parametrize(

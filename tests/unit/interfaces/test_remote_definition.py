@@ -2,12 +2,14 @@ from __future__ import annotations
 
 import contextlib
 import json
+import time
 from typing import TYPE_CHECKING, Any
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.conftest import allowed
 from zbot.interfaces import (
     MessageSpec,
     get_spec,
@@ -16,13 +18,17 @@ from zbot.interfaces import (
     type_description,
     type_hash,
 )
+from zbot.interfaces.definition_limits import check_limits
 from zbot.interfaces.description import hash_of
 from zbot.interfaces.errors import (
+    DefinitionLimitError,
     InterfaceConflictError,
     InterfaceSyntaxError,
     UnknownInterfaceError,
 )
 from zbot.interfaces.location import shipped_packages
+from zbot.interfaces.parser import parse
+from zbot.interfaces.registry import register_spec
 from zbot.interfaces.remote_definition import hash_among, specs_from, specs_from_sources
 
 if TYPE_CHECKING:
@@ -159,3 +165,69 @@ def test_a_hash_needs_all_nested_definitions() -> None:
     specs = specs_from_sources("std_msgs/msg/Half", {"std_msgs/msg/Half": "Unheard part\n"})
     with pytest.raises(UnknownInterfaceError):
         hash_among("std_msgs/msg/Half", specs)
+
+
+# -- limits --------------------------------------------------------------------------------------
+
+
+def doubling(levels: int) -> dict[str, str]:
+    texts = {f"evil_msgs/msg/A{i}": f"A{i + 1} a\nA{i + 1} b\n" for i in range(levels)}
+    return texts | {f"evil_msgs/msg/A{levels}": "int32 x\n", "evil_msgs/msg/Bomb": "A0 a\n"}
+
+
+def chain(levels: int) -> dict[str, str]:
+    texts = {f"evil_msgs/msg/A{i}": f"A{i + 1}[] a\n" for i in range(levels)}
+    return texts | {f"evil_msgs/msg/A{levels}": "int32 x\n", "evil_msgs/msg/Bomb": "A0 a\n"}
+
+
+def bomb(text: str, **parts: str) -> dict[str, str]:
+    others = {f"evil_msgs/msg/{name}": part for name, part in parts.items()}
+    return others | {"evil_msgs/msg/Bomb": text}
+
+
+@pytest.mark.parametrize(
+    ("texts", "reason"),
+    [
+        (doubling(30), "an empty evil_msgs/msg/A14 would contain more than 100000 messages"),
+        (bomb("A[4096] a\n", A="B[4096] b\n", B="int32 x\n"), "more than 16777216 bytes"),
+        (bomb("float64[16777216] a\n"), "more than 16777216 bytes"),
+        (bomb("bool[16777216] a\n"), "more than 16777216 bytes"),
+        (bomb("".join(f"float64[1000000] a{i}\n" for i in range(9))), "16777216 bytes"),
+        (bomb("Big[] a\n", Big="float64[16777216] a\n"), "16777216 bytes"),
+        (bomb("geometry_msgs/PoseWithCovariance[1000000] a\n"), "16777216 bytes"),
+        (chain(100), "it has more than 60 levels"),
+        (chain(2000), "it has more than 1000 parts"),
+        (bomb("Bomb[] a\n"), "evil_msgs/msg/Bomb contains itself"),
+        (bomb("A a\n", A="Bomb b\n"), "contains itself"),
+        (bomb("".join(f"bool a{i}\n" for i in range(10_001))), "it has more than 10000 fields"),
+        (bomb("#" * 1_000_001), "its text has more than 1000000 characters"),
+    ],
+)
+def test_a_definition_that_would_fill_the_memory_is_refused(
+    texts: dict[str, str], reason: str
+) -> None:
+    begin = time.process_time()
+    with pytest.raises(DefinitionLimitError) as caught:
+        check_limits(specs_from_sources("evil_msgs/msg/Bomb", texts))
+    assert time.process_time() - begin < allowed(2)
+    assert str(caught.value).startswith("evil_msgs/msg/Bomb: zbot does not use this definition")
+    assert str(caught.value).endswith(reason)
+    assert caught.value.type_name == "evil_msgs/msg/Bomb"
+
+
+def test_a_description_that_would_fill_the_memory_is_refused() -> None:
+    with pytest.raises(DefinitionLimitError, match="far_msgs/msg/Odd"):
+        register_description(described(type_id=59, capacity=2**24))
+
+
+def test_the_interfaces_of_this_machine_are_within_the_limits() -> None:
+    for name in NAMES:
+        check_limits([get_spec(name)])
+
+
+def test_a_thousand_definitions_are_registered_quickly() -> None:
+    specs = [parse(f"many_msgs/msg/A{i}", "int32 x\n") for i in range(1000)]
+    begin = time.process_time()
+    for spec in specs:
+        register_spec(spec)
+    assert time.process_time() - begin < allowed(3)

@@ -2,11 +2,24 @@
 
 from __future__ import annotations
 
+import hashlib
+import json
+from pathlib import Path
 from typing import Any
 
 import pytest
 
-from zbot.interfaces import get_interface
+from zbot.interfaces import (
+    MessageSpec,
+    ServiceSpec,
+    get_interface,
+    get_spec,
+    interface_names,
+    type_hash,
+)
+
+#: Packages whose facts were compared with the definitions of their authors, and the versions.
+COMPARED = json.loads((Path(__file__).parent / "data" / "robot_packages.json").read_text())
 
 
 @pytest.mark.parametrize(
@@ -28,9 +41,56 @@ from zbot.interfaces import get_interface
         ("control_msgs/action/GripperCommand", "Goal", "command", "control_msgs/GripperCommand"),
         ("vision_msgs/msg/Detection2D", "", "results", "ObjectHypothesisWithPose>"),
         ("ackermann_msgs/msg/AckermannDriveStamped", "", "drive", "AckermannDrive"),
+        ("control_msgs/msg/PidState", "", "i_term", "double"),
+        ("controller_manager_msgs/srv/ListControllers", "Response", "controller", "State>"),
+        ("rosapi_msgs/srv/GetParam", "Response", "successful", "boolean"),
+        ("rosbridge_msgs/msg/ConnectedClients", "", "clients", "ConnectedClient>"),
+        ("moveit_msgs/action/MoveGroup", "Result", "error_code", "moveit_msgs/MoveItErrorCodes"),
+        ("moveit_msgs/msg/CollisionObject", "", "operation", "octet"),
+        ("map_msgs/msg/OccupancyGridUpdate", "", "data", "sequence<int8>"),
+        ("nmea_msgs/msg/Sentence", "", "sentence", "string"),
+        ("irobot_create_msgs/action/Dock", "Result", "is_docked", "boolean"),
+        ("turtlebot3_msgs/msg/SensorState", "", "left_encoder", "int32"),
+        ("robot_localization/srv/GetState", "Response", "covariance", "double[225]"),
+        ("foxglove_msgs/msg/SceneUpdate", "", "entities", "SceneEntity>"),
+        ("apriltag_msgs/msg/AprilTagDetection", "", "corners", "apriltag_msgs/Point[4]"),
+        ("radar_msgs/msg/RadarTrack", "", "uuid", "unique_identifier_msgs/UUID"),
     ],
 )
 def test_programs_for_robots_find_their_types(name: str, part: str, field: str, kind: str) -> None:
     made: Any = get_interface(name)
     types = (getattr(made, part) if part else made).get_fields_and_field_types()
     assert types[field].endswith(kind)
+
+
+@pytest.mark.parametrize("package", COMPARED)
+def test_names_types_constants_and_order_are_those_that_were_compared(package: str) -> None:
+    # No hash covers constants and defaults, and a wrong definition only shows between machines.
+    digest = hashlib.sha256("\n".join(facts(package)).encode()).hexdigest()
+    assert digest == COMPARED[package]["facts"]
+
+
+@pytest.mark.parametrize("package", COMPARED)
+def test_every_type_has_a_class_and_a_hash(package: str) -> None:
+    for name in interface_names(package):
+        assert get_interface(name)
+        assert type_hash(name).startswith("RIHS01_")
+
+
+def facts(package: str) -> list[str]:
+    lines = []
+    for name in interface_names(package):
+        for message in messages(name):
+            lines.append(message.name)
+            lines += [f"{one.type.text} {one.name} {one.default!r}" for one in message.fields]
+            lines += [f"{one.type.text} {one.name}={one.value!r}" for one in message.constants]
+    return lines
+
+
+def messages(name: str) -> list[MessageSpec]:
+    spec = get_spec(name)
+    if isinstance(spec, MessageSpec):
+        return [spec]
+    if isinstance(spec, ServiceSpec):
+        return [spec.request, spec.response]
+    return [spec.goal, spec.result, spec.feedback]

@@ -157,7 +157,15 @@ def test_both_formats_make_the_same_actions(tmp_path: Path, name: str, text: str
         ("a.launch.py", "\ndef generate_launch_description():\n    1/0", ":3: ZeroDivisionError"),
         ("a.launch.py", "def generate_launch_description():\n    pass", ":1: generate_launch_desc"),
         ("a.launch.py", "import no_such_module", ":1: ModuleNotFoundError: No module named"),
-        ("a.launch.txt", "", "the name of a launch file ends in .py, .xml, .yaml or .yml"),
+        ("a.launch", "", ": the file has no function generate_launch_description()"),
+        ("a.launch", "\n<launch>\n<nod/></launch>", ":3: there is no action `nod`"),
+        ("a.launch", "launch:\n- nod: {}", ":2: there is no action `nod`"),
+        ("a.launch", "def generate_launch_description():\n    1/0", ":2: ZeroDivisionError"),
+        (
+            "a.launch",
+            "launch:\n- {",
+            "not a launch file in XML, YAML or Python (YAML: line 3: ",
+        ),
     ],
 )
 def test_a_mistake_is_reported_with_file_and_line(
@@ -169,6 +177,28 @@ def test_a_mistake_is_reported_with_file_and_line(
     assert sentence.startswith(str(tmp_path / name))
     assert expected in sentence
     assert "\n" not in sentence
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "<?xml version='1.0'?>\n<launch><arg name='speed'/></launch>",
+        "\ufeff<launch><arg name='speed'/></launch>",
+        "# a comment\nlaunch:\n- arg: {name: speed}",
+        (
+            "import launch, launch.actions as actions\n"
+            "def generate_launch_description():\n"
+            "    return launch.LaunchDescription([actions.DeclareLaunchArgument('speed')])"
+        ),
+    ],
+    ids=["XML", "XML with a mark", "YAML", "Python"],
+)
+@pytest.mark.parametrize("name", ["a.launch", "a"])
+def test_the_content_tells_the_format_if_the_suffix_does_not(
+    tmp_path: Path, name: str, text: str
+) -> None:
+    description = _load(tmp_path, name, text)
+    assert [one.action.name for one in declared_arguments(description)] == ["speed"]
 
 
 def test_arguments_of_included_files_are_found(tmp_path: Path) -> None:

@@ -1,11 +1,14 @@
 from __future__ import annotations
 
+import importlib
 from typing import Any, List, Union  # noqa: UP035 - as launch files write it
 
 import pytest
 
+import zbot.compat
 from zbot.launch.context import LaunchContext
 from zbot.launch.errors import CoercionError, EntityTypeError
+from zbot.launch.frontend.entity import Entity
 from zbot.launch.substitution import TextSubstitution
 from zbot.launch.substitutions.value import LaunchConfiguration
 from zbot.launch.typed_value import (
@@ -88,3 +91,18 @@ def test_texts_become_values(
 def test_texts_of_several_types_are_refused(texts: Any) -> None:
     with pytest.raises(CoercionError):
         get_typed_value(texts)
+
+
+def test_launch_frontend_type_utils_has_the_functions_of_ros() -> None:
+    zbot.compat.install_names({"launch"})
+    type_utils = importlib.import_module("launch.frontend").type_utils
+    assert type_utils.get_data_type_from_identifier("list_of_int") == list[int]
+    assert type_utils.get_data_type_from_identifier("yaml") is None
+    with pytest.raises(ValueError, match=r"the type must be one of int, .*, not 'list'"):
+        type_utils.get_data_type_from_identifier("list")
+    assert type_utils.check_is_list_entity(List[Entity])  # noqa: UP006 - as above
+    assert not type_utils.check_is_list_entity(List[int])  # noqa: UP006 - as above
+    assert not type_utils.check_is_list_entity(Entity)
+    assert type_utils.is_typing_list(list[int])
+    assert type_utils.coerce_to_type("1.5", float) == 1.5
+    assert type_utils.check_type([1], list[int])

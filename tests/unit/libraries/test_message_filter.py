@@ -79,7 +79,7 @@ def test_a_callback_may_feed_the_synchronizer_that_called_it() -> None:
     left.signalMessage(at(1))
     thread = threading.Thread(target=right.signalMessage, args=[at(1)], daemon=True)
     thread.start()
-    thread.join(10)
+    thread.join(60)
     assert [each.header.stamp.sec for each in seen] == [1, 9]
 
 

@@ -259,3 +259,17 @@ def test_lines_outside_of_the_sheet_are_not_drawn(corner: tuple[int, int]) -> No
 )
 def test_angles_are_between_minus_pi_and_pi(angle: float, same: float) -> None:
     assert normal(angle) == pytest.approx(same, abs=1e-6)
+
+
+@pytest.mark.parametrize("wrong", [math.nan, math.inf, -math.inf])
+def test_values_that_are_no_numbers_do_not_end_the_world(world: TurtleWorld, wrong: float) -> None:
+    turtle = world.spawn(wrong, wrong, wrong)
+    assert turtle is not None
+    turtle.command(wrong, wrong, wrong)
+    world.tick()
+    turtle.teleport_to(wrong, 3.0, wrong)
+    world.tick()
+    turtle.teleport_by(wrong, wrong)
+    turtle.rotate(Rotation(wrong), Events())
+    world.tick()
+    assert (turtle.x, turtle.y_up, turtle.heading) == (0.0, 3.0, 0.0)

@@ -18,7 +18,8 @@ from zbot.package import (
     packages,
 )
 from zbot.package.finder import Origin, all_packages, find_package
-from zbot.package.symlink_install import SymlinkInstallError, cache_folder
+from zbot.package.symlink_install import SymlinkInstallError
+from zbot.package.user_folders import cache_folder
 from zbot.package.workspace import package_folders, set_workspace_variable
 
 if TYPE_CHECKING:
@@ -333,3 +334,70 @@ def test_a_package_around_its_workspace_is_found_once(
     monkeypatch.setenv("ZBOT_WORKSPACE", "")
     set_workspace_variable(outer)
     assert sorted(package_folders()) == [outer, inner]
+
+
+@pytest.mark.parametrize(
+    ("text", "is_package"),
+    [
+        ("[project]\nname = 'arm'\n", True),
+        ("project.name = 'arm'\n", True),
+        ("project = {name = 'arm'}\n", True),
+        ("[project\nname = 'arm'\n", True),  # its commands name the error
+        ("[tool.ruff]\ninclude = ['[project]']\n", False),
+        ("# [project]\n", False),
+        ("project = 1\n", False),
+    ],
+)
+def test_a_pyproject_with_a_project_is_a_package(
+    text: str,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    *,
+    is_package: bool,
+) -> None:
+    (tmp_path / "arm").mkdir()
+    (tmp_path / "arm" / "pyproject.toml").write_text(text)
+    monkeypatch.setenv("ZBOT_WORKSPACE", str(tmp_path))
+    assert list(package_folders()) == ([tmp_path / "arm"] if is_package else [])
+
+
+def test_the_pyproject_of_a_repository_is_no_package(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    arm, hand = tmp_path / "robots" / "arm", tmp_path / "robots" / "arm" / "hand"
+    hand.mkdir(parents=True)
+    (arm / "pyproject.toml").write_text("[project]\nname = 'arm'\n")
+    (hand / "package.xml").write_text("<package><name>arm</name></package>")
+    monkeypatch.setenv("ZBOT_WORKSPACE", str(tmp_path))
+    assert list(package_folders()) == [hand]
+    (arm / "setup.py").touch()
+    assert list(package_folders()) == [arm, hand]
+
+
+@pytest.mark.parametrize("name", ["AMENT_IGNORE", "CATKIN_IGNORE", "COLCON_IGNORE"])
+def test_a_file_hides_the_packages_of_a_folder(
+    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = tmp_path / "robots" / "arm"
+    folder.mkdir(parents=True)
+    (folder / "package.xml").write_text("<package><name>arm</name></package>")
+    monkeypatch.setenv("ZBOT_WORKSPACE", str(tmp_path))
+    assert list(package_folders()) == [folder]
+    (folder.parent / name).touch()
+    assert list(package_folders()) == []
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="needs the right to make links")
+def test_a_linked_repository_is_found_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    folder, source = tmp_path / "elsewhere" / "arm", tmp_path / "ws" / "src"
+    folder.mkdir(parents=True)
+    source.mkdir(parents=True)
+    (folder / "package.xml").write_text("<package><name>arm</name></package>")
+    (folder.parent / "circle").symlink_to(folder.parent)
+    (source / "robots").symlink_to(folder.parent)
+    (source / "twice").symlink_to(folder)
+    (source / "broken").symlink_to(tmp_path / "nowhere")
+    monkeypatch.setenv("ZBOT_WORKSPACE", str(source))
+    (found,) = package_folders()
+    assert found.samefile(folder)
+    assert found.is_relative_to(source)

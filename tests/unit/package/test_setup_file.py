@@ -4,7 +4,8 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from zbot.package.setup_file import SetupFileError, data_files, declared_scripts
+from zbot.package.errors import SetupFileError
+from zbot.package.setup_file import data_files, declared_scripts
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -43,6 +44,18 @@ def test_setup_py_is_parsed_without_running_it(tmp_path: Path, source: str) -> N
             "pyproject.toml",
             "[ project.scripts ] # run\n'talker' = 'pkg.talker:main' # it\n[x]\na='b'",
         ),
+        ("pyproject.toml", 'project = {scripts = {talker = "pkg.talker:main"}}'),
+        ("pyproject.toml", '[project]\nscripts = {talker = "pkg.talker:main"}'),
+        ("pyproject.toml", '[project]\r\nscripts.talker = "pkg.talker:main"\r\n'),
+        ("pyproject.toml", 'project.scripts."talker" = "pkg.talker\\u003amain"'),
+        ("pyproject.toml", '[project.scripts]\ntalker = """\\\n  pkg.talker:main"""'),
+        (
+            "pyproject.toml",
+            (
+                "[project]\ndescription = '''\n[project.scripts]\nlistener = 'pkg.l:main'\n'''\n"
+                "[project.scripts]\ntalker = 'pkg.talker:main'"
+            ),
+        ),
     ],
 )
 def test_other_files_declare_scripts_too(tmp_path: Path, name: str, text: str) -> None:
@@ -67,6 +80,17 @@ def test_a_folder_without_setup_files_declares_nothing(tmp_path: Path) -> None:
     [
         ("setup.py", "setup(entry_points={'console_scripts': [\n", "line 1"),
         ("setup.cfg", "console_scripts = 1\n", "no section headers"),
+        ("pyproject.toml", "[tool]\n\nx = \n", r"pyproject\.toml: line 3: Invalid value"),
+        ("pyproject.toml", "[project]\nx = [1,\n2", r"pyproject\.toml: line 3: "),
+        (
+            "pyproject.toml",
+            "[project]\nx = 1\nx = 2\n",
+            r"pyproject\.toml: line 3: Cannot overwrite",
+        ),
+        ("pyproject.toml", "x = " + "[" * 10_000, "nested"),
+        ("pyproject.toml", f"a = {'9' * 5000}", "too many digits"),
+        ("pyproject.toml", "[project]\nscripts = ['a']", "project.scripts must be a table"),
+        ("pyproject.toml", "[project.scripts]\na = 1", "project.scripts must be a table"),
     ],
 )
 def test_a_broken_file_is_named(tmp_path: Path, name: str, text: str, reason: str) -> None:
@@ -79,6 +103,10 @@ def test_a_broken_file_is_named(tmp_path: Path, name: str, text: str, reason: st
 def test_an_undecodable_file_is_named(tmp_path: Path) -> None:
     (tmp_path / "setup.py").write_bytes(b"console_scripts \xff")
     with pytest.raises(SetupFileError, match=r"setup\.py"):
+        declared_scripts(tmp_path)
+    (tmp_path / "setup.py").unlink()
+    (tmp_path / "pyproject.toml").write_bytes(b"\nx = '\xff'")
+    with pytest.raises(SetupFileError, match=r"pyproject\.toml: line 2: "):
         declared_scripts(tmp_path)
 
 

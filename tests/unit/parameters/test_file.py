@@ -55,9 +55,9 @@ def test_a_value_has_the_type_that_ros_reads(text: str, value: object) -> None:
         ("[a, b", "line 1, column 6"),
         ("a: b: c", "mapping values are not allowed here"),
         ("!!python/object:os.system x", "could not determine a constructor"),
-        ("&a [*a]", "a bool, a number"),
+        ("&a [*a]", "inside its own value"),
         ("9" * 20, "64 bits"),
-        ("[" * 5000, "recursion"),
+        ("[" * 5000, "deeper than 100 levels"),
     ],
 )
 def test_a_value_that_no_parameter_can_have_is_rejected(text: str, reason: str) -> None:
@@ -127,7 +127,7 @@ def test_an_empty_file_has_no_parameters(tmp_path: Path) -> None:
         ("a:\n  ros__parameters:\n    x:\n", "not a parameter's value: 'x'"),
         ("a:\n  ros__parameters:\n    x: [1, b]\n", "values of a list must have one type"),
         ("a:\n\tros__parameters:\n", "line 2, column 1"),
-        ("a:\n  ros__parameters: &a\n    x: *a\n", "nested too deeply"),
+        ("a:\n  ros__parameters: &a\n    x: *a\n", "inside its own value"),
     ],
 )
 def test_a_file_with_a_wrong_structure_is_refused_with_the_place(
@@ -145,6 +145,13 @@ def test_a_file_that_is_not_text_is_rejected(tmp_path: Path, content: bytes) -> 
     path.write_bytes(content)
     with pytest.raises(ParametersFileError):
         load(str(path), "/a")
+
+
+@pytest.mark.parametrize("encoding", ["utf-16", "utf-8-sig", "utf-8"])
+def test_a_file_of_a_windows_shell_is_read(tmp_path: Path, encoding: str) -> None:
+    path = tmp_path / "greeter.yaml"
+    path.write_bytes("/greeter:\r\n  ros__parameters:\r\n    name: Zoë\r\n".encode(encoding))
+    assert load(str(path), "/greeter") == {"name": "Zoë"}
 
 
 def test_mappings_of_a_repeated_key_are_merged(tmp_path: Path) -> None:

@@ -38,3 +38,13 @@ def test_accepted_users_are_one_per_line() -> None:
     assert accepted_users({"17": Secret("a"), "18": Secret("b")}) == b"17:a\n18:b\n"
     with pytest.raises(UserNameError):
         accepted_users({"17:x\n18": Secret("a")})
+
+
+def test_a_driver_may_write_to_one_robot_and_nobody_else_may() -> None:
+    rules = teacher_access({"ana": 17, "ben": 18}, drivers={"ana": "arm"})["access_control"]
+    writers = [rule for rule in rules["rules"] if "class/arm/**" in rule["key_exprs"]]
+    assert {rule["id"] for rule in writers} == {
+        "student ana drives: write",
+        "student ana drives: write (other side)",
+    }
+    assert not any("class/base/**" in rule["key_exprs"] for rule in rules["rules"])

@@ -23,3 +23,14 @@ def test_every_attack_test_is_named_on_the_page() -> None:
     modules = (ROOT / "tests" / "classroom" / "attacks").glob("test_*.py")
     attacks = "".join(path.read_text(encoding="utf-8") for path in modules)
     assert not [name for name in DEFINITION.findall(attacks) if name not in page]
+
+
+def test_every_promise_names_a_test_and_what_it_does_not_include() -> None:
+    page = (ROOT / "docs" / "security.md").read_text(encoding="utf-8")
+    section = page.partition("\n## Promises\n")[2].partition("\n## ")[0]
+    rows = re.findall(r"^\| (.+?) \| (.+?) \| (.+?) \|$", section, re.MULTILINE)
+    assert len(rows) > 10
+    for promise, tests, left_out in rows[1:]:
+        assert promise.endswith(".")
+        assert "`test_" in tests, promise
+        assert left_out.strip(), promise

@@ -8,6 +8,7 @@ import pytest
 from zbot.tf2 import transformations as tf
 from zbot.tf2.conversion import (
     do_transform_polygon_stamped,
+    do_transform_pose,
     do_transform_pose_with_covariance_stamped,
     do_transform_wrench,
 )
@@ -15,7 +16,9 @@ from zbot.tf2.conversion import (
 from geometry_msgs.msg import (
     Point32,
     PolygonStamped,
+    Pose,
     PoseWithCovarianceStamped,
+    Quaternion,
     TransformStamped,
     Vector3,
     WrenchStamped,
@@ -68,3 +71,30 @@ def test_a_polygon_is_moved_and_rotated() -> None:
         pytest.approx((1, 3, 3), abs=1e-6),
         pytest.approx((0, 2, 3), abs=1e-6),
     ]
+
+
+def _quaternion(x: float, y: float, z: float, w: float) -> Quaternion:
+    return Quaternion(x=x, y=y, z=z, w=w)
+
+
+def _parts(q: Quaternion) -> tuple[float, ...]:
+    return (q.x, q.y, q.z, q.w)
+
+
+@pytest.mark.parametrize(
+    ("orientation", "rotation", "expected"),
+    [
+        ((0.0, 0.0, 0.8, 0.6), (0.0, 0.0, 0.8, 0.6), (0.0, 0.0, -0.96, 0.28)),
+        ((0.0, 0.0, 0.0, -1.0), (0.0, 0.0, 0.0, 1.0), (0.0, 0.0, 0.0, 1.0)),
+        ((0.0, 0.0, 0.0, 2.0), (0.0, 0.0, 1.2, 1.6), (0.0, 0.0, 0.6, 0.8)),
+        ((0.0, 0.0, 0.0, 0.0), (0.0, 0.0, 0.6, 0.8), (0.0, 0.0, 0.6, 0.8)),
+    ],
+    ids=["more than half a turn", "negative", "not of length 1", "zero"],
+)
+def test_an_orientation_has_the_normal_form(
+    orientation: tuple[float, ...], rotation: tuple[float, ...], expected: tuple[float, ...]
+) -> None:
+    transform = TransformStamped()
+    transform.transform.rotation = _quaternion(*rotation)
+    pose = Pose(orientation=_quaternion(*orientation))
+    assert _parts(do_transform_pose(pose, transform).orientation) == pytest.approx(expected)

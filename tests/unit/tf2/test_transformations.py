@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from typing import Any
 
@@ -13,6 +14,12 @@ from hypothesis import strategies as st
 from zbot.tf2 import transformations as tf
 
 angles = st.floats(-3, 3)
+AXES = [
+    frame + "".join(turns)
+    for frame in "sr"
+    for turns in itertools.product("xyz", repeat=3)
+    if turns[0] != turns[1] != turns[2]
+]
 
 
 def test_known_rotations_have_known_quaternions() -> None:
@@ -34,7 +41,7 @@ def test_roll_pitch_and_yaw_are_recovered(roll: float, pitch: float, yaw: float)
     )
 
 
-@pytest.mark.parametrize("axes", sorted(tf._AXES))
+@pytest.mark.parametrize("axes", AXES)
 @given(angles, angles, angles)
 def test_every_order_of_axes_gives_the_same_rotation_again(
     axes: str, a: float, b: float, c: float
@@ -68,7 +75,7 @@ def test_a_composed_matrix_may_shear_and_project() -> None:
 TURNS = {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1)}
 
 
-@pytest.mark.parametrize("axes", sorted(tf._AXES))
+@pytest.mark.parametrize("axes", AXES)
 def test_every_order_of_axes_is_a_product_of_turns(axes: str) -> None:
     angles = (0.3, -0.7, 1.1)
     turns = [
@@ -137,6 +144,74 @@ def test_mirrors_and_projections_are_decomposed(matrix: tf.Matrix) -> None:
 def test_a_singular_matrix_cannot_be_decomposed(matrix: tf.Matrix) -> None:
     with pytest.raises(ValueError, match="singular"):
         tf.decompose_matrix(matrix)
+
+
+Q, P = (0.1, -0.2, 0.3, 0.9), (0.5, 0.5, -0.5, 0.5)
+MINUS_P = tuple(-part for part in P)
+MATRIX = [
+    [1.448600287, -1.877613739, -0.895300871, 1.0],
+    [0.991040777, 2.063406069, -1.495444217, 2.0],
+    [0.958851077, 1.121125347, 3.732570554, 3.0],
+]
+
+
+@pytest.mark.parametrize(
+    ("name", "arguments", "kind", "expected"),
+    [
+        ("quaternion_from_euler", (0.1, -0.2, 0.3), tuple, [0.064071348, -0.091157549, 0.153439302, 0.981856173]),
+        ("quaternion_from_euler", (0.1, -0.2, 0.3, "rzyx"), tuple, [0.153439302, -0.091157549, 0.064071348, 0.981856173]),
+        ("quaternion_from_euler", (0.1, -0.2, 0.3, "szxz"), tuple, [-0.099334665, -0.009966711, 0.197676812, 0.975170327]),
+        ("quaternion_from_euler", (0.1, -0.2, 0.3, (0, 0, 0, 1)), tuple, [0.153439302, -0.091157549, 0.064071348, 0.981856173]),
+        ("quaternion_about_axis", (0.7, (1, 2, 3)), tuple, [0.091643294, 0.183286588, 0.274929882, 0.939372713]),
+        ("quaternion_multiply", (Q, P), tuple, [0.45, 0.55, -0.15, 0.65]),
+        ("quaternion_conjugate", (Q,), np.ndarray, [-0.1, 0.2, -0.3, 0.9]),
+        ("quaternion_inverse", (Q,), np.ndarray, [-0.105263158, 0.210526316, -0.315789474, 0.947368421]),
+        ("euler_from_quaternion", (Q,), tuple, [0.070471345, -0.45794442, 0.627070663]),
+        ("euler_from_quaternion", (Q, "ryxz"), tuple, [-0.339292614, 0.321288589, 0.588002604]),
+        ("quaternion_slerp", (Q, P, 0.25), np.ndarray, [0.254943093, -0.010154635, 0.098520544, 0.961870368]),
+        ("quaternion_slerp", (Q, MINUS_P, 0.25), np.ndarray, [0.254943093, -0.010154635, 0.098520544, 0.961870368]),
+        ("quaternion_slerp", (Q, MINUS_P, 1.0), np.ndarray, MINUS_P),
+        ("quaternion_slerp", (Q, MINUS_P, 0.25, 0, False), np.ndarray, [-0.124447754, -0.436663221, 0.540735043, 0.708126825]),
+        ("quaternion_slerp", (Q, P, 0.25, 1), np.ndarray, [-0.443198844, -0.505888179, 0.526784624, -0.276027283]),
+        ("random_quaternion", ((0.5, 0.25, 0.125),), np.ndarray, [0.707106781, 0.0, 0.5, 0.5]),
+        ("vector_norm", ([[3, 4], [6, 8]], 1), np.ndarray, [5.0, 10.0]),
+        ("vector_norm", ([[3, 4], [6, 8]],), np.ndarray, [11.180339887]),
+        ("unit_vector", ([[3, 4], [6, 8]], 1), np.ndarray, [[0.6, 0.8], [0.6, 0.8]]),
+        ("unit_vector", ([[3, 4], [0, 0]],), np.ndarray, [[0.6, 0.8], [0.0, 0.0]]),
+    ],
+)  # fmt: skip
+def test_results_are_those_of_ros_2(
+    name: str, arguments: tuple[Any, ...], kind: Any, expected: Any
+) -> None:
+    result = getattr(tf, name)(*arguments)
+    assert isinstance(result, kind)
+    assert np.allclose(result, expected, atol=1e-8)
+    assert np.shape(result) == np.shape(expected)
+
+
+def test_a_composed_matrix_is_taken_apart_as_in_ros_2() -> None:
+    matrix = tf.compose_matrix((2, 3, 4), (0.1, 0.2, 0.3), (0.4, -0.5, 0.6), (1, 2, 3))
+    assert matrix[:3] == pytest.approx(np.array(MATRIX), abs=1e-8)
+    assert tf.quaternion_from_matrix(matrix) == pytest.approx(
+        (0.255551241, -0.17475706, 0.327581896, 0.892660986)
+    )
+    assert tf.euler_from_matrix(matrix, "szyx") == pytest.approx(
+        (0.913669506, -0.219082562, 0.381064247)
+    )
+
+
+def test_lengths_and_directions_go_into_an_array_of_the_caller() -> None:
+    data, lengths = np.array([[3.0, 4.0], [6.0, 8.0]]), np.zeros(2)
+    assert tf.vector_norm(data, axis=1, out=lengths) is None
+    assert lengths == pytest.approx([5, 10])
+    assert tf.unit_vector(data, axis=1, out=data) is None
+    assert data == pytest.approx(np.array([[0.6, 0.8], [0.6, 0.8]]))
+
+
+def test_a_factor_makes_no_other_transform() -> None:
+    matrix = tf.translation_matrix((1, 2, 3))
+    assert tf.is_same_transform(matrix, matrix * 2)
+    assert not tf.is_same_transform(matrix, tf.identity_matrix())
 
 
 def test_a_random_rotation_keeps_lengths() -> None:

@@ -2,12 +2,13 @@ from __future__ import annotations
 
 import os
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
-from zbot.transport import config, membership
-from zbot.transport.membership import Membership, MembershipError
+from zbot.transport import config, environment, membership
+from zbot.transport.membership import Membership, MembershipError, Role
 
 STUDENT = Membership(
     "student", "10.0.0.1", 7447, class_name="Robots", number=17, user="student17", secret="s3"
@@ -32,14 +33,76 @@ def test_a_membership_is_stored_until_it_is_removed() -> None:
     assert membership.load() is None
 
 
-def test_a_students_domain_is_the_number_unless_a_variable_sets_it(
+def test_a_students_domain_is_the_number_also_if_a_variable_differs(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     membership.save(STUDENT)
-    assert config.domain_id() == 17
     monkeypatch.setenv("ZBOT_DOMAIN_ID", "5")
-    assert config.domain_id() == 5
+    monkeypatch.setenv("ROS_DOMAIN_ID", "nonsense")
+    assert config.domain_id() == 17
+    monkeypatch.setenv(config.COMMAND_DOMAIN, "6")
+    assert config.domain_id() == 6
     assert config.domain_id(9) == 9
+
+
+def test_a_hub_without_a_class_has_all_domains(monkeypatch: pytest.MonkeyPatch) -> None:
+    membership.save(Membership("partner", "10.0.0.1", 7447))
+    monkeypatch.setenv("ROS_DOMAIN_ID", "5")
+    assert config.domain_id() == 5
+    assert environment.differences() == []
+
+
+def test_the_port_of_the_own_hub_is_the_one_at_joining(monkeypatch: pytest.MonkeyPatch) -> None:
+    membership.save(replace(STUDENT, hub_port=7500))
+    monkeypatch.setenv("ZBOT_HUB_PORT", "7501")
+    assert config.hub_port() == 7500
+    assert [one.setting for one in environment.differences()] == ["ZBOT_HUB_PORT=7501"]
+
+
+@pytest.mark.parametrize(
+    ("role", "variable", "settings"),
+    [
+        ("student", ("ROS_DOMAIN_ID", "17"), []),
+        ("student", ("ROS_DOMAIN_ID", "7"), ["ROS_DOMAIN_ID=7"]),
+        ("student", (config.COMMAND_DOMAIN, "7"), ["--domain 7"]),
+        ("teacher", (config.COMMAND_DOMAIN, "7"), ["--domain 7"]),
+        ("student", ("ZBOT_DISCOVERY_RANGE", "LOCALHOST"), []),
+        ("student", ("ROS_AUTOMATIC_DISCOVERY_RANGE", "SUBNET"), [
+            "ROS_AUTOMATIC_DISCOVERY_RANGE=SUBNET"
+        ]),
+        ("student", ("ROS_LOCALHOST_ONLY", "1"), ["ROS_LOCALHOST_ONLY=1"]),
+        ("student", ("ROS_LOCALHOST_ONLY", "0"), []),
+    ],
+)  # fmt: skip
+def test_settings_that_differ_from_the_class_are_listed(
+    monkeypatch: pytest.MonkeyPatch, role: Role, variable: tuple[str, str], settings: list[str]
+) -> None:
+    membership.save(replace(STUDENT, role=role))
+    monkeypatch.setenv(*variable)
+    found = environment.differences()
+    assert [one.setting for one in found] == settings
+    assert not any(one.hides for one in found)
+
+
+@pytest.mark.parametrize(
+    ("endpoints", "is_seen"),
+    [
+        ('["tcp/10.9.9.9:7447"]', False),
+        ('{ peer: ["tcp/10.9.9.9:7447"] }', False),
+        ('["tcp/127.0.0.1:7467"]', True),  # domain 17
+        ('["tcp/127.0.0.1:7447"]', True),  # this machine's hub
+        ('["tcp/10.0.0.1:7447"]', True),  # the class itself
+        ("[]", True),
+    ],
+)
+def test_a_configuration_that_connects_elsewhere_hides_nodes(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, endpoints: str, is_seen: bool
+) -> None:
+    membership.save(replace(STUDENT, hub_port=7447))
+    (tmp_path / "far.json5").write_text(f"{{ connect: {{ endpoints: {endpoints} }} }}")
+    monkeypatch.setenv("ZENOH_CONFIG", str(tmp_path / "far.json5"))
+    monkeypatch.delenv("ZBOT_HUB_PORT")
+    assert [one.hides for one in environment.differences()] == [True] * (not is_seen)
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows has no file modes")

@@ -16,6 +16,7 @@ from sensor_msgs.msg import JointState, LaserScan
 from std_msgs.msg import Bool, Byte, ByteMultiArray, Empty, Header, Int8, String, UInt8MultiArray
 from turtlesim.srv import SetPen, Spawn
 
+_NO_FIELD = "geometry_msgs/msg/Point32 has no such field; its fields are x, y, z"
 _POINT_WANTED = "write the fields of geometry_msgs/msg/Point32: {x: ..., y: ..., z: ...}"
 NOW_NS = 1_700_000_000_123_456_789
 
@@ -110,7 +111,7 @@ def test_lists_of_texts_and_of_messages() -> None:
         (LaserScan, "ranges", "[1, x]", "write a number, not 'x'"),
         (LaserScan, "ranges", "[1, [2]]", "write a float32, not ['2']"),
         (LaserScan, "ranges", "{a: [}", "write a list: [1, 2, 3]"),
-        (Polygon, "points", "[{w: 1}]", "geometry_msgs/msg/Point32 has x, y, z"),
+        (Polygon, "points", "[{w: 1}]", _NO_FIELD),
         (Polygon, "points", "[5]", _POINT_WANTED),
         (Header, "stamp", "soon", "write a number, not 'soon'"),
         (Header, "stamp", "1e10", "1e10 s does not fit into builtin_interfaces/msg/Time"),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from zbot.web.log_filter import LogFilter, counts, level_of
+from zbot.web.log_filter import LogFilter, counts, level_of, newest
 from zbot.web.log_ring import LogLine
 
 
@@ -39,3 +39,12 @@ def test_other_lines_do_not_pass(wanted: LogFilter) -> None:
 def test_lines_are_counted_by_level() -> None:
     assert counts([line(10), line(20), line(25), line(255), line(0)]) == {10: 2, 20: 2, 50: 1}
     assert level_of(line(40)) == 40
+
+
+def test_the_newest_lines_have_a_limited_size() -> None:
+    lines = [line(name="", text=text) for text in ("aaaa", "bbb", "ccccc", "dd")]
+    assert newest(lines, 10) == lines[1:]
+    assert newest(lines, 9) == lines[2:]
+    assert newest(lines, 1) == lines[3:]
+    assert newest(lines, 99) == lines
+    assert newest([], 5) == []

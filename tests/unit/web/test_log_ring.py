@@ -28,3 +28,22 @@ def test_since_a_future_number_returns_nothing() -> None:
     ring = LogRing()
     ring.add(Log(msg="one"))
     assert ring.since(99) == []
+
+
+def test_long_texts_are_shortened() -> None:
+    ring = LogRing()
+    ring.add(Log(msg="a" * 50_000, name="b" * 50_000, file="c" * 50_000, function="d" * 50_000))
+    (line,) = ring.since(0)
+    assert line.text == "a" * 9_999 + "…"
+    assert line.characters == 10_000 + 3 * 250
+
+
+def test_a_flood_of_long_lines_has_a_limit() -> None:
+    ring = LogRing()
+    for number in range(3_000):
+        ring.add(Log(msg=f"{number} ".ljust(20_000, "a")))
+    kept = ring.since(0)
+    assert sum(line.characters for line in kept) <= 10_000_000
+    assert len(kept) == 1_000
+    assert kept[-1].text.startswith("2999 ")
+    assert [line.number for line in ring.since(2_999)] == [3_000]

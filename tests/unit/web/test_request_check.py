@@ -5,7 +5,8 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
-from zbot.web.request_check import RequestCheck, address, is_loopback
+from zbot.web.page_address import ROSBRIDGE_PATHS, OriginError, address, is_loopback, origin_of
+from zbot.web.request_check import RequestCheck
 
 if TYPE_CHECKING:
     from collections.abc import MutableMapping
@@ -70,6 +71,8 @@ def with_errors_shown() -> RequestCheck:
         ({"origin": "http://127.0.0.1:9090"}, 403),
         ({"origin": "http://evil.example"}, 403),
         ({"origin": "null"}, 403),
+        ({"origin": "http://["}, 400),
+        ({"origin": "http://[::1"}, 400),
         ({"sec_fetch_site": "same-origin"}, 200),
         ({"sec_fetch_site": "cross-site", "sec_fetch_dest": "document"}, 200),
         ({"sec_fetch_site": "cross-site", "sec_fetch_dest": "iframe"}, 403),
@@ -109,15 +112,68 @@ def test_websocket_needs_the_cookie() -> None:
     assert ask(guard, kind="websocket", cookie=cookie)["type"] == "http.response.start"
 
 
+OPEN, CLOSED = "http.response.start", "websocket.close"
+
+
+def test_pages_of_a_guest_reach_only_rosbridge() -> None:
+    guest = "http://localhost:8000"
+    guard = RequestCheck(application, host="127.0.0.1", token=None, guests=[guest])
+    for path in ROSBRIDGE_PATHS:
+        assert ask(guard, path, "websocket", origin=guest)["type"] == OPEN
+        assert ask(guard, path, "websocket", origin="http://evil.example")["type"] == CLOSED
+        assert ask(guard, path, "websocket", origin="null")["type"] == CLOSED
+        assert ask(guard, path, "websocket", origin=guest, host="evil.example")["type"] == CLOSED
+        assert ask(local(), path, "websocket", origin=guest)["type"] == CLOSED
+    assert ask(guard, "/_nicegui_ws/", "websocket", origin=guest)["type"] == CLOSED
+    assert ask(guard, "/", origin=guest)["status"] == 403
+
+
+def test_programs_without_cookies_use_rosbridge_with_the_token() -> None:
+    guard = RequestCheck(application, host="0.0.0.0", token="secret", guests=[])
+    assert ask(guard, "/?token=secret", "websocket")["type"] == OPEN
+    assert ask(guard, "/rosbridge?token=secret", "websocket")["type"] == OPEN
+    assert ask(guard, "/?token=wrong", "websocket")["type"] == CLOSED
+    assert ask(guard, "/_nicegui_ws/?token=secret", "websocket")["type"] == CLOSED
+    origin = "http://evil.example"
+    assert ask(guard, "/?token=secret", "websocket", origin=origin)["type"] == CLOSED
+
+
 def test_token_does_not_redirect_to_another_server() -> None:
     answer = ask(with_errors_shown(), "//evil.example/?token=secret")
     assert answer["headers"]["location"] == "/evil.example/"
+    # Browsers read a backslash as a slash, and leave out a tab.
+    answer = ask(with_errors_shown(), "/\\evil.example/?token=secret")
+    assert answer["headers"]["location"] == "/%5Cevil.example/"
+    answer = ask(with_errors_shown(), "/\t/evil.example/?token=secret")
+    assert answer["headers"]["location"] == "/%09/evil.example/"
+
+
+def test_header_of_proxies_does_not_reach_the_application() -> None:
+    reached: list[bytes] = []
+
+    async def headers_of(scope: Any, _receive: Any, send: Any) -> None:
+        reached.extend(name for name, _ in scope["headers"])
+        await application(scope, _receive, send)
+
+    guard = RequestCheck(headers_of, host="127.0.0.1", token=None)
+    assert ask(guard, x_forwarded_prefix="/evil", accept="x")["status"] == 200
+    assert reached == [b"host", b"accept"]
 
 
 def test_with_a_token_all_ip_addresses_are_accepted_but_no_foreign_name() -> None:
     cookie = f"zbot_{PORT}=secret"
     assert ask(with_errors_shown(), host="192.168.1.7:8080", cookie=cookie)["status"] == 200
     assert ask(with_errors_shown(), host="rebound.example:8080", cookie=cookie)["status"] == 403
+
+
+@pytest.mark.parametrize("host", ["classroom-pc", "classroom-pc.local"])
+def test_own_names_are_accepted_only_by_a_server_for_other_machines(
+    monkeypatch: pytest.MonkeyPatch, host: str
+) -> None:
+    monkeypatch.setattr("socket.gethostname", lambda: "classroom-pc")
+    assert ask(local(), host=f"{host}:8080")["status"] == 403
+    cookie = f"zbot_{PORT}=secret"
+    assert ask(with_errors_shown(), host=f"{host}:8080", cookie=cookie)["status"] == 200
 
 
 def test_responses_have_a_content_security_policy() -> None:
@@ -146,3 +202,26 @@ def test_is_loopback(host: str, expected: bool) -> None:
 def test_address_is_a_url() -> None:
     assert address("127.0.0.1", 8080, "/", None) == "http://127.0.0.1:8080/"
     assert address("::1", 80, "/plot", "a b") == "http://[::1]:80/plot?token=a+b"
+    assert address("::1", 80, "/", None, scheme="ws") == "ws://[::1]:80/"
+
+
+@pytest.mark.parametrize(
+    ("given", "expected"),
+    [
+        ("http://localhost:8000", "http://localhost:8000"),
+        ("http://LocalHost:8000/my/page.html?a=1", "http://localhost:8000"),
+        ("https://example.org:443/", "https://example.org"),
+        ("http://[::1]:8000", "http://[::1]:8000"),
+    ],
+)
+def test_origin_of_a_page(given: str, expected: str) -> None:
+    assert origin_of(given) == expected
+
+
+@pytest.mark.parametrize(
+    "given",
+    ["null", "", "*", "localhost:8000", "file:///a.html", "http://", "http://a:b", "ws://a"],
+)
+def test_other_texts_have_no_origin(given: str) -> None:
+    with pytest.raises(OriginError, match="not the address of a page"):
+        origin_of(given)

@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import math
+import time
 from array import array
 from typing import Any
 
@@ -13,11 +14,13 @@ from zbot.interfaces import get_message, register_spec
 from zbot.interfaces.parser import parse_message
 from zbot.wire.codec import codec_for
 from zbot.wire.errors import CodecError
+from zbot.wire.messagepack import pack
 
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry, Path
 from sensor_msgs.msg import Image, JointState, LaserScan
 from std_msgs.msg import Bool, Byte, ByteMultiArray, Float32, Float64, String, UInt8
+from visualization_msgs.msg import Marker, MarkerArray
 
 
 def made(name: str, text: str) -> Any:
@@ -220,3 +223,19 @@ def test_numpy_arrays_are_sent_whatever_their_layout() -> None:
     state._position = numpy.arange(3, dtype=">f8")
     with pytest.raises(CodecError, match="position"):
         encode(state)
+
+
+def test_messages_that_leave_out_everything_cannot_fill_the_memory() -> None:
+    sparse = pack({"markers": [{}] * 1_000_000})
+    begin = time.process_time()
+    with pytest.raises(CodecError, match="leave out too many values") as caught:
+        codec_for(MarkerArray).decode(sparse)
+    assert caught.value.field == "markers"
+    assert time.process_time() - begin < 5
+    assert len(codec_for(MarkerArray).decode(pack({"markers": [{}] * 2_000})).markers) == 2_000
+
+
+def test_a_long_list_of_full_messages_is_decoded() -> None:
+    codec = codec_for(MarkerArray)
+    full = MarkerArray(markers=[Marker()] * 20_000)
+    assert codec.decode(codec.encode(full)) == full

@@ -1,7 +1,5 @@
 from __future__ import annotations
 
-import math
-from pathlib import Path
 from random import Random
 from typing import Any
 
@@ -9,71 +7,12 @@ import msgpack  # type: ignore[import-untyped]
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from zbot import interfaces
-from zbot.interfaces import (
-    MessageSpec,
-    ServiceSpec,
-    get_interface,
-    get_message,
-    get_spec,
-    interface_names,
-    spec_of,
-)
-from zbot.interfaces.spec import INTEGER_RANGES, FieldType
+from tests.unit.wire.random_message import random_message, shipped_messages
+from zbot.interfaces import get_interface, get_message
 from zbot.wire.codec import codec_for
 from zbot.wire.errors import CodecError
 
 packb: Any = msgpack.packb
-
-ALPHABET = "az_/ 09é€\U0001f916\n\x00"
-
-
-def random_message(message_class: type[Any], random: Random) -> Any:
-    spec = spec_of(message_class)
-    assert isinstance(spec, MessageSpec)
-    values = {field.name: _value(field.type, random) for field in spec.fields}
-    return message_class(**values)
-
-
-def _value(kind: FieldType, random: Random) -> Any:
-    if kind.kind == "scalar":
-        return _scalar(kind, random)
-    length = kind.size if kind.kind == "array" else random.randint(0, min(kind.size or 3, 3))
-    return [_scalar(kind, random) for _ in range(length)]
-
-
-def _scalar(kind: FieldType, random: Random) -> Any:
-    if kind.is_message:
-        return random_message(get_interface(kind.base), random)
-    if kind.base in INTEGER_RANGES:
-        low, high = INTEGER_RANGES[kind.base]
-        return random.choice([low, high, random.randint(low, high), max(low, 0)])
-    if kind.base == "float32":
-        return random.choice([0.0, -1.5, 2.0**100, math.inf, -math.inf])
-    if kind.base == "float64":
-        return random.choice([0.0, -0.1, random.uniform(-1e300, 1e300), math.inf])
-    if kind.base == "bool":
-        return random.random() < 0.5
-    if kind.base == "byte":
-        return bytes((random.randint(0, 255),))
-    return "".join(random.choices(ALPHABET, k=random.randint(0, min(kind.string_bound or 40, 40))))
-
-
-def shipped_messages() -> list[str]:
-    definitions = Path(interfaces.__file__).parent / "defs"
-    names = []
-    for package in (folder.name for folder in definitions.iterdir()):
-        for name in interface_names(package):
-            spec = get_spec(name)
-            if isinstance(spec, MessageSpec):
-                names.append(name)
-            elif isinstance(spec, ServiceSpec):
-                names += [spec.request.name, spec.response.name, spec.event.name]
-            else:
-                parts = (spec.goal, spec.result, spec.feedback, spec.feedback_message)
-                names += [part.name for part in parts]
-                names += [spec.send_goal.request.name, spec.get_result.response.name]
-    return names
 
 
 def test_every_shipped_type_round_trips_with_random_values() -> None:

@@ -1,6 +1,9 @@
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
+import zenoh
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -13,6 +16,7 @@ from zbot.wire.tokens import (
     EntityKind,
     NodeToken,
     gid_of,
+    namesake_selector,
     parse_token,
     token_selector,
 )
@@ -119,3 +123,15 @@ def test_a_gid_is_stable_and_short() -> None:
 
 def test_a_domain_has_one_token_selector() -> None:
     assert token_selector(7) == "@zbot/7/**"
+
+
+def test_a_namesake_selector_matches_all_tokens_with_the_same_name() -> None:
+    selector = zenoh.KeyExpr(namesake_selector(node))
+    assert selector.includes(zenoh.KeyExpr(NODE_KEY))
+    assert selector.includes(zenoh.KeyExpr(NODE_KEY.replace(ZID, "abc")))
+    assert not selector.intersects(zenoh.KeyExpr(NODE_KEY.replace("lidar", "camera")))
+    selector = zenoh.KeyExpr(namesake_selector(endpoint))
+    assert selector.includes(zenoh.KeyExpr(ENDPOINT_KEY))
+    assert selector.includes(zenoh.KeyExpr(ENDPOINT_KEY.replace("/MP/", "/MS/")))
+    other = replace(endpoint, name="/other", key="")
+    assert not selector.intersects(zenoh.KeyExpr(other.key))

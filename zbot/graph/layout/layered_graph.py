@@ -165,7 +165,12 @@ def _fold(layer: list[int], component: list[int]) -> None:
 
 
 def _bands(heights: list[int], spans: list[int], count: int) -> tuple[float, list[int]]:
-    """Return how far the shape differs from a screen (1: equal), and components' first layers."""
+    """Put components into `count` bands, one above the other.
+
+    Returns:
+        The factor between the shape of the whole and the shape of a screen (1 if they are equal),
+        and the first layer of each component.
+    """
     filled = [0] * count
     band_of = []
     for height in heights:

@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.launch.action import Action
 from zbot.launch.substitution import describe, normalize, perform
+from zbot.package.errors import NotRunnableError
+from zbot.package.unavailable import Unavailable
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -50,11 +52,18 @@ class _UnsupportedComponents(Action):
         self.composable_node_descriptions = list(descriptions or ())
 
     def execute(self, context: LaunchContext) -> None:
-        """Log an error and set the exit code of the launch to 1."""
+        """Log an error and set the exit code of the launch to 1.
+
+        Raises:
+            NotRunnableError: The launch is strict.
+        """
         where = f"{self.origin.path}:{self.origin.line}: " if self.origin else ""
         plugins = [perform(context, one.node_plugin) for one in self.composable_node_descriptions]
         details = f" of {', '.join(plugins)}" if plugins else ""
         text = f"{where}{self._subject(context)}{details} is left out: {_REASON}"
+        if context.strict:
+            kind = Unavailable("a C++ library", "start it as Node(package=..., executable=...)")
+            raise NotRunnableError(f"{self._subject(context)}{details}", kind)
         context.writer.error("launch_ros", text)
         context.failed = True
 

@@ -4,30 +4,35 @@ from __future__ import annotations
 
 import os
 import shlex
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Any, Final, cast
 
 from zbot.launch.action import Action
 from zbot.launch.actions.event_action import Shutdown
 from zbot.launch.actions.executable import Executable, Prepared, Variable
+from zbot.launch.entity import LaunchDescriptionEntity
 from zbot.launch.errors import EntityTypeError, ProgramError
 from zbot.launch.event_handler import OnProcessExit
+from zbot.launch.left_out import leave_out
+from zbot.launch.process_event import ProcessExited, ProcessStarted
 from zbot.launch.sink import DEFAULT, parse_output
-from zbot.launch.substitution import normalize, perform, to_bool
+from zbot.launch.substitution import Substitution, normalize, perform, to_bool
 from zbot.launch.supervisor import Policy, Supervisor
 from zbot.launch.zbot_command import find_on_path
+from zbot.package.errors import NotRunnableError
+from zbot.package.unavailable import ends_by_itself, unavailable_program
 
 if TYPE_CHECKING:
     import asyncio
     from collections.abc import Iterable, Mapping, Sequence
 
     from zbot.launch.context import LaunchContext
-    from zbot.launch.entity import LaunchDescriptionEntity
     from zbot.launch.event_handler import Reaction
     from zbot.launch.frontend.entity import Entity
     from zbot.launch.frontend.parser import Parser
-    from zbot.launch.substitution import SomeSubstitutionsType, Substitution
+    from zbot.launch.substitution import SomeSubstitutionsType
 
 _OVERRIDE: Final = "OVERRIDE_LAUNCH_PROCESS_OUTPUT"
+_SHUTDOWN: Final = "shutdown"  # the text of `on_exit` in XML and YAML
 _LINE: Final = "[{label}] {line}"
 
 
@@ -44,7 +49,8 @@ class ExecuteLocal(Action):
         output_format: Format of a line. It contains `{line}`, and `{label}` if wanted.
         cached_output: Whether `get_stdout` and `get_stderr` return the output.
         log_cmd: Whether to log the command line.
-        on_exit: Actions, or a function that returns actions, for the end of the process.
+        on_exit: Actions, or a function that returns actions, for the end of the process. A text
+            or a substitution, alone or in a list, gives `shutdown`, or nothing if it is empty.
         respawn: Whether to start the program again when it ends.
         respawn_delay: Seconds to wait before the program starts again.
         respawn_max_retries: The largest number of restarts. A negative number means no limit.
@@ -62,7 +68,7 @@ class ExecuteLocal(Action):
         output_format: str = _LINE,
         cached_output: bool = False,
         log_cmd: bool = False,
-        on_exit: Reaction | str = None,
+        on_exit: Reaction | SomeSubstitutionsType = None,
         respawn: bool | SomeSubstitutionsType = False,
         respawn_delay: Any = 0.0,
         respawn_max_retries: int = -1,
@@ -76,8 +82,7 @@ class ExecuteLocal(Action):
         # The default format in ROS 2 contains `{this...}`. It gives the same lines as `_LINE`.
         self.output_format = _LINE if "{this" in output_format else output_format
         self.cached_output, self.log_cmd = cached_output, log_cmd
-        is_shutdown = on_exit == "shutdown"  # as XML and YAML write it
-        self.on_exit: Any = [Shutdown(reason="process ended")] if is_shutdown else on_exit
+        self.on_exit: Any = on_exit
         self.respawn, self.respawn_delay = _text(respawn), _text(respawn_delay or 0.0)
         self.respawn_max_retries = respawn_max_retries
         self.process_details: dict[str, Any] = {}
@@ -126,26 +131,46 @@ class ExecuteLocal(Action):
 
     def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
         """Return the actions of `on_exit`. The list is empty if `on_exit` is a function."""
-        return list(self.on_exit) if isinstance(self.on_exit, (list, tuple)) else []
+        parts = self.on_exit if isinstance(self.on_exit, (list, tuple)) else ()
+        return [one for one in parts if isinstance(one, LaunchDescriptionEntity)]
 
     def execute(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity] | None:
         """Start the program, unless the launch is ending.
 
         Raises:
             ProgramError: The command line is empty, or the program or working directory is missing.
+            EntityTypeError: A text in `on_exit` is neither `shutdown` nor empty.
         """
         if context.is_shutdown:
             return None
-        prepared = self.prepare(context)
-        if not self.shell:
-            _check(prepared)
+        try:
+            prepared = self.prepare(context)
+            if not self.shell:
+                _check(prepared)
+        except NotRunnableError as error:
+            leave_out(context, error)
+            self._skip(context)
+            return None
         supervisor = Supervisor(self, context, prepared, self._policy(context))
-        if self.on_exit is not None:
-            handler = OnProcessExit(target_action=self, on_exit=self.on_exit)
-            context.register_event_handler(handler)
+        reaction = _reaction(self.on_exit, context)
+        if reaction is not None:
+            context.register_event_handler(OnProcessExit(target_action=self, on_exit=reaction))
         self.process_details = supervisor.details()
         self._task = supervisor.start()
         return None
+
+    def _skip(self, context: LaunchContext) -> None:
+        """Let the actions that wait for the end of a short program go on."""
+        words = [perform(context, word) for word in self.process_description.cmd[:1]]
+        if not words or not ends_by_itself(words[0]):
+            return
+        reaction = _reaction(self.on_exit, context)
+        if reaction is not None:
+            context.register_event_handler(OnProcessExit(target_action=self, on_exit=reaction))
+        process: dict[str, Any] = {"action": self, "name": words[0], "cmd": words}
+        process |= {"cwd": None, "env": None}
+        context.emit_event_sync(ProcessStarted(**process, pid=0))
+        context.emit_event_sync(ProcessExited(**process, pid=0))
 
     def _policy(self, context: LaunchContext) -> Policy:
         return Policy(
@@ -232,8 +257,28 @@ class ExecuteProcess(ExecuteLocal):
         return words(parser.parse_substitution(cmd))
 
 
+def _reaction(given: Any, context: LaunchContext) -> Reaction:
+    """Return `on_exit` with actions in the place of texts and substitutions."""
+    if given is None or callable(given) or isinstance(given, LaunchDescriptionEntity):
+        return cast("Reaction", given)
+    parts = [given] if isinstance(given, (str, Substitution)) else given
+    return [entity for one in parts for entity in _exit_actions(one, context)]
+
+
+def _exit_actions(one: Any, context: LaunchContext) -> list[LaunchDescriptionEntity]:
+    if not isinstance(one, (str, Substitution)):
+        return [] if one is None else [one]
+    word = perform(context, one)
+    if word not in {_SHUTDOWN, ""}:
+        raise EntityTypeError("on_exit", f"an action, '{_SHUTDOWN}' or an empty text", word)
+    return [Shutdown(reason="process ended")] if word else []
+
+
 def _check(prepared: Prepared) -> None:
     cwd, program = prepared.cwd, prepared.words[0]
+    kind = unavailable_program(program)
+    if kind is not None and find_on_path(program, prepared.env) is None:
+        raise NotRunnableError(program, kind)
     if cwd is not None and not os.path.isdir(cwd):  # noqa: PTH112 - "" is not a folder
         raise ProgramError(f"the working directory '{cwd}' of '{prepared.name}' does not exist")
     here = os.path.join(cwd or "", program)  # noqa: PTH118 - a relative path starts in cwd

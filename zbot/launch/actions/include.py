@@ -14,8 +14,10 @@ from zbot.launch.errors import (
     LaunchArgumentError,
     LaunchFileError,
 )
+from zbot.launch.left_out import as_not_runnable, leave_out
 from zbot.launch.source import LaunchDescriptionSource, file_locals
 from zbot.launch.substitution import is_a_substitution, normalize, perform
+from zbot.package import PackageNotFoundError
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping, Sequence
@@ -66,6 +68,8 @@ class IncludeLaunchDescription(Action):
     def execute(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity]:
         """Return the actions that set the file's arguments, and the file's entities.
 
+        A file of a well-known package that cannot run in zbot is left out, with one sentence.
+
         Until the last entity, `ThisLaunchFile` and similar substitutions refer to the file.
 
         Raises:
@@ -74,7 +78,14 @@ class IncludeLaunchDescription(Action):
             LaunchFileError: No launch file includes the file, and a required argument is missing.
                 The error shows the line.
         """
-        description = self.launch_description_source.get_launch_description(context)
+        try:
+            description = self.launch_description_source.get_launch_description(context)
+        except PackageNotFoundError as error:
+            missing = as_not_runnable(error)
+            if missing is None:
+                raise
+            leave_out(context, missing)
+            return []
         sets: list[LaunchDescriptionEntity] = []
         given = {}
         for name, value in self.launch_arguments:

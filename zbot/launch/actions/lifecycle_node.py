@@ -64,7 +64,8 @@ class LifecycleNode(Node):
     def execute(self, context: LaunchContext) -> list[Any] | None:
         """Start the node and listen to its transition events."""
         super().execute(context)
-        if context.is_shutdown:
+        is_started = bool(self.process_details)  # a program that cannot run here is left out
+        if context.is_shutdown or not is_started:
             return None
         from zbot.launch.ros_node import launch_node  # noqa: PLC0415 - imports Zenoh
 

@@ -9,6 +9,7 @@ from zbot.launch.actions.opaque import OpaqueFunction
 from zbot.launch.errors import LaunchArgumentError
 from zbot.launch.substitution import describe, normalize, perform
 from zbot.launch.substitutions.value import ForEachVar
+from zbot.yaml_reader import YamlError, read_yaml
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -118,11 +119,9 @@ class ForLoop(Action):
 
 
 def _values(text: str) -> dict[str, Any]:
-    import yaml  # noqa: PLC0415 - the import takes 15 ms, and few launch files have loops
-
     try:
-        values = yaml.safe_load(text)
-    except yaml.YAMLError:
+        values = read_yaml(text)
+    except YamlError:
         values = None
     if not isinstance(values, dict):
         shown = " ".join(text.split())

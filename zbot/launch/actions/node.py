@@ -126,7 +126,8 @@ class Node(ExecuteProcess):
             ZbotError: The package or the executable does not exist.
         """
         following = super().execute(context)
-        if self._name is not None and not context.is_shutdown:
+        is_started = bool(self.process_details)  # a program that cannot run here is left out
+        if self._name is not None and is_started and not context.is_shutdown:
             name = self.node_name.removeprefix(self.UNSPECIFIED_NODE_NAMESPACE)
             add_node_name(context, name)
         return following

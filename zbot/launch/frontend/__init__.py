@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
     from zbot.launch.description import LaunchDescription
 
-__all__ = ["load_file", "ros_tags", "tags"]
+__all__ = ["load_file", "ros_tags", "tags", "yaml_file"]
 
 _LOADERS = {"xml": xml_file.load, "yaml": yaml_file.load}
 

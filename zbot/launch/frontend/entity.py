@@ -166,3 +166,9 @@ class Entity:
                 near = close_matches(name, self._used, 1)
                 hint = f"did you mean '{near[0]}'?" if near else ""
                 raise self.error(f"`{self.type_name}` has no attribute '{name}'", hint)
+
+
+def check_is_list_entity(data_type: Any) -> bool:
+    """Return whether a type is `List[Entity]`, or a list of a subclass of `Entity`."""
+    items = get_args(data_type) if is_typing_list(data_type) else ()
+    return bool(items) and isinstance(items[0], type) and issubclass(items[0], Entity)

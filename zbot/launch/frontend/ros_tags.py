@@ -19,6 +19,7 @@ from zbot.launch.frontend.tags import (
 )
 from zbot.launch.parameters import ParameterFile, ParameterValue
 from zbot.launch.substitution import TextSubstitution
+from zbot.launch.typed_value import TYPES_BY_NAME
 from zbot.parameters.file import parse_value
 
 if TYPE_CHECKING:
@@ -26,18 +27,7 @@ if TYPE_CHECKING:
     from zbot.launch.frontend.entity import Entity
     from zbot.launch.frontend.parser import Parser
 
-_TYPES: dict[str, Any] = {
-    "int": int,
-    "float": float,
-    "double": float,
-    "bool": bool,
-    "str": str,
-    "string": str,
-    "list_of_int": list[int],
-    "list_of_float": list[float],
-    "list_of_bool": list[bool],
-    "list_of_str": list[str],
-}
+_TYPES: dict[str, Any] = {**TYPES_BY_NAME, "double": float, "string": str}
 
 
 def _parameters(entity: Entity, parser: Parser) -> list[Any]:

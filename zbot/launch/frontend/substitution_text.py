@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
 _NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_-]*")
 _ESCAPED = "\\$\"'()"
+_MAX_LEVELS = 50
 _BLANKS = " \t\r\n"
 
 
@@ -35,7 +36,10 @@ def parse(text: str) -> list[Substitution]:
 
 
 def parse_if_substitutions(value: Any) -> Any:
-    """Return a value or a list of values. A text with substitutions becomes a list of them.
+    """Parse a text, or each text of a list. Values of other types are returned unchanged.
+
+    A text without substitutions is returned as it is. A text with substitutions is returned as the
+    list of its parts.
 
     Raises:
         CoercionError: The items of a list have different types.
@@ -57,6 +61,7 @@ class _Parser:
     def __init__(self, text: str) -> None:
         self._text = text
         self._at = 0
+        self._levels = 0
         self._is_quoted = False  #: whether inside quotes, where other quotes are plain text
 
     @property
@@ -104,11 +109,15 @@ class _Parser:
         if match is None:
             raise SubstitutionSyntaxError(f"a name must follow '$(' in: {self._text}")
         self._at = match.end()
+        self._levels += 1
+        if self._levels > _MAX_LEVELS:
+            raise SubstitutionSyntaxError(f"'$(' is nested deeper than {_MAX_LEVELS} levels")
         arguments: list[list[Substitution]] = []
         while True:
             self._skip_blanks()
             if self._next == ")":
                 self._at += 1
+                self._levels -= 1
                 return make_substitution(match[0], arguments)
             if not self._next:
                 raise SubstitutionSyntaxError(f"'$({match[0]}' is not closed in: {self._text}")

@@ -11,6 +11,8 @@ from zbot.launch.frontend.errors import InvalidFrontendLaunchFileError
 if TYPE_CHECKING:
     from pathlib import Path
 
+_MAX_LEVELS = 100
+
 __all__ = ["Entity", "load", "parse"]
 
 
@@ -31,15 +33,29 @@ def parse(content: bytes | str, path: str) -> Entity:
 
     def start(name: str, attributes: dict[str, str]) -> None:
         line = parser.CurrentLineNumber
+        if len(open_entities) > _MAX_LEVELS:
+            reason = f"its tags are nested deeper than {_MAX_LEVELS} levels"
+            raise InvalidFrontendLaunchFileError(path, line, reason)
         entity = Entity(name, dict(attributes), [], path, line, parent=open_entities[-1])
         open_entities[-1].add(entity)
         open_entities.append(entity)
 
     parser.StartElementHandler = start
     parser.EndElementHandler = lambda _: open_entities.pop()
+
+    def refuse(*_: object) -> None:
+        reason = "a launch file must not define entities: remove <!ENTITY>"
+        raise InvalidFrontendLaunchFileError(path, parser.CurrentLineNumber, reason)
+
+    parser.EntityDeclHandler = refuse
     try:
         parser.Parse(content, True)
     except expat.ExpatError as error:
         reason = expat.errors.messages[error.code]
         raise InvalidFrontendLaunchFileError(path, error.lineno, reason) from error
+    except (LookupError, ValueError) as error:
+        if isinstance(error, InvalidFrontendLaunchFileError):
+            raise
+        reason = f"its encoding cannot be read: {error}"
+        raise InvalidFrontendLaunchFileError(path, 1, reason) from error
     return root.children[0]

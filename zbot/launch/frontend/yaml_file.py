@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.launch.frontend.entity import Entity
 from zbot.launch.frontend.errors import InvalidFrontendLaunchFileError
+from zbot.yaml_reader import YamlError, compose_yaml, construct_yaml
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -29,26 +30,20 @@ def parse(content: str, path: str) -> Entity:
     Raises:
         InvalidFrontendLaunchFileError: The content is not YAML or is not a launch file.
     """
-    import yaml  # noqa: PLC0415 - takes 15 ms; most launch files are Python
-
     try:
-        node = yaml.compose(content, Loader=yaml.SafeLoader)
-    except yaml.YAMLError as error:
-        mark = getattr(error, "problem_mark", None)
-        reason = getattr(error, "problem", None) or str(error)
-        line = mark.line + 1 if mark is not None else 0
-        raise InvalidFrontendLaunchFileError(path, line, f"YAML: {reason}") from error
-    return _Reader(path).root(node)
+        return _Reader(path).root(compose_yaml(content))
+    except YamlError as error:
+        line = error.line + 1 if error.line is not None else 0
+        raise InvalidFrontendLaunchFileError(path, line, f"YAML: {error.problem}") from error
 
 
 class _Reader:
     """Converts YAML nodes, which have line numbers, into entities."""
 
     def __init__(self, path: str) -> None:
-        import yaml  # noqa: PLC0415 - see `parse`
+        import yaml  # noqa: PLC0415 - takes 15 ms; most launch files are Python
 
         self._path, self._yaml = path, yaml
-        self._constructor = yaml.constructor.SafeConstructor()
 
     def root(self, node: Any) -> Entity:
         pairs = self._pairs(node) if self._is_mapping(node) else []
@@ -73,7 +68,7 @@ class _Reader:
                 elif self._is_mapping(value):
                     children.append(self._entity(key, value))
                 else:
-                    attributes[key] = self._constructor.construct_object(value, deep=True)
+                    attributes[key] = construct_yaml(value)
         elif node.value:
             reason = f"below `{name}` write `attribute: value`, not '{node.value}'"
             raise InvalidFrontendLaunchFileError(self._path, line, reason)

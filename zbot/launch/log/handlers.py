@@ -13,6 +13,8 @@ import os
 import sys
 from typing import TYPE_CHECKING, Any, Final, TextIO
 
+from zbot.terminal.text import escape_control_characters
+
 if TYPE_CHECKING:
     from pathlib import Path
 
@@ -63,7 +65,7 @@ class ScreenHandler(_FormatterPerLogger, _StreamHandler):
         """Write a line."""
         line = self.format(record)
         colour = _LEVEL_COLOURS.get(record.levelno, "") if is_coloured() else ""
-        show(f"{colour}{line}{_RESET}" if colour else line)
+        show(line, colour)
 
 
 class LogFileHandler(_FormatterPerLogger, logging.FileHandler):
@@ -95,11 +97,18 @@ class LogFileHandler(_FormatterPerLogger, logging.FileHandler):
         show(f"[WARNING] [launch]: cannot write to {self.baseFilename}: {error.strerror}")
 
 
-def show(line: str) -> None:
-    """Write a line to the screen."""
+def show(line: str, colour: str = "") -> None:
+    """Write a line to the screen, in a colour if one is given.
+
+    A terminal gets the line's colours and carriage returns, which progress bars use. It gets no
+    other control characters, because a program may print text that came over the network.
+    """
     # The launch continues when the reader of stdout has exited, as with `| head`.
     try:
-        print(line, flush=True)
+        if _is_terminal():
+            parts = (escape_control_characters(one, keep_colours=True) for one in line.split("\r"))
+            line = "\r".join(parts)
+        print(f"{colour}{line}{_RESET}" if colour else line, flush=True)
     except (OSError, ValueError):
         return
 
@@ -111,9 +120,13 @@ def is_coloured() -> bool:
     if os.environ.get("FORCE_COLOR") or os.environ.get("RCUTILS_COLORIZED_OUTPUT") == "1":
         return True
     try:
-        return sys.stdout is not None and sys.stdout.isatty()
+        return _is_terminal()
     except ValueError:  # stdout is closed
         return False
+
+
+def _is_terminal() -> bool:
+    return sys.stdout is not None and sys.stdout.isatty()
 
 
 @functools.cache

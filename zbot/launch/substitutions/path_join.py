@@ -23,7 +23,7 @@ class PathJoinSubstitution(Substitution):
     def perform(self, context: LaunchContext) -> str:
         """Return the joined path."""
         parts = [perform(context, part) for part in self.substitutions]
-        return os.path.join(*parts) if parts else ""  # noqa: PTH118 - "a/" stays "a/"
+        return os.path.join(*parts) if parts else ""  # noqa: PTH118 - pathlib drops a last "/"
 
     def describe(self) -> str:
         """Return the parts."""

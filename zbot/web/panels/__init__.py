@@ -2,6 +2,7 @@
 
 from zbot.web.panels import (
     actions,
+    bags,
     classroom,
     console,
     graph,
@@ -9,6 +10,7 @@ from zbot.web.panels import (
     plot,
     processes,
     services,
+    stick,
     topics,
     turtle,
 )
@@ -18,10 +20,12 @@ PANELS = (
     topics.PANEL,
     plot.PANEL,
     turtle.PANEL,
+    stick.PANEL,
     services.PANEL,
     actions.PANEL,
     parameters.PANEL,
     console.PANEL,
+    bags.PANEL,
     processes.PANEL,
     classroom.PANEL,
 )

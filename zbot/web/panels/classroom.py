@@ -9,10 +9,12 @@ from typing import TYPE_CHECKING, Any
 from nicegui import background_tasks, run, ui
 
 from zbot.classroom import teacher
+from zbot.classroom.invitation import Invitation, invitation
 from zbot.errors import ZbotError
 from zbot.graph.diagram import draw
 from zbot.graph.snapshot import Snapshot
 from zbot.graph.view import view
+from zbot.web.class_invitation import ClassInvitation
 from zbot.web.panel import Page, Panel
 
 if TYPE_CHECKING:
@@ -60,6 +62,7 @@ class _Class:
         self.page = page
         self.chosen = int(page.query["student"]) if _is_number(page.query) else None
         self.found: Student | None = None
+        self.invited: Invitation | None = None
         self.snapshot = Snapshot(())
         self.problem = ""
         self.asked_s = 0.0
@@ -69,6 +72,7 @@ class _Class:
         with page.toolbar:
             self.count = ui.label().classes("zb-muted")
         with ui.element("div").classes("zb-col"):
+            self.invitation = ClassInvitation(page) if page.is_local else None
             self.empty = ui.label().classes("zb-empty")
             self.grid = ui.element("div").classes("zb-students")
             self.heading = ui.label().classes("zb-heading")
@@ -88,10 +92,10 @@ class _Class:
         try:
             found = await run.io_bound(_look, self.chosen)
         except ZbotError as error:
-            self.found, self.problem = None, str(error)
+            self.found, self.invited, self.problem = None, None, str(error)
         else:
             if found is not None:  # NiceGUI returns None while the server shuts down
-                (self.found, self.snapshot), self.problem = found, ""
+                (self.found, self.snapshot, self.invited), self.problem = found, ""
         finally:
             self.is_asking, self.asked_s = False, time.monotonic()
 
@@ -102,6 +106,8 @@ class _Class:
         here = sum(student["here"] for student in students)
         title = f"{self.found['class']}: {here} of {len(students)} here" if self.found else ""
         self.count.set_text(title)
+        if self.invitation is not None:
+            self.invitation.show(self.invited)
         for number in self.cards.keys() - {student["number"] for student in students}:
             self.cards.pop(number).element.delete()
         for student in students:
@@ -142,18 +148,21 @@ class _Class:
             self.page.show_command(f"zbot graph /{number}")
 
 
-def _look(chosen: int | None) -> tuple[Student, Snapshot]:
+def _look(chosen: int | None) -> tuple[Student, Snapshot, Invitation]:
     found = teacher.command({"op": "list"})
-    return found, teacher.graph_of(chosen) if chosen is not None else Snapshot(())
+    snapshot = teacher.graph_of(chosen) if chosen is not None else Snapshot(())
+    return found, snapshot, invitation()
 
 
 def _is_number(query: dict[str, str]) -> bool:
     text = query.get("student", "")
-    return text.isascii() and text.isdigit()
+    return text.isascii() and text.isdigit() and len(text) < 9
 
 
 def _nodes(student: Student) -> str:
     count = len(student["nodes"])
+    if student["more_nodes"]:
+        return f"more than {count} nodes"
     return f"{count} node{'' if count == 1 else 's'}"
 
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from nicegui import ui
 
 from zbot.web.command_line import command_line
-from zbot.web.log_filter import LEVELS, LogFilter, counts, level_of
+from zbot.web.log_filter import LEVELS, LogFilter, counts, level_of, newest
 from zbot.web.panel import Page, Panel
 
 if TYPE_CHECKING:
@@ -19,6 +19,10 @@ _HZ = 10.0
 #: The largest number of lines in a page, and in one update.
 _MOST_SHOWN = 1000
 _MOST_AT_ONCE = 300
+#: The largest number of characters in one update. The newest line is always shown.
+_MOST_CHARACTERS = 200_000
+#: The largest number of nodes in the list of the filter.
+_MOST_LOGGERS = 300
 _ANY = "All nodes"
 _COUNTED = {30: "warning", 40: "error"}
 _COLOURS = {10: "zb-muted", 20: "", 30: "zb-warn", 40: "zb-bad", 50: "zb-bad"}
@@ -90,10 +94,11 @@ class _Console:
         self.count(new)
         if self.is_reset:
             wanted = list(filter(self.filter.matches, self.logs.since(self.begin)))
-            lines = [line for line in wanted if line.number <= self.last][-_MOST_SHOWN:]
+            seen = [line for line in wanted if line.number <= self.last]
+            lines = sorted(seen, key=lambda line: line.stamp_ns)[-_MOST_SHOWN:]
         else:
             lines = list(filter(self.filter.matches, new))[-_MOST_AT_ONCE:]
-        rows = [_row(line) for line in lines]
+        rows = [_row(line) for line in newest(lines, _MOST_CHARACTERS)]
         self.page.call("zbotConsole.add", rows, self.is_reset, _MOST_SHOWN)
         self.empty.set_visibility(self.is_reset and not rows)
         self.is_reset = False
@@ -107,7 +112,8 @@ class _Console:
             number = self.counts[level] + sum(worse)
             word = _COUNTED[level] if number == 1 else f"{_COUNTED[level]}s"
             label.set_text(f"{number} {word}" if number else "")
-        found = self.loggers | {line.name for line in new}
+        unknown = {line.name for line in new} - self.loggers
+        found = self.loggers | set(sorted(unknown)[: _MOST_LOGGERS - len(self.loggers)])
         if found != self.loggers:
             self.loggers = found
             self.node.set_options([_ANY, *sorted(found)])
@@ -116,11 +122,12 @@ class _Console:
 
 
 def _row(line: LogLine) -> list[Any]:
-    moment = datetime.fromtimestamp(line.stamp_ns / 1e9).astimezone()
+    moment = datetime.fromtimestamp(max(line.stamp_ns, 0) / 1e9).astimezone()
     place = f"{line.file}:{line.line} {line.function}" if line.file else ""
     level = level_of(line)
     time = f"{moment:%H:%M:%S}.{moment.microsecond // 1000:03}"
-    return [time, LEVELS[level].upper(), line.name, line.text, place, _COLOURS[level]]
+    stamp_s = line.stamp_ns / 1e9
+    return [time, LEVELS[level].upper(), line.name, line.text, place, _COLOURS[level], stamp_s]
 
 
 def _build(page: Page) -> None:

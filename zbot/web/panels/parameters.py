@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+import time
 from typing import TYPE_CHECKING, Any
 
 from nicegui import ui
 
 from zbot.errors import ZbotError
-from zbot.parameters.parameter import Parameter, parameter_value_to_python
+from zbot.parameters.parameter import (
+    UnknownParameterTypeError,
+    parameter_type,
+    parameter_value_to_python,
+)
 from zbot.web.command_line import command_line
 from zbot.web.list_panel import ListPanel
 from zbot.web.panel import Page, Panel
@@ -22,6 +27,7 @@ if TYPE_CHECKING:
 _EVENTS = "/parameter_events"
 _EVENTS_KEPT = 200
 _LIVE_HZ = 15.0
+_LOAD_PAUSE_S = 1.0  # a program may publish thousands of events, each with new parameters
 #: Names of parameters that every node has. The panel shows these parameters last.
 _EVERY_NODE_HAS = ("start_type_description_service", "use_sim_time", "qos_overrides.")
 
@@ -51,15 +57,31 @@ class _NodeParameters:
         self.inputs: dict[str, ParameterInput] = {}
         self.watch = section.watch(_EVENTS, "rcl_interfaces/msg/ParameterEvent", keep=_EVENTS_KEPT)
         self.last = 0
+        self.is_stale = self.is_loading = False
+        self.next_load_s = 0.0
         self.place = ui.element("div").classes("zb-parameters")
         section.page.show_command(command_line("param", "dump", node))
-        ui.timer(0, self.fill, once=True)
+        self.load()
         section.live(self.update, _LIVE_HZ)
+
+    def load(self) -> None:
+        """Load all parameters again, in the background."""
+        self.is_stale, self.is_loading = False, True
+        self.next_load_s = time.monotonic() + _LOAD_PAUSE_S
+        with self.place:
+            ui.timer(0, self.fill, once=True)
 
     async def fill(self) -> None:
         try:
+            await self.show_all()
+        finally:
+            self.is_loading = False
+
+    async def show_all(self) -> None:
+        try:
             found = await load(self.section.system, self.node)
         except ZbotError as error:
+            self.inputs = {}
             self.place.clear()
             with self.place:
                 ui.label(str(error)).classes("zb-bad")
@@ -73,23 +95,27 @@ class _NodeParameters:
                 ui.label("This node has no parameters.").classes("zb-muted")
 
     def update(self) -> None:
+        """Show the values of new events. If these are not enough, load all parameters again."""
         for record in self.watch.since(self.last):
             self.last = record.number
             event = self.watch.read(record)
             if event is not None and event.node == self.node:
-                self.follow(event)
+                self.is_stale |= not self.follow(event)
+        if self.is_stale and not self.is_loading and time.monotonic() >= self.next_load_s:
+            self.load()
 
-    def follow(self, event: Any) -> None:
-        """Show an event's values. Load all parameters if one is new, is deleted or changes type."""
+    def follow(self, event: Any) -> bool:
+        """Show an event's values. Return False if a parameter is new, deleted or of a new type."""
+        is_complete = not (event.new_parameters or event.deleted_parameters)
         for message in event.changed_parameters:
             known = self.inputs.get(message.name)
-            if known is not None and not known.show(
-                Parameter.Type(message.value.type), parameter_value_to_python(message.value)
-            ):
-                event.new_parameters.append(message)
-        if event.new_parameters or event.deleted_parameters:
-            with self.place:
-                ui.timer(0, self.fill, once=True)
+            try:
+                kind, value = parameter_type(message.value.type), message.value
+                shown = known is None or known.show(kind, parameter_value_to_python(value))
+            except UnknownParameterTypeError:
+                shown = False
+            is_complete &= shown
+        return is_complete
 
 
 PANEL = Panel("/parameters", "Parameters", "tune", _build)

@@ -12,6 +12,7 @@ from nicegui import ui
 from zbot.errors import ZbotError
 from zbot.interfaces import get_message
 from zbot.web.curve import Curves, numeric_fields, split_curve
+from zbot.web.curve_tree import curve_tree
 from zbot.web.panel import Page, Panel
 from zbot.web.value_text import number
 
@@ -24,6 +25,7 @@ _DEFAULT_WINDOW_S = 10
 _SCROLL_S = 0.1
 _LEGEND_HZ = 4.0
 _COLOURS = 6
+_OVER_TIME = "over time"
 
 
 class _Watcher:
@@ -47,6 +49,10 @@ class _Plot:
         self.values: dict[str, ui.label] = {}
         self.rows: dict[str, ui.element] = {}
         self.dots: dict[str, ui.element] = {}
+        self.sides: dict[str, ui.button] = {}
+        # The names of the curves with the axis on the right, and of the curve on the x axis.
+        self.right = set(filter(None, page.query.get("right", "").split(",")))
+        self.over = page.query.get("over", "")
         self.moved_s = 0.0
         self.came_s = 0.0
         self.add_toolbar()
@@ -58,6 +64,7 @@ class _Plot:
             with ui.element("div").classes("zb-card zb-plot"):
                 self.chart = ui.echart({}, renderer="svg").classes("zb-chart")
         page.call("zbot.plot.start", self.chart.id, self.window_s)
+        page.call("zbot.plot.setAxes", self.chart.id, sorted(self.right), self.over)
         for word in filter(None, page.query.get("curve", "").split(",")):
             self.add(word)
         self.show_state()
@@ -72,6 +79,10 @@ class _Plot:
             self.entry.on("keydown.enter", self.add_typed)
             self.entry.on("focus", lambda: self.entry.set_autocomplete(self.proposals()))
             ui.button("Add", icon="add", on_click=self.add_typed).props("unelevated dense")
+            self.add_tree()
+            over = ui.select([_OVER_TIME], value=_OVER_TIME, on_change=self.change_over)
+            over.props('dense outlined options-dense aria-label="X axis"').classes("zb-over")
+            self.over_choice = over
             choice = ui.select(_WINDOWS_S, value=self.window_s, on_change=self.change_window)
             choice.props('dense outlined aria-label="Window"').classes("zb-window")
             self.pause = ui.button("Pause", icon="pause", on_click=self.toggle_pause)
@@ -83,16 +94,53 @@ class _Plot:
                 button = ui.button(text, icon=icon).props("outline dense")
                 button.on_click(lambda _, name=function: self.page.call(name, self.chart.id))
 
-    def proposals(self) -> list[str]:
-        """Return the names of curves that the user can add now."""
-        found: list[str] = []
+    def add_tree(self) -> None:
+        """Add the button that shows all topics and fields as a tree with boxes to tick."""
+        button = ui.button("Fields", icon="account_tree").props("outline dense")
+        with button, ui.menu().classes("zb-fields") as menu:
+            search = ui.input(placeholder="Filter").props('dense outlined aria-label="Filter"')
+            self.tree = ui.tree([], tick_strategy="leaf", on_tick=self.tick)
+            self.tree.props("dense no-transition")
+            search.bind_value_to(self.tree, "filter")
+        menu.props("no-refocus")
+        menu.on("before-show", self.fill_tree)
+
+    def fill_tree(self) -> None:
+        """Show the present topics and fields, with a tick at each curve."""
+        self.tree.props["nodes"] = curve_tree(self.fields())
+        self.tree.props["ticked"] = self.names()
+        self.tree.update()
+
+    def tick(self, event: Any) -> None:
+        """Add the curves that got a tick, and remove the curves that lost it."""
+        ticked, names = set(event.value), set(self.names())
+        if ticked == names:
+            return
+        in_tree = {f"{topic}.{path}" for topic, paths in self.fields().items() for path in paths}
+        for name in names & in_tree - ticked:
+            self.curves.remove(name)
+        for name in sorted(ticked - names):
+            self.add(name)
+        self.show_state()
+
+    def fields(self) -> dict[str, list[str]]:
+        """Return the paths of each topic's numbers. Arrays without a fixed size have none."""
+        found = {}
         for topic, types in self.page.system.snapshot().topics():
             try:
                 message: Any = get_message(types[0])()
             except LookupError:
                 continue  # no definition on this machine, but the user can type a field's name
-            found += [f"{topic}.{path}" for path in numeric_fields(message)]
+            found[topic] = numeric_fields(message)
         return found
+
+    def names(self) -> list[str]:
+        """Return the names of the curves, and the topics whose first message has not come."""
+        return [*(curve.name for curve in self.curves.curves), *self.curves.waiting]
+
+    def proposals(self) -> list[str]:
+        """Return the names of curves that the user can add now."""
+        return [f"{topic}.{path}" for topic, paths in self.fields().items() for path in paths]
 
     def add_typed(self) -> None:
         """Add the curve that the user typed in the toolbar."""
@@ -116,15 +164,38 @@ class _Plot:
 
     def show_state(self) -> None:
         """Show the command that plots the same curves. Put the curves into the page's address."""
-        names = [*(curve.name for curve in self.curves.curves), *self.curves.waiting]
+        names = self.names()
         self.page.show_command(shlex.join(["zbot", "plot", *names]))
-        query = {"curve": ",".join(names)} if names else {}
+        words = {
+            "curve": ",".join(names),
+            "right": ",".join(name for name in names if name in self.right),
+            "over": self.over if self.over in names else "",
+        }
+        query = {key: word for key, word in words.items() if word}
         if query != self.page.query:
             self.page.set_query(**query)
 
     def change_window(self, event: Any) -> None:
         self.window_s = event.value
         self.page.call("zbot.plot.setWindow", self.chart.id, self.window_s)
+
+    def change_over(self, event: Any) -> None:
+        """Draw the curves over the time, or over the values of one curve."""
+        chosen = "" if event.value == _OVER_TIME else event.value.removeprefix("over ")
+        if chosen != self.over:
+            self.over = chosen
+            self.show_axes()
+
+    def switch_side(self, name: str) -> None:
+        """Move a curve to the axis on the other side."""
+        self.right ^= {name}
+        self.show_axes()
+
+    def show_axes(self) -> None:
+        for name, button in self.sides.items():
+            button.set_text("right" if name in self.right else "left")
+        self.page.call("zbot.plot.setAxes", self.chart.id, sorted(self.right), self.over)
+        self.show_state()
 
     def toggle_pause(self) -> None:
         """Stop or continue the movement of the plot. Points are collected in both states."""
@@ -150,10 +221,11 @@ class _Plot:
 
     def update_legend(self) -> None:
         """Show each curve's newest value, or the reason why it has no value."""
-        names = [*(curve.name for curve in self.curves.curves), *self.curves.waiting]
+        names = self.names()
         if names != self.listed:
             self.listed = names
             self.fill_legend(names)
+            self.fill_over(names)
         for curve in self.curves.curves:
             problem = self.curves.problem(curve)
             label = self.values[curve.name]
@@ -164,7 +236,7 @@ class _Plot:
         """List the curves. A curve keeps its row until its removal, so that no click is lost."""
         for name in [name for name in self.rows if name not in names]:
             self.rows.pop(name).delete()
-            del self.values[name], self.dots[name]
+            del self.values[name], self.dots[name], self.sides[name]
         for index, name in enumerate(names):
             if name not in self.rows:
                 self.add_row(name)
@@ -175,13 +247,24 @@ class _Plot:
                 self.values[name].set_text("no node uses it yet")
         self.hint.set_visibility(not names)
 
+    def fill_over(self, names: list[str]) -> None:
+        """Offer the curves as x axis. The time is chosen again when the chosen curve is removed."""
+        value = f"over {self.over}" if self.over in names else _OVER_TIME
+        self.over_choice.set_options([_OVER_TIME, *(f"over {name}" for name in names)], value=value)
+
     def add_row(self, name: str) -> None:
         with self.legend, ui.element("div").classes("zb-legend-item") as row:
             self.dots[name] = ui.element("span").classes("zb-dot")
             ui.label(name).classes("zb-mono")
             self.values[name] = ui.label("")
+            side = ui.button("right" if name in self.right else "left")
+            side.on_click(partial(self.switch_side, name))
+            side.props("flat dense size=sm color=grey-6")
+            side.props["aria-label"] = f"Axis of {name}"  # a quote in the name stays a quote
+            self.sides[name] = side
             button = ui.button(icon="close", on_click=partial(self.remove, name))
-            button.props(f'flat round dense size=xs color=grey-6 aria-label="Remove {name}"')
+            button.props("flat round dense size=xs color=grey-6")
+            button.props["aria-label"] = f"Remove {name}"
         self.rows[name] = row
 
 

@@ -23,11 +23,11 @@ if TYPE_CHECKING:
 _HZ = 1.0
 _COLUMNS = (
     Column("Nodes", "zb-mono zb-cut"),
-    Column("Host", "zb-cut", "110px"),
-    Column("Process", "zb-number", "76px"),
+    Column("Host", "zb-cut zb-wide", "110px"),
+    Column("Process", "zb-number zb-wide", "76px"),
     Column("CPU", "zb-number", "72px"),
     Column("Memory", "zb-number", "88px"),
-    Column("Command", "zb-mono zb-muted zb-cut zb-spare"),
+    Column("Command", "zb-mono zb-muted zb-cut zb-long zb-spare zb-wide"),
 )
 
 

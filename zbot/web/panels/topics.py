@@ -25,12 +25,12 @@ _MOST_WATCHED = 300
 _LIST_HZ = 2.0
 _COLUMNS = (
     Column("Topic", "zb-mono zb-cut"),
-    Column("Type", "zb-muted zb-cut zb-spare"),
-    Column("Pub", "zb-number", "56px"),
-    Column("Sub", "zb-number", "56px"),
+    Column("Type", "zb-muted zb-cut zb-spare zb-wide"),
+    Column("Pub", "zb-number zb-wide", "56px"),
+    Column("Sub", "zb-number zb-wide", "56px"),
     Column("Rate", "zb-number", "84px"),
-    Column("Data", "zb-number", "92px"),
-    Column("Last message", "zb-mono zb-cut zb-spare"),
+    Column("Data", "zb-number zb-wide", "92px"),
+    Column("Last message", "zb-mono zb-cut zb-long zb-spare zb-wide"),
 )
 
 

@@ -1,10 +1,19 @@
-// Table of log lines. New lines go to its end, and old lines are removed. It never contains HTML.
+// Table of log lines, sorted by time. Old lines are removed. It never contains HTML.
 "use strict";
 window.zbotConsole = (() => {
   function cell(row, text, classes) {
     const element = row.insertCell();
     element.textContent = text;
     element.className = classes;
+  }
+
+  // A node that was found late sends older lines. The search begins at the newest line.
+  function newRow(body, stamp) {
+    let next = null;
+    for (let row = body.lastElementChild; row?.stamp > stamp; row = row.previousElementSibling) next = row;
+    const row = body.insertBefore(document.createElement("tr"), next);
+    row.stamp = stamp;
+    return row;
   }
 
   function add(lines, isReset, most) {
@@ -14,8 +23,8 @@ window.zbotConsole = (() => {
     const isAtEnd = box.scrollHeight - box.scrollTop - box.clientHeight < 40;
     const body = table.tBodies[0] ?? table.createTBody();
     if (isReset) body.replaceChildren();
-    for (const [time, level, name, text, place, classes] of lines) {
-      const row = body.insertRow();
+    for (const [time, level, name, text, place, classes, stamp] of lines) {
+      const row = newRow(body, stamp);
       row.title = place;
       cell(row, time, "zb-mono zb-muted zb-log-time");
       cell(row, level, `zb-mono zb-log-kind ${classes}`);
@@ -26,6 +35,11 @@ window.zbotConsole = (() => {
     // If the user has scrolled up, the view does not move.
     if (isAtEnd || isReset) box.scrollTop = box.scrollHeight;
   }
+
+  // A phone cuts a line at its edge. A touch shows all of the line.
+  document.addEventListener("click", (event) => {
+    event.target.closest?.(".zb-log tr")?.classList.toggle("zb-open");
+  });
 
   return { add };
 })();

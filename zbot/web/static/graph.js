@@ -2,6 +2,8 @@
 "use strict";
 zbot.graph = (() => {
   const MOVE_MS = 350; // the same value as in graph.css
+  const NARROW = 600; // CSS pixels; a narrower drawing is on a phone
+  const SMALLEST = 0.75; // smallest scale on a phone, so that names can be read
   const LARGEST = 1.7; // largest scale, so that a graph of two nodes does not become huge
   const LAYERS = ["frame", "edge", "item"]; // from the lowest to the highest
   const MOST_MOVING = 300; // number of groups; larger drawings change without animation
@@ -173,9 +175,13 @@ zbot.graph = (() => {
       // Keep the top and the bottom of the drawing free, because texts cover these areas.
       const above = this.heightOf(".zb-graph-problems");
       const below = this.heightOf(".zb-graph-left-out");
-      const scale = Math.min(w / width, (h - above - below) / height, LARGEST);
-      const [x, y] = [left + width / 2, top + height / 2 + (below - above) / scale / 2];
-      this.look([x - w / scale / 2, y - h / scale / 2, w / scale, h / scale], !this.view);
+      const room = h - above - below;
+      const smallest = w < NARROW ? SMALLEST : 0;
+      const scale = Math.max(Math.min(w / width, room / height, LARGEST), smallest);
+      // A drawing that has no room begins at the left and at the top. The user can move it.
+      const x = left + Math.min(0, (width - w / scale) / 2);
+      const y = top - above / scale + Math.min(0, (height - room / scale) / 2);
+      this.look([x, y, w / scale, h / scale], !this.view);
     }
 
     resize() {

@@ -10,7 +10,8 @@ zbot.plot = (() => {
   }
 
   function start(id, windowS) {
-    plots.set(id, { names: [], curves: new Map(), windowS, paused: false, nowS: 0, startS: null });
+    plots.set(id, { names: [], curves: new Map(), windowS, paused: false, nowS: 0, startS: null,
+      right: [], over: "" });
     draw(id);
   }
 
@@ -52,6 +53,13 @@ zbot.plot = (() => {
 
   function setWindow(id, windowS) {
     plots.get(id).windowS = windowS;
+    draw(id);
+  }
+
+  // The curves with these names use the axis on the right. `over` names the curve of the x axis;
+  // it is empty if the x axis is the time.
+  function setAxes(id, right, over) {
+    Object.assign(plots.get(id), { right, over, isNew: true });
     draw(id);
   }
 
@@ -100,10 +108,28 @@ zbot.plot = (() => {
     return points;
   }
 
+  // Returns the values over those of another curve: its last value at that time.
+  function paired(curve, over, fromS) {
+    const points = [];
+    let at = indexOf(over.times, fromS) - 1;
+    for (let one = indexOf(curve.times, fromS); one < curve.times.length; one++) {
+      while (at + 1 < over.times.length && over.times[at + 1] <= curve.times[one]) at++;
+      if (at >= 0) points.push([over.values[at], curve.values[one]]);
+    }
+    return points;
+  }
+
+  function pointsOf(plot, name, width) {
+    const [curve, over] = [plot.curves.get(name), plot.curves.get(plot.over)];
+    const fromS = plot.nowS - plot.windowS;
+    if (over) return name === plot.over ? [] : paired(curve, over, fromS);
+    return thinned(curve, fromS, plot.startS ?? 0, Math.max(width, 200));
+  }
+
   function seriesOf(plot, width) {
-    const startS = plot.startS ?? 0;
     return plot.names.map((name, index) => ({
       id: name,
+      yAxisIndex: plot.right.includes(name) ? 1 : 0,
       name,
       type: "line",
       showSymbol: false,
@@ -111,7 +137,7 @@ zbot.plot = (() => {
       lineStyle: { width: 2 },
       itemStyle: { color: colour(`--zb-curve-${(index % COLOURS) + 1}`) },
       emphasis: { disabled: true },
-      data: thinned(plot.curves.get(name), plot.nowS - plot.windowS, startS, Math.max(width, 200)),
+      data: pointsOf(plot, name, width),
     }));
   }
 
@@ -130,18 +156,32 @@ zbot.plot = (() => {
     return Number.isFinite(value) ? String(+value.toPrecision(6)) : String(value);
   }
 
-  function tooltip() {
+  // The x axis is the time, or the values of a curve.
+  function xAxisOf(plot) {
+    if (plot.curves.has(plot.over)) return { ...axis(), scale: true, min: null, max: null };
+    const end = plot.nowS - (plot.startS ?? plot.nowS);
+    const right = Math.max(end, plot.windowS);
+    return { ...axis(), scale: false, min: right - plot.windowS, max: right, axisLabel: {
+      color: colour("--zb-muted"), showMinLabel: false, showMaxLabel: false,
+      formatter: (value) => `${+value.toFixed(2)} s`,
+    } };
+  }
+
+  function tooltip(plot) {
     return {
-      trigger: "axis",
+      trigger: plot.curves.has(plot.over) ? "item" : "axis",
       renderMode: "richText", // so that the names of topics are never HTML
       backgroundColor: colour("--zb-surface"),
       borderColor: colour("--zb-line"),
       textStyle: { color: colour("--zb-text"), fontSize: 12 },
       axisPointer: { lineStyle: { color: colour("--zb-muted") }, label: { show: false } },
-      formatter: (all) =>
-        [`${all[0].value[0].toFixed(2)} s`]
+      formatter: (found) => {
+        const all = [found].flat();
+        const x = all[0].value[0];
+        return [plot.curves.has(plot.over) ? `${plot.over}  ${shown(x)}` : `${x.toFixed(2)} s`]
           .concat(all.map((one) => `${one.seriesName}  ${shown(one.value[1])}`))
-          .join("\n"),
+          .join("\n");
+      },
     };
   }
 
@@ -152,22 +192,17 @@ zbot.plot = (() => {
       if (document.getElementById(`c${id}`)) setTimeout(() => draw(id), 30);
       return;
     }
-    const end = plot.nowS - (plot.startS ?? plot.nowS);
-    const right = Math.max(end, plot.windowS);
     chart.setOption(
       {
         animation: false,
         grid: { left: 14, right: 22, top: 18, bottom: 10, containLabel: true },
-        xAxis: { ...axis(), min: right - plot.windowS, max: right, axisLabel: {
-          color: colour("--zb-muted"), showMinLabel: false, showMaxLabel: false,
-          formatter: (value) => `${+value.toFixed(2)} s`,
-        } },
-        yAxis: { ...axis(), scale: true },
-        tooltip: tooltip(),
+        xAxis: xAxisOf(plot),
+        yAxis: ["left", "right"].map((position) => ({ ...axis(), scale: true, position })),
+        tooltip: tooltip(plot),
         dataZoom: [{ type: "inside", disabled: !plot.paused, filterMode: "none" }],
         series: seriesOf(plot, chart.getWidth()),
       },
-      plot.isNew ? { replaceMerge: ["series"] } : {},
+      plot.isNew ? { replaceMerge: ["series", "xAxis"] } : {},
     );
     plot.isNew = false;
   }
@@ -197,5 +232,5 @@ zbot.plot = (() => {
     watcher.observe(document.body, { attributeFilter: ["class"] });
   });
 
-  return { add, clear, csv, plots, save, setCurves, setPaused, setWindow, start };
+  return { add, clear, csv, plots, save, setAxes, setCurves, setPaused, setWindow, start };
 })();

@@ -11,7 +11,8 @@ import typer
 from zbot.names import fully_qualified, validate_topic_name
 from zbot.wire.tokens import EntityKind
 from zbot_cli.domain.action_types import UnknownActionError, suggestion
-from zbot_cli.domain.client import full_name, snapshot
+from zbot_cli.domain.client import full_name, note_if_nobody_runs, snapshot
+from zbot_cli.domain.types import check_known
 from zbot_cli.input.form_options import DEFAULT_FORM, FormOptions
 from zbot_cli.input.option_groups import with_option_groups
 from zbot_cli.output.listing import (
@@ -42,6 +43,7 @@ def list_actions(
 ) -> None:
     """List the actions that have servers or clients."""
     graph = snapshot()
+    note_if_nobody_runs(graph)
     facts = partial(_facts, graph)
     print_entries(graph.actions(), facts, show_types=show_types, count=count, as_json=as_json)
 
@@ -50,8 +52,8 @@ def _facts(graph: Snapshot, name: str, types: list[str]) -> dict[str, object]:
     return {
         "name": name,
         "types": types,
-        "servers": len(_nodes(graph, name, EntityKind.SERVICE)),
-        "clients": len(_nodes(graph, name, EntityKind.CLIENT)),
+        "server_count": len(_nodes(graph, name, EntityKind.SERVICE)),
+        "client_count": len(_nodes(graph, name, EntityKind.CLIENT)),
     }
 
 
@@ -80,7 +82,11 @@ def info(
         for side, kind in (("clients", EntityKind.CLIENT), ("servers", EntityKind.SERVICE))
     }
     if as_json:
-        print_json({"name": name, **sides})
+        ends = {
+            side: [{"node": node, "types": types} for node, types in nodes.items()]
+            for side, nodes in sides.items()
+        }
+        print_json({"name": name, **ends})
         return
     print(f"Action: {name}")
     for side, nodes in sides.items():
@@ -118,9 +124,9 @@ def find(
     as_json: AsJson = False,
 ) -> None:
     """List the actions that have the given type."""
-    short = action_type.count("/") == 1
-    wanted = action_type.replace("/", "/action/", 1) if short else action_type
-    found = [name for name, types in snapshot().actions() if wanted in types]
+    actions = snapshot().actions()
+    wanted = check_known(action_type, "action", {one for _, types in actions for one in types})
+    found = [name for name, types in actions if wanted in types]
     print_names(found, count=count, as_json=as_json)
 
 
@@ -169,7 +175,9 @@ def echo(
     ] = None,
     interfaces: Annotated[
         str | None,
-        typer.Option("-i", "--interfaces", help="Only these, e.g. 'FEEDBACK_TOPIC|STATUS_TOPIC'"),
+        typer.Option(
+            "-i", "--interfaces", help="Print only these, e.g. 'FEEDBACK_TOPIC|STATUS_TOPIC'"
+        ),
     ] = None,
     form: FormOptions = DEFAULT_FORM,
     as_json: AsJson = False,

@@ -5,16 +5,17 @@ from __future__ import annotations
 import os
 from dataclasses import asdict
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 
 import typer
 
+from zbot_cli.input.many_values import ManyValuesCommand
 from zbot_cli.output.exit_status import Status
 from zbot_cli.output.listing import AsJson, new_app, print_json
 
 if TYPE_CHECKING:
-    from zbot.classroom.class_record import ClassRecord
-    from zbot.transport.membership import Membership
+    from zbot.classroom.invitation import Invitation
+    from zbot_cli.commands.class_.robot import RobotSpec
 
 app = new_app("Start and manage a class")
 
@@ -26,9 +27,12 @@ def options() -> None:
 
 @app.command("start")
 def start(
-    name: Annotated[str, typer.Argument(help="Name of the class")] = "class",
+    name: Annotated[str | None, typer.Argument(help="Name of the class")] = None,
     pin: Annotated[
         bool, typer.Option("--pin", help="Make a PIN, which students must enter")
+    ] = False,
+    new_pin: Annotated[
+        bool, typer.Option("--new-pin", help="Give an open class another PIN")
     ] = False,
     port: Annotated[
         int | None, typer.Option("--port", min=1, max=65535, help="TCP port; 7447 by default")
@@ -39,85 +43,189 @@ def start(
     keystore: Annotated[
         Path | None, typer.Option("--keystore", help="Folder of this machine's certificate")
     ] = None,
+    robot: Annotated[
+        list[str] | None,
+        typer.Option("--robot", help="Robot of ROS 2 in /class/NAME: dds, or NAME=dds:DOMAIN"),
+    ] = None,
+    rate: Annotated[
+        list[str] | None,
+        typer.Option("--rate", help="Maximum messages per second of a topic: '/camera/*=5'"),
+    ] = None,
     as_json: AsJson = False,
 ) -> None:
-    """Start a class."""
+    """Start a class, or show its code."""
     from zbot.classroom import teacher  # noqa: PLC0415 - not needed by `--help`
+    from zbot.classroom.invitation import invitation_to  # noqa: PLC0415 - as above
     from zbot.classroom.register import clean_name, load_roster  # noqa: PLC0415 - as above
-    from zbot.security.pin import random_pin  # noqa: PLC0415 - as above
-    from zbot.transport.config import hub_port  # noqa: PLC0415 - as above
+    from zbot_cli.domain.client import print_programs_outside  # noqa: PLC0415 - as above
 
-    expected = load_roster(students) if students else None
-    chosen = (os.environ.get("ZBOT_PIN") or random_pin().reveal()) if pin else ""
+    robots = _robots(robot or [])
     opened, record = teacher.start(
-        clean_name(name), port or hub_port(), pin=chosen, expected=expected, keystore=keystore
+        teacher.ClassOptions(
+            name=clean_name(name) if name else None,
+            port=port,
+            with_pin=pin,
+            pin=os.environ.get("ZBOT_PIN", "").strip() if pin or new_pin else "",
+            new_pin=new_pin,
+            expected=load_roster(students) if students else None,
+            keystore=keystore,
+        )
     )
-    facts = _join_facts(opened, record)
-    print_json(facts) if as_json else print(_join_text(facts))
+    invitation = invitation_to(opened, record)
+    for one in robots:
+        robot_module().start(one, rate or [])
+    print_json(invitation.document()) if as_json else print(_join_text(invitation))
+    for one in robots:
+        if not as_json:
+            print(f"The robot is in /class/{one.name}/. `zbot class give NUMBER {one.name}`")
+    print_programs_outside()
 
 
-def _join_facts(opened: Membership, record: ClassRecord) -> dict[str, object]:
-    """Return the facts that students use to join: codes, address and PIN."""
-    from zbot.classroom.join_code import long_code, short_code  # noqa: PLC0415 - not needed by `--help`
-    from zbot.classroom.teacher import address_of  # noqa: PLC0415 - as above
+def robot_module() -> Any:
+    """Return the module about robots. Few classes have one."""
+    from zbot_cli.commands.class_ import robot  # noqa: PLC0415 - as above
 
-    address = address_of(opened)
-    return {
-        "class": opened.class_name,
-        "code": short_code(address) or long_code(address),
-        "long_code": long_code(address),
-        "host": address.host,
-        "port": address.port,
-        "pin": record.pin or None,
-    }
+    return robot
 
 
-def _join_text(facts: dict[str, object]) -> str:
-    lines = [f'Class "{facts["class"]}" is open. Students type:', ""]
-    if facts["code"]:
-        lines.append(f"    zbot join {facts['code']}")
-    lines += [f"    zbot join {facts['host']}:{facts['port']}    (if the code does not work)", ""]
-    if facts["pin"]:
-        lines.append(f"PIN: {facts['pin']}")
+def _robots(texts: list[str]) -> list[RobotSpec]:
+    """Return the robots in the values of `--robot`. Check that they can be connected."""
+    if not texts:
+        return []
+    found = [robot_module().RobotSpec.parse(text) for text in texts]
+    robot_module().check_rclpy()
+    return found
+
+
+@app.command("run-robot", hidden=True)
+def run_robot(
+    name: Annotated[str, typer.Argument(help="Name of the robot")],
+    ros_domain: Annotated[int, typer.Option("--ros-domain", help="Domain of ROS 2")] = 0,
+    rate: Annotated[list[str] | None, typer.Option("--rate", help="As for `class start`")] = None,
+) -> None:
+    """Run the bridge of a robot."""
+    from zbot_cli.commands.class_.robot import RobotSpec, run  # noqa: PLC0415 - in the background only
+
+    run(RobotSpec(name, ros_domain), rate or [])
+
+
+@app.command("give")
+def give(
+    number: Annotated[int, typer.Argument(min=1, max=232, help="Number of a student")],
+    robot: Annotated[str, typer.Argument(help="Name of the robot")] = "robot",
+) -> None:
+    """Let one student drive the robot.
+
+    On a terminal, any key takes the robot back.
+    """
+    from zbot.classroom.teacher import command  # noqa: PLC0415 - not needed by `--help`
+
+    told = command({"op": "give", "number": number, "robot": robot})
+    robot_module().until_key(told, lambda: command({"op": "give", "robot": robot}))
+
+
+@app.command("take")
+def take(
+    robot: Annotated[str, typer.Argument(help="Name of the robot")] = "robot",
+) -> None:
+    """Stop the robot, and let nobody drive it."""
+    from zbot.classroom.teacher import command  # noqa: PLC0415 - not needed by `--help`
+
+    command({"op": "give", "robot": robot})
+    print(f"nobody drives {robot}")
+
+
+def _join_text(invitation: Invitation) -> str:
+    lines = [f'Class "{invitation.class_name}" is open. Students type:', ""]
+    if invitation.code:
+        lines.append(f"    zbot join {invitation.code}")
+    lines += [f"    zbot join {invitation.address}    (if the code does not work)", ""]
+    if invitation.pin:
+        lines.append(f"PIN: {invitation.pin}")
     return "\n".join([*lines, "`zbot class list` lists students, `zbot class stop` ends the class"])
 
 
 @app.command("list")
 def list_students(as_json: AsJson = False) -> None:
     """List the students and their machines."""
-    from zbot.classroom.teacher import command  # noqa: PLC0415 - not needed by `--help`
+    from zbot.classroom.invitation import invitation  # noqa: PLC0415 - not needed by `--help`
+    from zbot.classroom.teacher import command  # noqa: PLC0415 - as above
 
     found = command({"op": "list"})
+    invited = invitation()
     if as_json:
-        print_json(found)
+        print_json({**found, "join": invited.document()})
         return
     from zbot_cli.commands.class_.table import table  # noqa: PLC0415 - not needed by `--help`
 
-    print(table(found))
+    print(table(found, invited))
 
 
-@app.command("check")
+class _BagCommand(ManyValuesCommand):
+    """Parser of options that take several values."""
+
+    many: ClassVar[frozenset[str]] = frozenset({"--bag", "--students", "--topics"})
+
+
+@app.command("check", cls=_BagCommand)
 def check(
     expected: Annotated[
-        str, typer.Argument(help='Such as "publishes std_msgs/String on /student_id at >= 1 Hz"')
+        str,
+        typer.Argument(
+            help='What to check, e.g. "publishes std_msgs/String on /student_id at >= 1 Hz"'
+        ),
     ],
+    bags: Annotated[
+        list[Path] | None,
+        typer.Option("--bag", help="Check these bags instead of running programs"),
+    ] = None,
     as_json: AsJson = False,
 ) -> None:
     """Check the programs of all students."""
     from zbot.classroom.expectation import parse_expectations  # noqa: PLC0415 - not needed by `--help`
     from zbot.classroom.teacher import check_class  # noqa: PLC0415 - as above
 
-    verdicts = check_class(parse_expectations(expected))
+    expectations = parse_expectations(expected)
+    if bags:
+        from zbot_cli.commands.class_.bag_check import check_bag  # noqa: PLC0415 - only for bags
+
+        verdicts = [check_bag(bag, expectations) for bag in bags]
+    else:
+        verdicts = check_class(expectations)
     passed = sum(verdict.passes for verdict in verdicts)
     if as_json:
         print_json([{**asdict(one), "passes": one.passes} for one in verdicts])
     else:
         for one in verdicts:
             mark = "ok  " if one.passes else "FAIL"
-            print(f"{mark}  {one.number:3}  {one.name}  {'; '.join(one.problems)}".rstrip())
+            number = f"{one.number:3}  " if one.number else ""
+            print(f"{mark}  {number}{one.name}  {'; '.join(one.problems)}".rstrip())
         print(f"{passed} of {len(verdicts)} pass")
     if passed < len(verdicts):
         raise typer.Exit(Status.ERROR)
+
+
+@app.command("record", cls=_BagCommand)
+def record(
+    output: Annotated[
+        Path | None,
+        typer.Option("-o", "--output", help="Folder; default: a name with date and time"),
+    ] = None,
+    students: Annotated[
+        list[int] | None, typer.Option("--students", help="Numbers of students; default: all")
+    ] = None,
+    topics: Annotated[
+        list[str] | None, typer.Option("--topics", help="Topics of the students; default: all")
+    ] = None,
+    max_bag_size: Annotated[
+        int,
+        typer.Option("-b", "--max-bag-size", min=0, help="Maximum bytes of a file; 0: no limit"),
+    ] = 0,
+) -> None:
+    """Record the topics of each student."""
+    from zbot_cli.commands.class_.recording import ClassRecording  # noqa: PLC0415 - not needed by `--help`
+
+    ClassRecording(output, students or [], topics or [], max_bag_size).run()
 
 
 @app.command("say")
@@ -143,5 +251,7 @@ def free(
 def stop() -> None:
     """Stop the class."""
     from zbot.classroom import teacher  # noqa: PLC0415 - not needed by `--help`
+    from zbot_cli.domain.client import print_programs_outside  # noqa: PLC0415 - as above
 
     print(f'Class "{teacher.stop().class_name}" is closed')
+    print_programs_outside()

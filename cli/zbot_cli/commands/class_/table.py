@@ -3,32 +3,49 @@
 from __future__ import annotations
 
 import time
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from zbot.classroom.invitation import Invitation
 
 _HEADINGS = ("", "name", "host", "nodes", "clock", "version", "")
 _SECONDS = {"s": 60.0, "min": 60.0, "h": 24.0, "d": float("inf")}
 
 
-def table(found: dict[str, Any]) -> str:
-    """Return the students of a classroom as text, with one student per line."""
+def table(found: dict[str, Any], invitation: Invitation) -> str:
+    """Return the students of a class as text, with one student per line."""
     rows = [_HEADINGS, *(_row(student) for student in found["students"])]
     rows += [(str(one["number"]), one["name"], "-", "", "", "", "") for one in found["expected"]]
     here = sum(student["here"] for student in found["students"])
     lines = _aligned(rows) if len(rows) > 1 else ["nobody has joined yet"]
-    return "\n".join([f'"{found["class"]}": {here} here', *lines])
+    heading = f'"{found["class"]}": {here} here; {invitation.command}'
+    heading += f"; PIN: {invitation.pin}" if invitation.pin else ""
+    names = {student["number"]: student["name"] for student in found["students"]}
+    # A class that an older zbot runs tells nothing about robots.
+    lines += [_robot_line(one, names) for one in found.get("robots", ())]
+    return "\n".join([heading, *lines])
+
+
+def _robot_line(robot: dict[str, Any], names: dict[int, str]) -> str:
+    number = robot["driver"]
+    who = "nobody" if number is None else f"{names.get(number, '')} (number {number})".strip()
+    return f"robot {robot['name']}: {who} drives"
 
 
 def _row(student: dict[str, Any]) -> tuple[str, ...]:
     error = student["last_error"]
     offset = student["clock_offset"]
+    count, more = len(student["nodes"]), student["more_nodes"]
     remark = f"{error['node']}: {error['text']}" if error else ""
+    if more:
+        remark = f"more than {count} nodes, the rest is not shown"
     if not student["here"]:
         remark = f"lost {_ago(student['since'])}" if student["since"] else "not seen yet"
     return (
         str(student["number"]),
         student["name"],
         student["host"],
-        str(len(student["nodes"])),
+        f"{count}+" if more else str(count),
         "" if offset is None else f"{offset:+.3f} s",
         student["version"],
         remark,

@@ -12,6 +12,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
 from zbot.errors import ZbotError
+from zbot.package.errors import NotRunnableError
+from zbot.package.unavailable import Unavailable, unavailable_package
 from zbot_cli.commands.run.execution import run_and_exit
 from zbot_cli.output.exit_status import Status
 from zbot_cli.packages import executables
@@ -21,11 +23,11 @@ if TYPE_CHECKING:
     import subprocess
     from collections.abc import Callable, Iterable, Sequence
 
-_USAGE = """\
+USAGE = """\
 Usage: zbot run [--prefix COMMAND] [PACKAGE] EXECUTABLE [ARGS]...
        zbot run [--prefix COMMAND] PATH.py [ARGS]...
 
-  Run a node. Everything after the executable is passed to it, --ros-args too.
+  Run a node. The node gets all words after EXECUTABLE, also --ros-args.
 
 Options:
   --prefix COMMAND  Put a command before the program, e.g. --prefix 'nice -n 5'
@@ -65,19 +67,28 @@ class ExecutableNotFoundError(ZbotError):
         for package in packages:
             if package.fault:
                 self.hint = package.fault
-            elif name in package.compiled:
-                self.hint = f"{name} is a C++ program: it needs ROS 2, zbot runs Python programs"
             elif package.has_module(name):
                 entry = f"'{name} = {package.name}.{name}:main'"
                 self.hint = f"add {entry} to the console_scripts in {package.name}'s setup.py"
         super().__init__("No executable found")
 
 
+class CompiledProgramError(NotRunnableError):
+    """The executable of a package of the workspace is a C++ program."""
+
+    def __init__(self, name: str, package: str) -> None:
+        kind = Unavailable("a C++ program, which needs ROS 2", "zbot runs Python programs")
+        super().__init__(f"{name} of package {package}", kind)
+
+
 class SeveralExecutablesError(ZbotError):
     """Several packages have an executable of that name."""
 
     def __init__(self, found: Sequence[Executable]) -> None:
-        self.hint = f"name the package too: zbot run {found[0].package} {found[0].name}"
+        if len({one.package for one in found}) == 1:
+            self.hint = f"rename one of them: both are in {found[0].package}"
+        else:
+            self.hint = f"name the package too: zbot run {found[0].package} {found[0].name}"
         lines = "".join(f"\n- {one.package} {one.name} ({one.target})" for one in found)
         super().__init__(f"Multiple executables found:{lines}")
 
@@ -117,7 +128,7 @@ def run(words: list[str]) -> int | Callable[[], NoReturn]:
     while words and words[0].startswith("-"):
         option, equals, value = words.pop(0).partition("=")
         if option in {"-h", "--help"}:
-            print(_USAGE)
+            print(USAGE)
             return Status.OK
         if option != "--prefix":
             _exit_with_usage_error(f"No such option: {option}")
@@ -131,7 +142,7 @@ def run(words: list[str]) -> int | Callable[[], NoReturn]:
 
 
 def _exit_with_usage_error(text: str) -> NoReturn:
-    print(f"{_USAGE.splitlines()[0]}\n\nError: {text}", file=sys.stderr)
+    print(f"{USAGE.splitlines()[0]}\n\nError: {text}", file=sys.stderr)
     sys.exit(Status.USAGE)
 
 
@@ -178,11 +189,20 @@ def _find_farther(
     # Otherwise the first word means an executable, even if a package has the same name.
     if not is_meant and (found := _named(first, packages)):
         return _single(found), rest
+    kind = unavailable_package(first)
+    if kind is not None and not inside:
+        raise NotRunnableError(first, kind)
     if inside:
-        raise ExecutableNotFoundError(rest[0] if rest else "", _names(inside), inside)
+        _raise_not_found(rest[0] if rest else "", inside)
     if rest and not rest[0].startswith("-"):
         raise PackageNotFoundError(first, sorted({one.name for one in packages if one.executables}))
     raise ExecutableNotFoundError(first, _names(packages))
+
+
+def _raise_not_found(name: str, inside: list[Package]) -> NoReturn:
+    if any(name in package.compiled for package in inside):
+        raise CompiledProgramError(name, inside[0].name)
+    raise ExecutableNotFoundError(name, _names(inside), inside)
 
 
 def _called(name: str, packages: Iterable[Package]) -> list[Package]:
@@ -202,13 +222,16 @@ def _file(word: str) -> Executable:
 
 
 def _named(name: str, packages: Iterable[Package]) -> list[Executable]:
-    """Return the executables of a name, each program once. The name may lack `.py`."""
-    found: dict[str, Executable] = {}
-    for package in packages:
-        for one in package.executables:
-            if name in {one.name, one.name.removesuffix(".py")}:
-                found.setdefault(one.target, one)
-    return list(found.values())
+    """Return the executables of a name, each program once.
+
+    If no executable has the name, return those that have it with `.py`.
+    """
+    listed = [one for package in packages for one in package.executables]
+    for wanted in (name, f"{name}.py"):
+        found = {one.target: one for one in reversed(listed) if one.name == wanted}
+        if found:
+            return list(reversed(found.values()))
+    return []
 
 
 def _names(packages: Iterable[Package]) -> list[str]:

@@ -10,6 +10,7 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
+from zbot_cli.commands.run.name_clash import warn_of_unused_files
 
 if TYPE_CHECKING:
     import ast
@@ -36,6 +37,7 @@ def run_script(path: str) -> Any:
     """
     with io.open_code(str(Path(path).resolve())) as file:
         source = file.read()
+    warn_of_unused_files(source, str(Path(path).resolve().parent))
     code = compile(source, path, "exec")
     module = ModuleType("__main__")
     module.__file__ = path

@@ -7,10 +7,11 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from zbot.names import is_hidden
+from zbot.names import fully_qualified, is_hidden
 from zbot.wire.tokens import EntityKind
-from zbot_cli.domain.client import full_name, snapshot
+from zbot_cli.domain.client import full_name, note_if_nobody_runs, snapshot
 from zbot_cli.domain.service_types import NODE_SERVICE_TYPES, UnknownServiceError, known_services
+from zbot_cli.domain.types import check_known
 from zbot_cli.input.form_options import DEFAULT_FORM, FormOptions
 from zbot_cli.input.option_groups import noun_option, with_option_groups
 from zbot_cli.input.qos_options import DEFAULT_QOS, QosOptions, profile_lines
@@ -68,6 +69,7 @@ def list_services(
 ) -> None:
     """List the services that have a server."""
     graph = snapshot()
+    note_if_nobody_runs(graph)
     hidden = include_hidden_services or noun_option(ctx, "include_hidden_services")
     services = [
         (name, types)
@@ -82,8 +84,8 @@ def _facts(graph: Snapshot, name: str, types: list[str]) -> dict[str, object]:
     return {
         "name": name,
         "types": types,
-        "servers": len(graph.on(name, EntityKind.SERVICE)),
-        "clients": len(graph.on(name, EntityKind.CLIENT)),
+        "server_count": len(graph.on(name, EntityKind.SERVICE)),
+        "client_count": len(graph.on(name, EntityKind.CLIENT)),
     }
 
 
@@ -133,8 +135,7 @@ def info(
 
 def _endpoint_dict(end: EndpointToken) -> dict[str, object]:
     return {
-        "node": end.node,
-        "namespace": end.namespace,
+        "node": fully_qualified(end.namespace, end.node),
         "type": end.type_name,
         "type_hash": end.type_hash,
         "gid": end.gid.hex(),
@@ -172,10 +173,10 @@ def find(
     daemon: DaemonOptions = NO_DAEMON,
 ) -> None:
     """List the services that have the given type."""
-    short = service_type.count("/") == 1
-    wanted = service_type.replace("/", "/srv/", 1) if short else service_type
+    services = snapshot().services()
+    wanted = check_known(service_type, "srv", {one for _, types in services for one in types})
     hidden = include_hidden_services or noun_option(ctx, "include_hidden_services")
-    found = [name for name, types in _shown(snapshot().services(), hidden) if wanted in types]
+    found = [name for name, types in _shown(services, hidden) if wanted in types]
     print_names(found, count=count, as_json=as_json)
 
 

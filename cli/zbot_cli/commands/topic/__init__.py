@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from zbot.errors import ZbotError
-from zbot.names import is_hidden, nearest
+from zbot.names import fully_qualified, is_hidden, nearest
 from zbot.wire.tokens import EndpointToken, EntityKind
-from zbot_cli.domain.client import client, full_name, snapshot, snapshot_of
+from zbot_cli.domain.client import client, full_name, note_if_nobody_runs, snapshot, snapshot_of
+from zbot_cli.domain.types import check_known
 from zbot_cli.input.form_options import DEFAULT_FORM, FormOptions
 from zbot_cli.input.option_groups import noun_option, with_option_groups
 from zbot_cli.input.qos_options import DEFAULT_QOS, QosOptions, profile_lines
@@ -78,6 +79,7 @@ def list_topics(
     with client() as context:
         graph = snapshot_of(context)
         foreign = _foreign(context, graph)
+    note_if_nobody_runs(graph)
     hidden = include_hidden_topics or noun_option(ctx, "include_hidden_topics")
     if verbose and not (count or as_json):
         _print_verbose(graph, hidden)
@@ -101,8 +103,8 @@ def _facts(graph: Snapshot, name: str, types: list[str]) -> dict[str, object]:
     return {
         "name": name,
         "types": types,
-        "publishers": len(graph.publishers(name)),
-        "subscriptions": len(graph.subscriptions(name)),
+        "publisher_count": len(graph.publishers(name)),
+        "subscription_count": len(graph.subscriptions(name)),
     }
 
 
@@ -151,8 +153,7 @@ def info(
 
 def _endpoint_dict(end: EndpointToken) -> dict[str, object]:
     return {
-        "node": end.node,
-        "namespace": end.namespace,
+        "node": fully_qualified(end.namespace, end.node),
         "type": end.type_name,
         "type_hash": end.type_hash,
         "gid": end.gid.hex(),
@@ -206,9 +207,10 @@ def find(
     daemon: DaemonOptions = NO_DAEMON,
 ) -> None:
     """List the topics that have the given type."""
-    wanted = topic_type if topic_type.count("/") == 2 else topic_type.replace("/", "/msg/", 1)
+    topics = snapshot().topics()
+    wanted = check_known(topic_type, "msg", {one for _, types in topics for one in types})
     hidden = include_hidden_topics or noun_option(ctx, "include_hidden_topics")
-    found = [name for name, types in _shown(snapshot().topics(), hidden) if wanted in types]
+    found = [name for name, types in _shown(topics, hidden) if wanted in types]
     print_names(found, count=count, as_json=as_json)
 
 
@@ -232,7 +234,7 @@ def echo(
     raw: Annotated[bool, typer.Option("--raw", help="Print the bytes of each message")] = False,
     filter_expression: Annotated[
         str | None,
-        typer.Option("--filter", metavar="EXPR", help="Only messages `m` for which this is true"),
+        typer.Option("--filter", metavar="EXPR", help="Only messages `m` for which EXPR is true"),
     ] = None,
     once: Annotated[bool, typer.Option("--once", help="End after the first message")] = False,
     timeout: Annotated[
@@ -345,6 +347,7 @@ def pub(
 Topics = Annotated[
     list[str] | None, typer.Argument(help="Topics, e.g. /chatter", metavar="TOPIC...")
 ]
+Window = Annotated[int, typer.Option("-w", "--window", min=1, help="Messages to measure over")]
 AllTopics = Annotated[bool, typer.Option("-a", "--all", help="All topics known at the start")]
 
 
@@ -353,11 +356,11 @@ AllTopics = Annotated[bool, typer.Option("-a", "--all", help="All topics known a
 def hz(
     topics: Topics = None,
     window: Annotated[
-        int, typer.Option("-w", "--window", help="Intervals to measure over")
+        int, typer.Option("-w", "--window", min=1, help="Intervals to measure over")
     ] = 10000,
     filter_expression: Annotated[
         str | None,
-        typer.Option("--filter", metavar="EXPR", help="Only messages `m` for which this is true"),
+        typer.Option("--filter", metavar="EXPR", help="Only messages `m` for which EXPR is true"),
     ] = None,
     wall_time: Annotated[
         bool, typer.Option("--wall-time", help="Use the system's clock despite simulated time")
@@ -385,7 +388,9 @@ def hz(
 @with_option_groups
 def bw(
     topics: Topics = None,
-    window: Annotated[int, typer.Option("-w", "--window", help="Messages to measure over")] = 100,
+    window: Annotated[
+        int, typer.Option("-w", "--window", min=1, help="Messages to measure over")
+    ] = 100,
     all_topics: AllTopics = False,
     qos: QosOptions = DEFAULT_QOS,
     as_json: AsJson = False,
@@ -409,7 +414,9 @@ def bw(
 @with_option_groups
 def delay(
     topic_name: TopicName,
-    window: Annotated[int, typer.Option("-w", "--window", help="Messages to measure over")] = 10000,
+    window: Annotated[
+        int, typer.Option("-w", "--window", min=1, help="Messages to measure over")
+    ] = 10000,
     qos: QosOptions = DEFAULT_QOS,
     as_json: AsJson = False,
     daemon: DaemonOptions = NO_DAEMON,

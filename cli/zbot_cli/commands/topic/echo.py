@@ -10,10 +10,15 @@ from typing import TYPE_CHECKING, Any
 from zbot.errors import ZbotError
 from zbot.executor.single_threaded_executor import SingleThreadedExecutor
 from zbot.node.event_callbacks import SubscriptionEventCallbacks
-from zbot.terminal_text import escape_control_characters
+from zbot.terminal.text import write_styled
 from zbot.wire.tokens import EndpointToken, EntityKind
 from zbot_cli.domain.client import full_name, hidden_node
-from zbot_cli.domain.topic_types import message_class, only_type, print_waiting
+from zbot_cli.domain.topic_types import (
+    hint_if_silent,
+    message_class,
+    only_type,
+    print_waiting,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -88,24 +93,28 @@ class Echo:
         with hidden_node("echo", self._node_name, use_sim_time=self._use_sim_time) as node:
             executor = SingleThreadedExecutor(context=node.context)
             executor.add_node(node)
-            self._start(node)
+            hint_if_silent(node, self._start(node), lambda: not self._shown)
             deadline = None if self._timeout_s is None else time.monotonic() + self._timeout_s
             self._spin(executor, deadline)
         if self._timeout_s is not None and not self._shown:
             raise NothingReceivedError(self._names, self._timeout_s)
 
-    def _start(self, node: Node) -> None:
+    def _start(self, node: Node) -> list[str]:
+        """Subscribe to the topics that exist. Return the names without a similar topic."""
+        unexplained: list[str] = []
         graph = node.context.graph
         snapshot = graph.snapshot()
         for name in self._names:
             type_name = None if _is_pattern(name) else self._type or only_type(snapshot, name)
             if type_name is not None:
                 self._subscribe(node, name, type_name)
-            elif not _is_pattern(name):
-                print_waiting(snapshot, name)
+            if not _is_pattern(name) and (type_name or not print_waiting(snapshot, name)):
+                unexplained.append(name)
         if self._subscribed != set(self._names):
             self._node = node
+            graph.watch()
             graph.add_listener(self._on_change)
+        return unexplained
 
     def _on_change(self, token: Token, appeared: bool) -> None:
         # Zenoh's thread calls this method. Creating a subscription in this thread could deadlock.
@@ -151,10 +160,8 @@ class Echo:
         if self._done or not self._is_wanted(message):
             return
         text = self._format.text(name, message, info)
-        if sys.stdout.isatty():  # a text field may contain control sequences of terminals
-            text = escape_control_characters(text)
         if self._form.clear:
-            text = _CLEAR + text
+            write_styled(sys.stdout, _CLEAR)
         sys.stdout.write(text)
         sys.stdout.flush()
         self._shown += 1

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, Final, Protocol
 
 from zbot.errors import ZbotError
 from zbot_cli.domain.client import full_name, hidden_node
+from zbot_cli.domain.topic_types import hint_if_silent
 from zbot_cli.output.listing import print_json
 
 if TYPE_CHECKING:
@@ -112,6 +113,7 @@ def measure(
                 _subscribe_to_bytes(node, name, meter)
         report = _Report(measurement, meters, as_json=as_json)
         node.create_timer(_PERIOD_S, report.show)
+        hint_if_silent(node, names, lambda: not report.started)
         zbot.spin(node)
 
 
@@ -148,7 +150,7 @@ class _Report:
         self._measurement = measurement
         self._meters = meters
         self._as_json = as_json
-        self._started = False
+        self.started = False  #: whether a message has arrived
 
     def show(self) -> None:
         found = {name: meter.figures() for name, meter in self._meters.items()}
@@ -161,9 +163,9 @@ class _Report:
                 print(self._table(changed))
         elif changed:
             print(self._measurement.text(next(iter(changed.values()))))
-        elif self._started:
+        elif self.started:
             print(_NO_MESSAGES)
-        self._started = self._started or bool(changed)
+        self.started = self.started or bool(changed)
         sys.stdout.flush()
 
     def _table(self, changed: dict[str, dict[str, float]]) -> str:

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
+from zbot.wire.tokens import EntityKind
 from zbot_cli.domain.client import full_name, hidden_node, snapshot
 from zbot_cli.domain.pause import Pause
 
@@ -165,13 +166,19 @@ class Pub:
         return [Template(message_type, sys.stdin.read() if self._stdin else values)]
 
     def _wait(self, node: Node, publisher: Publisher[Any]) -> None:
+        from zbot_cli.domain.topic_types import HINT_DELAY_S, print_missing  # noqa: PLC0415 - as in `run`
+
         wanted = self._pace.subscriptions
         if not wanted:
             return
         deadline = (
             None if self._pace.max_wait_s is None else time.monotonic() + self._pace.max_wait_s
         )
+        started, is_hinted = time.monotonic(), False
         while node.context.ok() and publisher.get_subscription_count() < wanted:
+            if not is_hinted and time.monotonic() - started >= HINT_DELAY_S:
+                print_missing(node.context.graph.snapshot(), self._topic, EntityKind.SUBSCRIPTION)
+                is_hinted = True
             print(f"Waiting for at least {wanted} matching subscription(s)...", flush=True)
             step = 1.0 if deadline is None else min(1.0, max(0.0, deadline - time.monotonic()))
             node.context.graph.wait_for(

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import ast
 from typing import TYPE_CHECKING
 
 from zbot.package.workspace import MANIFEST
 from zbot_cli.packages.check.problem import Problem
+from zbot_cli.packages.import_statements import imports
 
 if TYPE_CHECKING:
     from collections.abc import Container, Iterator
@@ -30,7 +30,8 @@ def check_dependencies(subject: Subject, known: Container[str]) -> Iterator[Prob
     declared = {*subject.manifest.named(), subject.name}
     for path, tree in subject.modules.items():
         own = {path.stem, *(_OF_LAUNCH if _is_launch_file(path, subject.folder) else ())}
-        for name, line in _imports(tree):
+        for module, _, line in imports(tree):
+            name = module.partition(".")[0]
             if name in known and name not in declared | own:
                 declared.add(name)
                 text = f"imports {name}: add <depend>{name}</depend> to {MANIFEST}"
@@ -39,20 +40,3 @@ def check_dependencies(subject: Subject, known: Container[str]) -> Iterator[Prob
 
 def _is_launch_file(path: Path, folder: Path) -> bool:
     return "launch" in path.name or "launch" in path.relative_to(folder).parts
-
-
-def _imports(tree: ast.Module) -> Iterator[tuple[str, int]]:
-    optional = {
-        inner
-        for node in ast.walk(tree)
-        if isinstance(node, ast.Try)
-        for statement in node.body
-        for inner in ast.walk(statement)
-    }
-    for node in ast.walk(tree):
-        if node in optional:
-            continue
-        if isinstance(node, ast.Import):
-            yield from ((alias.name.partition(".")[0], node.lineno) for alias in node.names)
-        elif isinstance(node, ast.ImportFrom) and node.module and not node.level:
-            yield node.module.partition(".")[0], node.lineno

@@ -7,10 +7,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from zbot.errors import close_matches
-from zbot.package.setup_file import SetupFileError, script_lines
+from zbot.package.errors import SetupFileError
+from zbot.package.python_finder import import_paths
+from zbot.package.setup_file import script_lines
 from zbot_cli.packages.check.problem import Problem
 from zbot_cli.packages.check.subject import line_of
-from zbot_cli.packages.executables import import_paths, module_file
+from zbot_cli.packages.executables import module_file
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator

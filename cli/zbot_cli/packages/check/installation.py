@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from zbot.package.cmake_file import read_cmake
+from zbot.package.errors import SetupFileError
 from zbot.package.finder import Origin, Package
-from zbot.package.setup_file import SetupFileError, setup_arguments
+from zbot.package.setup_file import setup_arguments
 from zbot.package.symlink_install import files_below, installed_files
 from zbot.package.workspace import MANIFEST
 from zbot_cli.packages.check.problem import Problem
@@ -18,6 +20,7 @@ if TYPE_CHECKING:
 
     from zbot_cli.packages.check.subject import Subject
 
+_LAUNCH_ENDINGS = {".py", ".xml", ".yaml", ".yml", ".launch"}
 _BUILD_FILES = {
     "ament_python": "setup.py",
     "ament_cmake": "CMakeLists.txt",
@@ -38,9 +41,10 @@ def check_installation(subject: Subject) -> Iterator[Problem]:
     try:
         yield from _check_setup(subject, setup)
         yield from _check_left_out(subject)
+        installation = read_cmake(subject.folder)
     except SetupFileError as error:
         yield Problem(error.path, error.line, error.reason)
-    installation = read_cmake(subject.folder)
+        return
     for name, line in installation.missing.items():
         yield Problem(cmake, line, f"install() names {name}, which does not exist")
     for name, line in installation.compiled.items():
@@ -61,17 +65,21 @@ def _check_setup(subject: Subject, path: Path) -> Iterator[Problem]:
         yield Problem(path, 0, text, is_error=False)
 
 
+def _module(subject: Subject, name: str) -> Path:
+    return subject.folder / Path(*name.split("."))
+
+
 def _missing(subject: Subject, arguments: dict[str, object]) -> Iterator[tuple[str, str]]:
     folders = arguments.get("packages")
     places = arguments.get("package_dir")
     for name in folders if isinstance(folders, list) and not places else ():
-        if isinstance(name, str) and not (subject.folder / Path(*name.split("."))).is_dir():
+        if isinstance(name, str) and not os.path.isdir(_module(subject, name)):  # noqa: PTH112 - any text
             yield f"`packages` names {name}, but there is no such folder", name
     listed = arguments.get("data_files")
     for entry in listed if isinstance(listed, list) else ():
         files = entry[1] if isinstance(entry, tuple) and len(entry) == 2 else None
         for name in files if isinstance(files, (list, tuple)) else ():
-            if isinstance(name, str) and not (subject.folder / name).is_file():
+            if isinstance(name, str) and not os.path.isfile(subject.folder / name):  # noqa: PTH113 - as above
                 yield f"data_files names {name}, which does not exist", name
 
 
@@ -82,6 +90,6 @@ def _check_left_out(subject: Subject) -> Iterator[Problem]:
     known = {path.resolve() for path in installed}
     file = _BUILD_FILES[subject.build_type]
     for path in sorted(files_below(subject.folder / "launch")):
-        if path.resolve() not in known and path.suffix in {".py", ".xml", ".yaml", ".yml"}:
+        if path.resolve() not in known and path.suffix in _LAUNCH_ENDINGS:
             text = f"{file} does not install it: `ros2 launch` would not find it"
             yield Problem(path, 0, text, is_error=False)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from typing import TYPE_CHECKING
 
 from zbot.errors import close_matches
@@ -11,6 +12,7 @@ from zbot.interfaces.kinds import KINDS
 from zbot.interfaces.parser import parse
 from zbot.interfaces.spec import ActionSpec, MessageSpec, ServiceSpec
 from zbot.package.cmake_file import read_cmake
+from zbot.package.errors import SetupFileError
 from zbot.package.workspace import MANIFEST
 from zbot_cli.packages.check.problem import Problem
 
@@ -83,9 +85,12 @@ def _check_type(subject: Subject, path: Path, field: Field, own: set[str]) -> It
 
 def _check_cmake(subject: Subject, files: list[Path]) -> Iterator[Problem]:
     path = subject.folder / "CMakeLists.txt"
-    named = read_cmake(subject.folder).interfaces
+    try:
+        named = read_cmake(subject.folder).interfaces
+    except SetupFileError:
+        return  # the check of the installation reports it
     for name, line in named.items():
-        if not (subject.folder / name).is_file():
+        if not os.path.isfile(subject.folder / name):  # noqa: PTH113 - any name is allowed
             yield Problem(
                 path, line, f"rosidl_generate_interfaces names {name}, which does not exist"
             )

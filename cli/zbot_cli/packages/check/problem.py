@@ -16,9 +16,14 @@ class Problem:
     is_error: bool = True  #: `False` if it works in zbot, but may fail in ROS 2
 
     def __str__(self) -> str:
-        try:
-            shown = self.path.relative_to(Path.cwd())
-        except (ValueError, FileNotFoundError):  # it is elsewhere, or the current folder is deleted
-            shown = self.path
+        shown = shown_path(self.path)
         where = f"{shown}:{self.line}" if self.line else str(shown)
         return f"{where}: {'' if self.is_error else 'warning: '}{self.text}"
+
+
+def shown_path(path: Path) -> Path:
+    """Return a path relative to the current folder, if it is in it."""
+    try:
+        return path.relative_to(Path.cwd())
+    except (ValueError, FileNotFoundError):  # it is elsewhere, or the current folder is deleted
+        return path

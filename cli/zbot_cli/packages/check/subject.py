@@ -6,15 +6,19 @@ import ast
 import contextlib
 import warnings
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import TYPE_CHECKING
 
-from zbot.package.setup_file import SetupFileError
-from zbot.package.symlink_install import files_below
+from zbot.package.errors import SetupFileError
+from zbot.package.finder import Origin, Package
+from zbot.package.python_finder import import_paths
+from zbot.package.setup_file import declared_scripts
+from zbot.package.symlink_install import files_below, installed_files
 from zbot_cli.packages.check.problem import Problem
-from zbot_cli.packages.executables import program_files
+from zbot_cli.packages.executables import module_file, program_files
 
 if TYPE_CHECKING:
-    from pathlib import Path
+    from collections.abc import Iterator
 
     from zbot.package.manifest import Manifest
 
@@ -30,16 +34,40 @@ class Subject:
     problems: list[Problem] = field(default_factory=list)
 
     def read_sources(self) -> None:
-        """Parse all Python files. A file that cannot be parsed becomes a problem."""
+        """Parse all Python files. An installed file that cannot be parsed becomes a problem."""
+        installed = set(self._installed_files())
         files = {path for path in files_below(self.folder) if path.suffix == ".py"}
-        with contextlib.suppress(SetupFileError):  # other checks report errors in setup.py
-            files.update(program_files(self.folder).values())
-        for path in sorted(files):
+        for path in sorted(files | installed):
             tree = _parsed(path)
-            if isinstance(tree, Problem):
-                self.problems.append(tree)
-            else:
+            if not isinstance(tree, Problem):
                 self.modules[path] = tree
+            elif path in installed or self._is_importable(path):
+                self.problems.append(tree)
+
+    def _installed_files(self) -> Iterator[Path]:
+        """Yield the Python files that are programs, or that a build file names."""
+        if (self.folder / "setup.py").is_file():
+            yield self.folder / "setup.py"
+        with contextlib.suppress(SetupFileError):  # other checks report errors in setup.py
+            yield from program_files(self.folder).values()
+            package = Package(self.name, self.folder, Origin.WORKSPACE)
+            yield from (one for one in installed_files(package).values() if one.suffix == ".py")
+            places = tuple(import_paths(self.folder))
+            for target in declared_scripts(self.folder).values():
+                module = module_file(target.partition(":")[0].strip(), places)
+                if module is not None and module.is_relative_to(self.folder):
+                    yield module
+
+    def _is_importable(self, path: Path) -> bool:
+        """Return whether a file is in a Python package, or in the folder of the launch files."""
+        for place in map(Path, import_paths(self.folder)):
+            if path.is_relative_to(place):
+                top = path.relative_to(place).parts[0]
+                if top in {self.name, "launch"}:
+                    return True
+                if top not in {"test", "tests"} and (place / top / "__init__.py").is_file():
+                    return True
+        return False
 
     @property
     def build_type(self) -> str:

@@ -57,9 +57,9 @@ def test_services_and_clients(node: Node, spin: Spin) -> None:
     service = InUse("rclpy.service.Service", node.create_service(AddTwoInts, "add", add))
     client = InUse("rclpy.client.Client", node.create_client(AddTwoInts, "add"))
     spin(node)
-    assert client.wait_for_service(5)
+    assert client.wait_for_service(60)
     assert client.service_is_ready()
-    assert client.call(AddTwoInts.Request(a=1, b=2), timeout_sec=5).sum == 3
+    assert client.call(AddTwoInts.Request(a=1, b=2), timeout_sec=60).sum == 3
     future = client.call_async(AddTwoInts.Request())
     assert wait_until(future.done)
     client.remove_pending_request(future)
@@ -97,7 +97,7 @@ def test_actions(node: Node, spin: Spin) -> None:
     server.register_cancel_callback(lambda _: CancelResponse.ACCEPT)
     server.register_handle_accepted_callback(lambda goal: goal.execute())
     spin(node, executor=MultiThreadedExecutor(context=node.context))
-    assert client.wait_for_server(5)
+    assert client.wait_for_server(60)
     assert client.server_is_ready()
     assert client.send_goal(Fibonacci.Goal(order=1)).status == 4
     sent = client.send_goal_async(Fibonacci.Goal(order=2))

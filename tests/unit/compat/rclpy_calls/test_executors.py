@@ -67,14 +67,14 @@ def test_executors(path: str, kind: type[SingleThreadedExecutor], node: Node) ->
     assert executor.add_node(node)
     assert executor.get_nodes() == [node]
     assert executor.can_execute(next(iter(node.timers)))
-    executor.spin_once(timeout_sec=5)
+    executor.spin_once(timeout_sec=60)
     done: Future[int] = executor.create_future()
     done.set_result(1)
-    executor.spin_once_until_future_complete(done, timeout_sec=5)
+    executor.spin_once_until_future_complete(done, timeout_sec=60)
     task = executor.create_task(lambda: 7)
-    executor.spin_until_future_complete(task, timeout_sec=5)
+    executor.spin_until_future_complete(task, timeout_sec=60)
     assert task.result() == 7
-    assert len(executor.wait_for_ready_callbacks(timeout_sec=5)) == 3
+    assert len(executor.wait_for_ready_callbacks(timeout_sec=60)) == 3
     executor.wake()
     executor.create_task(executor.shutdown)
     executor.spin()

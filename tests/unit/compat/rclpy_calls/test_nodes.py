@@ -116,7 +116,7 @@ def test_nodes(node: Node) -> None:
     assert "/calls/caller" in caller.get_fully_qualified_node_names()
     assert ("caller", "/calls") in caller.get_node_names_and_namespaces()
     assert ("caller", "/calls", "/") in caller.get_node_names_and_namespaces_with_enclaves()
-    assert caller.wait_for_node("/calls/caller", 5)
+    assert caller.wait_for_node("/calls/caller", 60)
     assert caller.resolve_topic_name("words") == caller.resolve_service_name("words")
     assert caller.executor is None
     assert caller.default_callback_group.has_entity
@@ -202,7 +202,7 @@ def test_parameters_of_other_nodes(node: Node, spin: Spin, tmp_path: Path) -> No
     one = events.add_parameter_callback("speed", "/other", changes.append)
     every = events.add_parameter_event_callback(changes.append)
     spin(node, other)
-    assert client.wait_for_services(5)
+    assert client.wait_for_services(60)
     assert client.services_are_ready()
     path = str(tmp_path / "new.yaml")
     for future in (

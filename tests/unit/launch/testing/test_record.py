@@ -130,7 +130,7 @@ def test_exit_codes_are_compared(
 def test_later_output_is_waited_for(output: OutputRecord, talker: ExecuteProcess) -> None:
     late = event(ProcessStdout, talker, text=b"late\n")
     threading.Timer(0.02, output.append, [late]).start()
-    output.assertWaitFor("late", process=talker, timeout=5)
+    output.assertWaitFor("late", process=talker, timeout=60)
     with pytest.raises(AssertionError, match="did not come in time"):
         output.assertWaitFor(msg="never", process=talker, timeout=0.01)
     with pytest.raises(NoMatchingProcessError):
@@ -143,7 +143,7 @@ def test_the_end_of_a_process_is_waited_for(exits: ExitRecord, other: ExecutePro
     with pytest.raises(AssertionError, match="'talker-2' to end"):
         exits.assertWaitForShutdown(other, timeout=0.01)
     threading.Timer(0.02, exits.append, [event(ProcessExited, other)]).start()
-    exits.assertWaitForShutdown(other, timeout=5)
+    exits.assertWaitForShutdown(other, timeout=60)
 
 
 def test_a_proxy_shows_one_process(

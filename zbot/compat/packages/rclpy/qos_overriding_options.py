@@ -12,6 +12,7 @@ from zbot.parameters.errors import (
 )
 from zbot.parameters.parameter import Parameter
 from zbot.parameters.qos_overrides import QoSOverridingOptions, override
+from zbot.parameters.qos_overrides import policy_parameter as _get_qos_policy_parameter
 from zbot.qos import (
     QoSDurabilityPolicy,
     QoSHistoryPolicy,

@@ -1,0 +1,94 @@
+"""`zbot bag play` and `zbot bag burst`: publish the messages of bags again."""
+
+from __future__ import annotations
+
+import contextlib
+import sys
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from zbot.bag.node_thread import spinning
+from zbot.bag.player import Player
+from zbot.bag.player_services import PlayerServices
+from zbot.errors import ZbotError
+from zbot_cli.commands.bag.options import set_log_level
+from zbot_cli.commands.bag.progress_bar import progress_bar
+from zbot_cli.domain.client import full_name, hidden_node
+from zbot_cli.input.keyboard import has_keyboard, keys_to
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from zbot.bag.play_options import PlayOptions
+    from zbot.bag.reader import Reader
+    from zbot.node.node import Node
+
+NODE_NAME = "rosbag2_player"
+
+
+class RemapError(ZbotError):
+    """A word of `--remap` is not a rule."""
+
+    def __init__(self, word: str) -> None:
+        self.word = word
+        super().__init__(f"--remap '{word}' is not OLD_TOPIC:=NEW_TOPIC")
+
+
+@dataclass(frozen=True)
+class Playback:
+    """What `zbot bag play` or `zbot bag burst` was asked for."""
+
+    bags: Sequence[Reader]
+    options: PlayOptions
+    has_keys: bool = True
+    log_level: str = "info"
+    bar_hz: float = 0
+    bar_separation_lines: int = 0
+    burst_count: int | None = None  #: messages to publish at once. 0 means all, None means no burst
+
+    def run(self) -> None:
+        """Play until the end or Ctrl-C.
+
+        Raises:
+            BagReadError: A part of a bag is damaged.
+        """
+        # The reading thread then delays a message by half a millisecond and not by five.
+        sys.setswitchinterval(0.0005)
+        with hidden_node("play", NODE_NAME) as node, contextlib.ExitStack() as stack:
+            set_log_level(node, self.log_level)
+            player = Player(node, self.bags, self.options)
+            PlayerServices(node, player)
+            stack.enter_context(spinning(node))
+            if self.has_keys and has_keyboard():
+                _explain_keys(node)
+                stack.enter_context(keys_to(player.press))
+            stack.enter_context(progress_bar(player, self.bar_hz, self.bar_separation_lines))
+            if self.burst_count is not None:
+                player.step(self.burst_count)
+            # Ctrl-C is a usual end of a playback.
+            with contextlib.suppress(KeyboardInterrupt):
+                player.run()
+
+
+def _explain_keys(node: Node) -> None:
+    log = node.get_logger()
+    log.info("Adding keyboard callbacks.")
+    log.info("Press SPACE for Pause/Resume")
+    log.info("Press CURSOR_RIGHT for Play Next Message")
+    log.info("Press CURSOR_UP for Increase Rate 10%")
+    log.info("Press CURSOR_DOWN for Decrease Rate 10%")
+
+
+def remap_rules(words: Sequence[str]) -> dict[str, str]:
+    """Return the new names of topics by their old names.
+
+    Raises:
+        RemapError: A word is not a rule.
+    """
+    found = {}
+    for word in words:
+        old, separator, new = word.partition(":=")
+        if not (old and separator and new):
+            raise RemapError(word)
+        found[full_name(old)] = full_name(new)
+    return found

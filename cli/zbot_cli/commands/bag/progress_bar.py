@@ -1,0 +1,84 @@
+"""Progress bar of `zbot bag play`, with the text of rosbag2."""
+
+from __future__ import annotations
+
+import contextlib
+import sys
+import threading
+from typing import TYPE_CHECKING, TextIO
+
+from zbot.time import S_TO_NS
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from zbot.bag.player import Player
+
+_CLEAR_LINE = "\x1b[2K"
+_EVERY_MESSAGE_HZ = 30  # a terminal shows no more
+
+
+class ProgressBar:
+    """Two lines below the log lines of a player.
+
+    Args:
+        player: The player.
+        separation_lines: Empty lines between the log lines and the bar.
+        stream: The terminal.
+    """
+
+    def __init__(self, player: Player, separation_lines: int, stream: TextIO) -> None:
+        self._player = player
+        self._separation_lines = separation_lines
+        self._stream = stream
+
+    def text(self) -> str:
+        """Return the second line: `[1570799349.120000000] Duration 1.20/48.47 [R]`."""
+        start, end = self._player.bag_start_ns, self._player.bag_end_ns
+        now = self._player.position_ns
+        seconds, rest = divmod(now, S_TO_NS)
+        passed, whole = (now - start) / S_TO_NS, (end - start) / S_TO_NS
+        status = self._player.status.value
+        return f"[{seconds}.{rest:09}] Duration {passed:.2f}/{whole:.2f} [{status}]"
+
+    def draw(self) -> None:
+        """Draw the bar, and move the cursor back to the place of the next log line."""
+        down = f"{_CLEAR_LINE}\n" * self._separation_lines + _CLEAR_LINE
+        up = f"\x1b[{self._separation_lines + 1}F"
+        title = "====== Playback Progress ======\n"
+        self._stream.write(f"{down}{title}{_CLEAR_LINE}{self.text()}{up}")
+        self._stream.flush()
+
+    def leave(self) -> None:
+        """Draw the bar for the last time, and move the cursor behind it."""
+        self.draw()
+        self._stream.write("\n" * (self._separation_lines + 2))
+        self._stream.flush()
+
+
+@contextlib.contextmanager
+def progress_bar(player: Player, rate_hz: float, separation_lines: int) -> Iterator[None]:
+    """Draw a bar during the `with` block. A rate below 0 means as often as it can be seen.
+
+    A rate of 0 means no bar. There is also none if the output is no terminal.
+    """
+    if not rate_hz or not sys.stdout.isatty():
+        yield
+        return
+    period_s = 1 / (rate_hz if rate_hz > 0 else _EVERY_MESSAGE_HZ)
+    bar = ProgressBar(player, separation_lines, sys.stdout)
+    is_over = threading.Event()
+
+    def draw() -> None:
+        with contextlib.suppress(OSError, ValueError):  # the terminal was closed
+            while not is_over.wait(period_s):
+                bar.draw()
+            bar.leave()
+
+    thread = threading.Thread(target=draw, name="zbot progress bar", daemon=True)
+    thread.start()
+    try:
+        yield
+    finally:
+        is_over.set()
+        thread.join()

@@ -1,0 +1,198 @@
+"""`zbot bag record`: writes the messages of topics into a bag."""
+
+from __future__ import annotations
+
+import contextlib
+from dataclasses import dataclass, field
+from datetime import datetime
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from zbot.bag.errors import BagError, BagExistsError
+from zbot.bag.mcap_options import read_storage_config
+from zbot.bag.packages import import_mcap
+from zbot.bag.qos_profiles import read_overrides
+from zbot.bag.recorder import Discovery, Recorder
+from zbot.bag.snapshot_buffer import SnapshotBuffer
+from zbot.bag.writer import Writer
+from zbot.errors import ZbotError
+from zbot.executor.single_threaded_executor import SingleThreadedExecutor
+from zbot_cli.commands.bag.options import set_log_level
+from zbot_cli.domain.client import hidden_node
+from zbot_cli.input.keyboard import has_keyboard, keys_to
+
+if TYPE_CHECKING:
+    from zbot.bag.selection import Selection
+
+MIN_SPLIT_BYTES = 1024
+
+
+class RecordOptionError(ZbotError):
+    """The options of `zbot bag record` do not fit together."""
+
+
+@dataclass(frozen=True)
+class Recording:
+    """What `zbot bag record` was asked for."""
+
+    selection: Selection
+    output: Path | None
+    discovery: Discovery
+    storage_id: str = "mcap"
+    storage_config: Path | None = None
+    max_bag_size: int = 0
+    max_bag_duration: float = 0
+    max_cache_size: int = 0
+    max_cache_duration: float = 0
+    is_snapshot_mode: bool = False
+    repeats_latched: bool = False
+    preset: str = "zstd"
+    compresses_files: bool = False
+    compresses_messages: bool = False
+    qos_overrides: Path | None = None
+    uses_sim_time: bool = False
+    is_paused: bool = False
+    has_keys: bool = True
+    node_name: str = "rosbag2_recorder"
+    log_level: str = "info"
+    custom_data: dict[str, str] = field(default_factory=dict)
+
+    def run(self) -> None:
+        """Record until Ctrl-C.
+
+        Raises:
+            BagExistsError: The bag exists.
+            BagWriteError: The bag cannot be written, e.g. because the disk is full.
+            NoBagExtraError: The extra `bag` is not installed.
+            RecordOptionError: The options do not fit together.
+        """
+        import_mcap()
+        self._check()
+        path = self.output or Path(f"{datetime.now():rosbag2_%Y_%m_%d-%H_%M_%S}")
+        if path.exists():
+            raise BagExistsError(path)
+        overrides = {} if self.qos_overrides is None else read_overrides(self.qos_overrides)
+        with (
+            hidden_node("record", self.node_name, use_sim_time=self.uses_sim_time) as node,
+            contextlib.ExitStack() as stack,
+        ):
+            set_log_level(node, self.log_level)
+            recorder = Recorder(
+                node,
+                self._writer(path),
+                self.selection,
+                discovery=self.discovery,
+                overrides=overrides,
+                max_cache_bytes=self.max_cache_size,
+                is_paused=self.is_paused,
+                uses_sim_time=self.uses_sim_time,
+                snapshots=self._snapshots(),
+            )
+            stack.callback(recorder.stop)
+            executor = SingleThreadedExecutor(context=node.context)
+            executor.add_node(node)
+            if self.has_keys and has_keyboard():
+                node.get_logger().info("Press SPACE for pausing/resuming")
+                stack.enter_context(
+                    keys_to(lambda key: recorder.toggle_paused() if key == " " else None)
+                )
+            # Ctrl-C is the usual end of a recording.
+            with contextlib.suppress(KeyboardInterrupt):
+                recorder.run(executor)
+
+    def _snapshots(self) -> SnapshotBuffer | None:
+        if not self.is_snapshot_mode:
+            return None
+        return SnapshotBuffer(self.max_cache_size, self.max_cache_duration)
+
+    def _writer(self, path: Path) -> Writer:
+        config = self.storage_config
+        return Writer(
+            path,
+            storage_id=self.storage_id,
+            mcap_options=None if config is None else read_storage_config(config, self.preset),
+            max_bytes=self.max_bag_size,
+            max_duration_s=self.max_bag_duration,
+            preset=self.preset,
+            compress_files=self.compresses_files,
+            compress_messages=self.compresses_messages,
+            custom_data=self.custom_data,
+            repeats_latched=self.repeats_latched,
+        )
+
+    def _check(self) -> None:
+        if 0 < self.max_bag_size < MIN_SPLIT_BYTES:
+            raise RecordOptionError(
+                f"--max-bag-size {self.max_bag_size} is too small: "
+                f"choose at least {MIN_SPLIT_BYTES} bytes"
+            )
+        if self.is_snapshot_mode and not (self.max_cache_size or self.max_cache_duration):
+            raise RecordOptionError(
+                "In snapshot mode, either the max_cache_duration or max_cache_size shall not be "
+                "set to zero."
+            )
+        if self.storage_config is not None and self.storage_id != "mcap":
+            raise RecordOptionError("--storage-config-file is only for --storage mcap")
+        if self.uses_sim_time and not self.discovery.is_on:
+            raise RecordOptionError(
+                "--use-sim-time and --no-discovery both set, but are incompatible settings. "
+                "The /clock topic needs to be discovered to record with sim time."
+            )
+
+
+def check_selection(selection: Selection) -> None:
+    """Check that something is selected, and that the rules to leave out have something to do.
+
+    Raises:
+        RecordOptionError: This is not so.
+    """
+    is_wide = selection.all_topics or selection.topic_types or selection.regex
+    is_any = is_wide or selection.all_services or selection.all_actions
+    if not (is_any or selection.names):
+        raise RecordOptionError(
+            "Need to specify at least one option out of --all, --all-topics, --all-services, "
+            "--all-actions, --services, --actions, --topics, --topic-types or --regex"
+        )
+    rules = (
+        (
+            "regex",
+            selection.exclude_regex,
+            is_any,
+            "--all, --all-topics, --topic-types, --all-services, --all-actions or --regex",
+        ),
+        (
+            "topics",
+            selection.exclude_topics,
+            is_wide,
+            "--all, --all-topics, --topic-types or --regex",
+        ),
+        ("topic-types", selection.exclude_types, is_wide, "--all, --all-topics or --regex"),
+        (
+            "services",
+            selection.exclude_services,
+            selection.all_services or selection.regex,
+            "--all, --all-services or --regex",
+        ),
+        (
+            "actions",
+            selection.exclude_actions,
+            selection.all_actions or selection.regex,
+            "--all, --all-actions or --regex",
+        ),
+    )
+    for name, value, has_effect, needed in rules:
+        if value and not has_effect:
+            raise RecordOptionError(f"--exclude-{name} argument requires either {needed}")
+
+
+def custom_data(words: list[str]) -> dict[str, str]:
+    """Return the values of `--custom-data KEY=VALUE ...`.
+
+    Raises:
+        BagError: A word has no `=`.
+    """
+    pairs = [word.partition("=") for word in words]
+    wrong = next((key for key, equals, _ in pairs if not (key and equals)), None)
+    if wrong is not None:
+        raise BagError(f"--custom-data '{wrong}' is not KEY=VALUE")
+    return {key: value for key, _, value in pairs}

@@ -1,0 +1,101 @@
+"""Check of assignments that were handed in as bags, or that a teacher has recorded."""
+
+from __future__ import annotations
+
+from collections import Counter
+from typing import TYPE_CHECKING
+
+from zbot.bag.description import is_service_event, service_name
+from zbot.bag.reader import Reader
+from zbot.classroom.class_check import Verdict
+from zbot.classroom.errors import ClassroomError
+from zbot.time import S_TO_NS
+from zbot.wire.tokens import EntityKind
+
+if TYPE_CHECKING:
+    from collections.abc import Collection, Sequence
+    from pathlib import Path
+
+    from zbot.classroom.expectation import Expectation
+    from zbot.graph.snapshot import NamesAndTypes
+    from zbot.wire.tokens import NodeToken
+
+#: Keys of a bag's metadata in the recording of a class.
+NUMBER_KEY, NAME_KEY = "student_number", "student_name"
+
+
+class NotInBagError(ClassroomError, ValueError):
+    """A bag cannot show whether an expectation is met."""
+
+    def __init__(self, verb: str) -> None:
+        self.verb = verb
+        super().__init__(
+            f"`{verb}` cannot be checked in a bag: a bag has only what was published, and calls"
+        )
+
+
+class _Recorded:
+    """Topics and services in a bag."""
+
+    def __init__(self, bag: Reader, timed: Collection[str]) -> None:
+        self._topics: dict[str, str] = {}
+        self._services: dict[str, str] = {}
+        for one in bag.metadata.topics:
+            name, type_name = one.topic.name, one.topic.type_name
+            if is_service_event(name, type_name):
+                self._services[service_name(name)] = type_name.removesuffix("_Event")
+            elif one.message_count:
+                self._topics[name] = type_name
+        self.rates_hz = _rates_hz(bag, timed) if timed else {}
+
+    @property
+    def nodes(self) -> Sequence[NodeToken]:
+        return ()
+
+    def names_and_types(self, *kinds: EntityKind) -> NamesAndTypes:
+        found = self._services if EntityKind.SERVICE in kinds else self._topics
+        return [(name, [type_name]) for name, type_name in found.items()]
+
+
+def check_bag(path: Path, expectations: Sequence[Expectation]) -> Verdict:
+    """Return the verdict for a bag.
+
+    Its number and name are those of the student if `zbot class record` has written the bag.
+    Otherwise the number is 0, and the name is that of the bag.
+
+    Raises:
+        NotInBagError: An expectation is not about publishers or services.
+        BagNotFoundError: There is nothing with this path.
+        BagReadError: It is not a bag, or a part of it is damaged.
+    """
+    for one in expectations:
+        if one.kind is EntityKind.NODE:
+            raise NotInBagError("runs")
+        if one.kind is EntityKind.SUBSCRIPTION:
+            raise NotInBagError("subscribes")
+    with Reader(path) as bag:
+        recorded = _Recorded(bag, {one.name for one in expectations if one.has_rate})
+        facts = bag.metadata.custom_data
+    number = facts.get(NUMBER_KEY, "")
+    problems = (one.problem(recorded, recorded.rates_hz) for one in expectations)
+    return Verdict(
+        int(number) if number.isdecimal() and len(number) < 4 else 0,
+        facts.get(NAME_KEY) or path.name,
+        tuple(filter(None, problems)),
+    )
+
+
+def _rates_hz(bag: Reader, topics: Collection[str]) -> dict[str, float]:
+    """Return the mean rate of each topic with at least two messages."""
+    counts: Counter[str] = Counter()
+    first: dict[str, int] = {}
+    last: dict[str, int] = {}
+    for message in bag.messages(topics):
+        counts[message.topic] += 1
+        first.setdefault(message.topic, message.log_ns)
+        last[message.topic] = message.log_ns
+    return {
+        name: (counts[name] - 1) * S_TO_NS / max(last[name] - first[name], 1)
+        for name in first
+        if counts[name] > 1
+    }

@@ -1,0 +1,124 @@
+"""`zbot class record`: writes the topics of each student into a bag."""
+
+from __future__ import annotations
+
+import contextlib
+import re
+import sys
+import time
+from datetime import datetime
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from zbot.bag.background import BackgroundRecording
+from zbot.bag.errors import BagExistsError, BagWriteError
+from zbot.bag.packages import import_mcap
+from zbot.bag.selection import Selection
+from zbot.classroom.errors import ClassroomError
+from zbot.classroom.teacher import command
+from zbot.process.signals import SignalHandlerOptions, install
+from zbot.terminal.text import escape_control_characters
+from zbot_cli.commands.class_.bag_check import NAME_KEY, NUMBER_KEY
+from zbot_cli.domain.client import full_name
+
+if TYPE_CHECKING:
+    from collections.abc import Collection
+
+_LOOK_S = 2.0  #: time between looks at the list of students
+_NOT_IN_NAMES = re.compile(r"[^A-Za-z0-9_-]+")
+
+
+class NoStudentError(ClassroomError, LookupError):
+    """Nobody in the class has a number."""
+
+    def __init__(self, number: int) -> None:
+        self.number = number
+        super().__init__(f"nobody in the class has the number {number}: see zbot class list")
+
+
+class ClassRecording:
+    """Recording of a class: a folder with a bag for each student.
+
+    Args:
+        folder: The folder. `None` means a folder with the date.
+        numbers: Numbers of students. None given means all, also those who join later.
+        topics: Names of topics in the students' domains. None given means all.
+        max_bytes: Size of a file after which the next file begins. 0 means no limit.
+    """
+
+    def __init__(
+        self, folder: Path | None, numbers: Collection[int], topics: Collection[str], max_bytes: int
+    ) -> None:
+        self._folder = folder or Path(f"{datetime.now():class_%Y_%m_%d-%H_%M_%S}")
+        self._numbers = numbers
+        self._max_bytes = max_bytes
+        names = frozenset(map(full_name, topics))
+        self._selection = Selection(
+            all_topics=not names,
+            all_services=not names,
+            all_actions=not names,
+            topics=names,
+        )
+        self._running: dict[int, BackgroundRecording] = {}
+        self._reported: set[int] = set()
+
+    def run(self) -> None:
+        """Record until Ctrl-C.
+
+        Raises:
+            NoClassError: No class is open on this machine.
+            NoStudentError: Nobody has one of the numbers.
+            BagExistsError: The folder exists.
+            BagWriteError: The folder cannot be made.
+            NoBagExtraError: The extra `bag` is not installed.
+        """
+        import_mcap()
+        students = _students()
+        missing = next((one for one in self._numbers if one not in students), None)
+        if missing is not None:
+            raise NoStudentError(missing)
+        self._make_folder()
+        install(SignalHandlerOptions.ALL)
+        print(f"Recording to {self._folder}; Ctrl-C ends the recording", flush=True)
+        # Ctrl-C is the usual end of a recording.
+        with contextlib.suppress(KeyboardInterrupt):
+            while True:
+                for number, name in students.items():
+                    if number not in self._running and number in (self._numbers or students):
+                        self._begin(number, name)
+                self._report_errors()
+                time.sleep(_LOOK_S)
+                students = _students()
+        for one in self._running.values():
+            one.stop()
+        self._report_errors()
+
+    def _begin(self, number: int, name: str) -> None:
+        path = self._folder / f"{number}_{_NOT_IN_NAMES.sub('_', name)}"
+        self._running[number] = BackgroundRecording(
+            path,
+            self._selection,
+            number,
+            is_client=True,
+            max_bytes=self._max_bytes,
+            custom_data={NUMBER_KEY: str(number), NAME_KEY: name},
+        )
+        print(escape_control_characters(f"{number:3}  {name}"), flush=True)
+
+    def _report_errors(self) -> None:
+        for number, one in self._running.items():
+            if one.error and number not in self._reported:
+                self._reported.add(number)
+                print(f"{number:3}  {one.error}", file=sys.stderr, flush=True)
+
+    def _make_folder(self) -> None:
+        try:
+            self._folder.mkdir(parents=True)
+        except FileExistsError:
+            raise BagExistsError(self._folder) from None
+        except OSError as error:
+            raise BagWriteError(self._folder, error.strerror or str(error)) from error
+
+
+def _students() -> dict[int, str]:
+    return {one["number"]: one["name"] for one in command({"op": "list"})["students"]}

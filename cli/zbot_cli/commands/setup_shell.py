@@ -1,0 +1,66 @@
+"""`zbot setup-shell SHELL`: prints functions such as `ros2` and `colcon`, which run zbot.
+
+They are functions of the shell and not programs, because a program named `ros2` in the folder of
+zbot would hide the `ros2` of a real ROS 2. A function can look for the real one at each call.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from zbot_cli.output.listing import new_app
+
+app = new_app("Make ros2, colcon and rqt_graph run zbot", has_verbs=False)
+
+#: Commands of ROS 2, and the words of zbot that do the same.
+COMMANDS = {
+    "ros2": "zbot",
+    "colcon": "zbot",
+    "rqt_graph": "zbot web graph",
+    "rqt": "zbot web",
+    "rviz2": "zbot rviz2",
+    # Of ROS 1: lessons show them beside those of ROS 2.
+    "rosnode": "zbot node",
+    "rostopic": "zbot topic",
+}
+_POSIX = (
+    '{{name}}() {{{{ if {find} {{name}} >/dev/null; then command {{name}} "$@"; '
+    'else {{words}} "$@"; fi; }}}}'
+)
+_BASH = _POSIX.format(find="type -P")
+_ZSH = _POSIX.format(find="whence -p")
+_FISH = "function {name}; if type -fq {name}; command {name} $argv; else; {words} $argv; end; end"
+_POWERSHELL = (
+    "function {name} {{ $real = Get-Command {name} -CommandType Application -ErrorAction Ignore "
+    "| Select-Object -First 1; if ($real) {{ & $real @args }} else {{ {words} @args }} }}"
+)
+_LINES = {"bash": _BASH, "zsh": _ZSH, "fish": _FISH, "powershell": _POWERSHELL}
+_INSTALL = {
+    "bash": "zbot setup-shell bash >> ~/.bashrc",
+    "zsh": "zbot setup-shell zsh >> ~/.zshrc",
+    "fish": "zbot setup-shell fish >> ~/.config/fish/config.fish",
+    "powershell": "zbot setup-shell powershell >> $PROFILE",
+}
+
+
+@app.command()
+def setup_shell(
+    shell: Annotated[str | None, typer.Argument(help="bash, zsh, fish or powershell")] = None,
+) -> None:
+    """Print functions with which `ros2`, `colcon` and `rqt_graph` run zbot.
+
+    A real ros2 on this machine is run instead. Without SHELL, print how to install the functions.
+    """
+    if shell is None:
+        print("To type ros2, colcon and rqt_graph for zbot, type the line of your shell:\n")
+        for line in _INSTALL.values():
+            print(f"    {line}")
+        print("\nThen open a new terminal.")
+        return
+    if shell not in _LINES:
+        raise typer.BadParameter(f"no functions for {shell!r}; choose from {', '.join(_LINES)}")
+    print("# Functions of `zbot setup-shell`: a real ros2 on this machine is run instead of zbot.")
+    for name, words in COMMANDS.items():
+        print(_LINES[shell].format(name=name, words=words))

@@ -1,0 +1,46 @@
+"""Keys of the terminal while a command runs, e.g. space for a pause."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import sys
+import threading
+from typing import TYPE_CHECKING
+
+from zbot.terminal.keys import pressed_keys
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+
+
+def has_keyboard() -> bool:
+    """Return whether the user can press keys. A command in the background must not read them."""
+    try:
+        if not sys.stdin.isatty():
+            return False
+        return sys.platform == "win32" or os.tcgetpgrp(sys.stdin.fileno()) == os.getpgrp()
+    except (AttributeError, OSError, ValueError):
+        return False  # there is no stdin, or it is closed
+
+
+@contextlib.contextmanager
+def keys_to(on_key: Callable[[str], None]) -> Iterator[None]:
+    """Call a function with each key during the `with` block, in a thread.
+
+    The keys are those of `zbot.terminal.keys.pressed_keys`: an arrow gives several characters.
+    """
+    is_over = threading.Event()
+
+    def read() -> None:
+        with contextlib.suppress(OSError):  # the terminal was closed
+            for key in pressed_keys(lambda: not is_over.is_set()):
+                on_key(key)
+
+    reader = threading.Thread(target=read, name="zbot keys", daemon=True)
+    reader.start()
+    try:
+        yield
+    finally:
+        is_over.set()
+        reader.join()  # it restores the settings of the terminal

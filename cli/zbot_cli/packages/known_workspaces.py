@@ -1,0 +1,58 @@
+"""List of the workspaces that this user works in, for errors that say where a package is."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from zbot.json_reader import read_json
+from zbot.package.workspace import package_folders, package_name
+from zbot.transport.membership import folder as settings_folder
+
+if TYPE_CHECKING:
+    from zbot.package.workspace import Roots
+
+_FILE = "workspaces.json"
+_MAX = 20
+
+
+def workspace_folder(roots: Roots) -> Path:
+    """Return the folder of a workspace, which contains `src`."""
+    first = roots[0][0]
+    return first.parent if first.name == "src" else first
+
+
+def remember(roots: Roots) -> None:
+    """Put a workspace at the start of the list. Do nothing if the list cannot be written."""
+    if not roots:
+        return
+    known = _known()
+    workspace = str(workspace_folder(roots))
+    changed = [workspace, *(one for one in known if one != workspace)][:_MAX]
+    if changed == known:
+        return
+    file = settings_folder() / _FILE
+    try:
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(json.dumps(changed), encoding="utf-8")
+    except OSError:
+        return  # the list only makes errors more helpful
+
+
+def workspace_of(package: str) -> Path | None:
+    """Return the workspace in the list that has a package, or None if there is none."""
+    for workspace in map(Path, _known()):
+        source = workspace / "src"
+        for folder in package_folders([source if source.is_dir() else workspace]):
+            if package_name(folder) == package:
+                return workspace
+    return None
+
+
+def _known() -> list[str]:
+    try:
+        found = read_json((settings_folder() / _FILE).read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return []
+    return [one for one in found if isinstance(one, str)] if isinstance(found, list) else []

@@ -1,0 +1,68 @@
+"""Downloader of packages from the Python package index, by pip or uv."""
+
+from __future__ import annotations
+
+import importlib.util
+import re
+import shutil
+import subprocess
+import sys
+from contextlib import contextmanager
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import TYPE_CHECKING
+
+from zbot.errors import ZbotError
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+_NAME = re.compile(r"[A-Za-z0-9]([A-Za-z0-9._-]*[A-Za-z0-9])?(==[A-Za-z0-9.!+_-]+)?")
+#: What pip and uv write before a reason.
+_PREFIX = re.compile(r"^\s*(ERROR|error|cause): ")
+
+
+class DownloadError(ZbotError):
+    """A package cannot be downloaded."""
+
+    def __init__(self, name: str, reason: str) -> None:
+        self.package, self.reason = name, reason
+        super().__init__(f"cannot download {name}: {reason}")
+
+
+def is_name(word: str) -> bool:
+    """Return whether a word can be the name of a package, with or without `==VERSION`."""
+    return bool(_NAME.fullmatch(word))
+
+
+@contextmanager
+def downloaded(name: str) -> Iterator[Path]:
+    """Download the wheel of a package, and delete it afterwards. The result has its files.
+
+    Only wheels are downloaded: pip runs the programs in a source archive to read its name.
+
+    Raises:
+        DownloadError: Neither pip nor uv is installed, or there is no such wheel.
+    """
+    with TemporaryDirectory(prefix="zbot-") as folder:
+        command = [*_command(name), folder, name]
+        result = subprocess.run(  # noqa: S603 - the name has the form of a package's name
+            command, capture_output=True, text=True, errors="replace", check=False
+        )
+        wheels = sorted(Path(folder).glob("*.whl"))
+        if result.returncode:
+            lines = [one for one in result.stderr.splitlines() if one.strip()] or ["no such wheel"]
+            raise DownloadError(name, _PREFIX.sub("", lines[-1]))
+        yield wheels[0] if wheels else Path(folder)
+
+
+def _command(name: str) -> list[str]:
+    """Return the command that downloads or unpacks a wheel into the folder that follows."""
+    if importlib.util.find_spec("pip") is not None:
+        options = ["--no-deps", "--only-binary=:all:", "--disable-pip-version-check", "--quiet"]
+        return [sys.executable, "-m", "pip", "download", *options, "--dest"]
+    program = shutil.which("uv")  # environments that uv has made have no pip
+    if program is None:
+        raise DownloadError(name, "neither pip nor uv is installed; download the file yourself")
+    options = ["--no-deps", "--no-build", "--quiet", "--python", sys.executable]
+    return [program, "pip", "install", *options, "--target"]

@@ -1,0 +1,85 @@
+"""Sources of Python packages: their names on PyPI, or the repositories of those of ROS 2."""
+
+from __future__ import annotations
+
+#: Modules whose package has another name on PyPI.
+_PYPI = {
+    "Crypto": "pycryptodome", "OpenSSL": "pyopenssl", "PIL": "pillow", "PyQt5": "pyqt5",
+    "PyQt6": "pyqt6", "PySide2": "pyside2", "PySide6": "pyside6", "RPi": "RPi.GPIO",
+    "Xlib": "python-xlib", "adafruit_motor": "adafruit-circuitpython-motor", "attr": "attrs",
+    "board": "adafruit-blinka", "bs4": "beautifulsoup4", "busio": "adafruit-blinka",
+    "can": "python-can", "catkin_pkg": "catkin-pkg", "cv2": "opencv-python",
+    "dateutil": "python-dateutil", "digitalio": "adafruit-blinka", "dotenv": "python-dotenv",
+    "dynamixel_sdk": "dynamixel-sdk", "fitz": "pymupdf", "gi": "pygobject", "git": "gitpython",
+    "google": "protobuf", "grpc": "grpcio", "jwt": "pyjwt", "magic": "python-magic",
+    "nacl": "pynacl", "osrf_pycommon": "osrf-pycommon", "paho": "paho-mqtt",
+    "pkg_resources": "setuptools", "pyaudio": "PyAudio", "ruamel": "ruamel.yaml",
+    "serial": "pyserial", "skimage": "scikit-image", "sklearn": "scikit-learn", "smbus": "smbus2",
+    "socketio": "python-socketio", "speech_recognition": "SpeechRecognition", "usb": "pyusb",
+    "websocket": "websocket-client", "wx": "wxpython", "yaml": "pyyaml", "zmq": "pyzmq",
+}  # fmt: skip
+#: Python packages of ROS 2 that are not on PyPI, with their repositories on GitHub.
+_REPOSITORIES = {
+    "camera_info_manager_py": "ros-perception/image_pipeline",
+    "controller_manager": "ros-controls/ros2_control",
+    "diagnostic_updater": "ros/diagnostics",
+    "image_geometry": "ros-perception/vision_opencv",
+    "joint_state_publisher": "ros/joint_state_publisher",
+    "laser_geometry": "ros-perception/laser_geometry",
+    "launch_param_builder": "PickNikRobotics/launch_param_builder",
+    "moveit_configs_utils": "moveit/moveit2",
+    "nav2_common": "ros-navigation/navigation2",
+    "nav2_simple_commander": "ros-navigation/navigation2",
+    "py_trees_ros": "splintered-reality/py_trees_ros",
+    "python_qt_binding": "ros-visualization/python_qt_binding",
+    "rclpy_message_converter": "DFKI-NI/rospy_message_converter",
+    "resource_retriever": "ros/resource_retriever",
+    "ros2_numpy": "Box-Robotics/ros2_numpy",
+    "rosapi": "RobotWebTools/rosbridge_suite",
+    "rosbridge_library": "RobotWebTools/rosbridge_suite",
+    "rqt_gui_py": "ros-visualization/rqt",
+    "smach": "ros/executive_smach",
+    "teleop_twist_keyboard": "ros2/teleop_twist_keyboard",
+    "turtlebot4_navigation": "turtlebot/turtlebot4",
+    "urdf_parser_py": "ros/urdf_parser_py",
+    "yasmin": "uleroboticsgroup/yasmin",
+    "yasmin_ros": "uleroboticsgroup/yasmin",
+}
+_KEY = "python3-"
+#: Keys of rosdep whose module the tables above do not tell.
+_MODULES = {
+    "libgpiod": "gpiod", "opencv": "cv2", "pil": "PIL", "pil-imagetk": "PIL", "smbus": "smbus",
+    "usb": "usb",
+}  # fmt: skip
+#: Keys of rosdep for tools that a program does not import.
+_TOOLS = {"dev", "pip", "pytest", "setuptools", "venv"}
+
+
+def name_on_pypi(module: str) -> str:
+    """Return the name on PyPI of the package with a top-level module, or an empty string.
+
+    An empty string means that the module is part of ROS 2. A module that is in no table is assumed
+    to have its own name on PyPI.
+    """
+    return "" if module in _REPOSITORIES else _PYPI.get(module, module)
+
+
+def how_to_get(module: str) -> str:
+    """Return how the user gets the package with a top-level module."""
+    name = name_on_pypi(module)
+    if name:
+        return f"pip install {name}"
+    return f"download https://github.com/{_REPOSITORIES[module]} into src"
+
+
+def module_of_key(key: str) -> str:
+    """Return the module that a key of rosdep such as `python3-serial` means, or an empty string."""
+    if key == "xacro":  # it is a package of ROS 2 and of PyPI
+        return key
+    if not key.startswith(_KEY):
+        return ""
+    name = key.removeprefix(_KEY).removesuffix("-pip")
+    if name in _TOOLS:
+        return ""
+    modules = {one.lower(): module for module, one in _PYPI.items()}
+    return _MODULES.get(name) or modules.get(name.lower()) or name.replace("-", "_")

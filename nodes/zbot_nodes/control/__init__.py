@@ -1,0 +1,1 @@
+"""ros2_control: the controller manager, its controllers, and a hardware that is simulated."""

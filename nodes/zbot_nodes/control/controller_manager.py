@@ -1,0 +1,409 @@
+"""Load controllers, and let them read and command the joints of a simulated hardware.
+
+Run:        zbot run controller_manager ros2_control_node --ros-args --params-file robot.yaml
+Subscribes: robot_description (std_msgs/String), unless the parameter robot_description is set
+Serves:     ~/load_controller, ~/configure_controller, ~/switch_controller, ~/unload_controller,
+            ~/cleanup_controller, ~/list_controllers, ~/list_controller_types,
+            ~/list_hardware_components, ~/list_hardware_interfaces (controller_manager_msgs)
+Parameters: update_rate (100 Hz), robot_description (""), NAME.type: the class of a controller
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import zbot
+from zbot.qos import DurabilityPolicy, QoSProfile
+from zbot_nodes.control.controller import Controller, ControllerError, State
+from zbot_nodes.control.diff_drive_controller import DiffDriveController
+from zbot_nodes.control.forward_command_controller import (
+    ForwardCommandController,
+    JointGroupEffortController,
+    JointGroupPositionController,
+    JointGroupVelocityController,
+)
+from zbot_nodes.control.hardware import SimulatedHardware, read_components
+from zbot_nodes.control.joint_state_broadcaster import JointStateBroadcaster
+from zbot_nodes.control.joint_trajectory_controller import JointTrajectoryController
+from zbot_nodes.description.urdf import read_urdf
+from zbot_nodes.description.xml_text import DescriptionError
+from zbot_nodes.startup.program import ParameterError, run_node
+
+from controller_manager_msgs import srv
+from controller_manager_msgs.msg import ControllerState, HardwareComponentState, HardwareInterface
+from lifecycle_msgs.msg import State as LifecycleState
+from std_msgs.msg import String
+
+TYPES: dict[str, type[Controller]] = {
+    one.kind: one
+    for one in (
+        DiffDriveController,
+        ForwardCommandController,
+        JointGroupEffortController,
+        JointGroupPositionController,
+        JointGroupVelocityController,
+        JointStateBroadcaster,
+        JointTrajectoryController,
+    )
+}
+_KEPT = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+
+
+class ControllerManager(zbot.Node):
+    """Runs the loop: read the hardware, update the controllers, write the commands.
+
+    Args:
+        options: The options of `zbot.Node`.
+    """
+
+    def __init__(self, **options: Any) -> None:
+        self.options = {key: options[key] for key in ("context",) if key in options}
+        super().__init__(
+            "controller_manager",
+            allow_undeclared_parameters=True,
+            automatically_declare_parameters_from_overrides=True,
+            **options,
+        )
+        rate_hz = self.setting("update_rate", 100)
+        if not isinstance(rate_hz, int) or rate_hz <= 0:
+            raise ParameterError("the parameter update_rate must be a whole number above 0")
+        self.rate_hz = rate_hz
+        self.controllers: dict[str, Controller] = {}
+        self.hardware: SimulatedHardware | None = None
+        self.description = ""
+        self.updated_ns = 0
+        text = str(self.setting("robot_description", ""))
+        if text:
+            self.begin(text)
+        else:
+            self.get_logger().info("Waiting for data on 'robot_description' topic")
+            self.create_subscription(String, "robot_description", self.accept, _KEPT)
+
+    def setting(self, name: str, default: Any) -> Any:
+        """Return a parameter, and declare it unless it was set."""
+        if not self.has_parameter(name):
+            self.declare_parameter(name, default)
+        return self.get_parameter(name).value
+
+    def accept(self, message: String) -> None:
+        """Use the first valid description of the topic."""
+        if self.hardware is not None:
+            return
+        try:
+            self.begin(message.data)
+        except DescriptionError as error:
+            self.get_logger().error(str(error))
+
+    def begin(self, description: str) -> None:
+        """Build the hardware, and start the loop and the services."""
+        components = read_components(description)
+        joints = read_urdf(description).joints
+        mimics = {name: one.mimic for name, one in joints.items() if one.mimic is not None}
+        self.hardware, self.description = SimulatedHardware(components, mimics), description
+        if not components:
+            self.get_logger().warn("The robot description has no <ros2_control>: nothing moves")
+        for one in components:
+            if not one.is_mock:
+                self.get_logger().warn(
+                    f"{one.plugin} is a compiled driver, which does not run here: the hardware "
+                    f"'{one.name}' is simulated"
+                )
+            self.get_logger().info(f"Successful 'activate' of hardware '{one.name}'")
+        self.create_services()
+        self.create_timer(1 / self.rate_hz, self.update)
+
+    def create_services(self) -> None:
+        """Offer the services of the genuine node."""
+        for kind, name, callback in (
+            (srv.LoadController, "load_controller", self.on_load),
+            (srv.ConfigureController, "configure_controller", self.on_configure),
+            (srv.CleanupController, "cleanup_controller", self.on_cleanup),
+            (srv.UnloadController, "unload_controller", self.on_unload),
+            (srv.SwitchController, "switch_controller", self.on_switch),
+            (srv.ListControllers, "list_controllers", self.on_list),
+            (srv.ListControllerTypes, "list_controller_types", self.on_list_types),
+            (srv.ListHardwareComponents, "list_hardware_components", self.on_list_components),
+            (srv.ListHardwareInterfaces, "list_hardware_interfaces", self.on_list_interfaces),
+        ):
+            service: Any = kind
+            self.create_service(service, f"~/{name}", callback)
+
+    # -- the loop ------------------------------------------------------------------------------
+
+    def update(self) -> None:
+        """Run one period of the loop."""
+        assert self.hardware is not None
+        now_ns = self.get_clock().now().nanoseconds
+        before_ns, self.updated_ns = self.updated_ns, now_ns
+        period_s = (now_ns - before_ns) / 1e9
+        if not before_ns or period_s <= 0:
+            return  # the first period, or a jump back of simulated time
+        self.hardware.read(period_s)
+        for one in list(self.controllers.values()):
+            if one.state is State.ACTIVE:
+                one.update(period_s)
+
+    def claimed(self) -> set[str]:
+        """Return the command interfaces of the active controllers."""
+        active = (one for one in self.controllers.values() if one.state is State.ACTIVE)
+        return {name for one in active for name in one.command_interfaces()}
+
+    # -- controllers ---------------------------------------------------------------------------
+
+    def load(self, name: str) -> None:
+        """Create the node of a controller.
+
+        Raises:
+            ControllerError: The controller has no type, or its type is unknown.
+        """
+        if name in self.controllers:
+            raise ControllerError(f"A controller named '{name}' was already loaded")
+        kind = str(self.setting(f"{name}.type", ""))
+        if not kind:
+            raise ControllerError(f"The 'type' param was not defined for '{name}'")
+        if kind not in TYPES:
+            known = ", ".join(sorted(TYPES))
+            raise ControllerError(f"There is no controller type '{kind}': there are {known}")
+        assert self.hardware is not None
+        node = TYPES[kind](
+            name,
+            self.hardware,
+            self.description,
+            namespace=self.get_namespace(),
+            cli_args=self.arguments_of(name),
+            **self.options,
+        )
+        self.controllers[name] = node
+        if self.executor is not None:
+            self.executor.add_node(node)
+        self.get_logger().info(f"Loading controller '{name}'")
+
+    def arguments_of(self, name: str) -> list[str]:
+        """Return the ROS arguments of a controller: its name, and the files of its spawner."""
+        words = ["--ros-args", "-r", f"__node:={name}", "-r", f"__ns:={self.get_namespace()}"]
+        files = self.setting(f"{name}.params_file", "")
+        for path in [files] if isinstance(files, str) else files:
+            words += ["--params-file", path] if path else []
+        extra = self.setting(f"{name}.node_options_args", "")
+        more = [extra] if isinstance(extra, str) else list(extra)
+        return words + [one for one in " ".join(more).split() if one != "--ros-args"]
+
+    def configure(self, name: str) -> None:
+        """Configure a controller that is loaded.
+
+        Raises:
+            ControllerError: There is no such controller, it is active, or it cannot be configured.
+        """
+        one = self.known(name)
+        if one.state is State.ACTIVE:
+            raise ControllerError(f"Controller '{name}' can not be configured from 'active' state")
+        if one.state is State.INACTIVE:
+            self.cleanup(name)
+            one = self.known(name)
+        try:
+            one.configure()
+        except Exception:
+            self.cleanup(name)  # the node may have some of its topics already
+            raise
+        one.state = State.INACTIVE
+        self.get_logger().info(f"Configuring controller '{name}'")
+
+    def cleanup(self, name: str) -> None:
+        """Take back the configuration of a controller: its node is made again.
+
+        Raises:
+            ControllerError: There is no such controller, or it is active.
+        """
+        self.unload(name)
+        self.load(name)
+
+    def unload(self, name: str) -> None:
+        """Remove a controller.
+
+        Raises:
+            ControllerError: There is no such controller, or it is active.
+        """
+        one = self.known(name)
+        if one.state is State.ACTIVE:
+            raise ControllerError(f"Could not unload controller '{name}' because it is active")
+        del self.controllers[name]
+        if self.executor is not None:
+            self.executor.remove_node(one)
+        one.destroy_node()
+
+    def known(self, name: str) -> Controller:
+        """Return a controller that is loaded."""
+        if name not in self.controllers:
+            raise ControllerError(f"Could not find controller with name '{name}'")
+        return self.controllers[name]
+
+    def switch(self, begin: list[str], end: list[str], *, is_strict: bool) -> None:
+        """Activate and deactivate controllers.
+
+        Raises:
+            ControllerError: The switch is strict and a controller cannot do it. Nothing changes.
+        """
+        starting: list[Controller] = []
+        stopping: list[Controller] = []
+        for names, found, check in ((end, stopping, self.stops), (begin, starting, self.starts)):
+            for name in names:
+                try:
+                    check(name, end)
+                except ControllerError as error:
+                    if is_strict:
+                        raise
+                    self.get_logger().warn(str(error))
+                else:
+                    found.append(self.controllers[name])
+        for one in stopping:
+            one.deactivate()
+            one.state = State.INACTIVE
+            self.get_logger().info(f"Deactivated controller '{one.get_name()}'")
+        for one in starting:
+            one.activate()
+            one.state = State.ACTIVE
+            self.get_logger().info(f"Activated controller '{one.get_name()}'")
+
+    def stops(self, name: str, _end: list[str]) -> None:
+        """Check that a controller can be deactivated."""
+        if self.known(name).state is not State.ACTIVE:
+            raise ControllerError(f"Controller '{name}' can not be deactivated: it is not active")
+
+    def starts(self, name: str, end: list[str]) -> None:
+        """Check that a controller can be activated, after those in `end` were deactivated."""
+        one = self.known(name)
+        if one.state is not State.INACTIVE and name not in end:
+            raise ControllerError(
+                f"Controller '{name}' can not be activated from its state {one.state.value}"
+            )
+        assert self.hardware is not None
+        missing = [
+            *(set(one.command_interfaces()) - set(self.hardware.commands)),
+            *(set(one.state_interfaces()) - set(self.hardware.states)),
+        ]
+        if missing:
+            raise ControllerError(
+                f"Controller '{name}' needs the interface '{min(missing)}', which the hardware "
+                "does not have"
+            )
+        going = {
+            o
+            for other in end
+            if other in self.controllers
+            for o in self.controllers[other].command_interfaces()
+        }
+        taken = set(one.command_interfaces()) & (self.claimed() - going)
+        if taken:
+            raise ControllerError(
+                f"Controller '{name}' can not be activated: another controller commands "
+                f"'{min(taken)}'"
+            )
+
+    # -- services ------------------------------------------------------------------------------
+
+    def attempt(self, response: Any, act: Any) -> Any:
+        """Do what a service asks for, and set `ok` of its response."""
+        try:
+            act()
+        except Exception as error:  # noqa: BLE001 - the other controllers go on, as in ROS 2
+            text = str(error) if isinstance(error, zbot.ZbotError) else repr(error)
+            self.get_logger().error(text)
+            response.ok = False
+            if hasattr(response, "message"):
+                response.message = text
+        else:
+            response.ok = True
+        return response
+
+    def on_load(self, request: Any, response: Any) -> Any:
+        """Load a controller."""
+        return self.attempt(response, lambda: self.load(request.name))
+
+    def on_configure(self, request: Any, response: Any) -> Any:
+        """Configure a controller."""
+        return self.attempt(response, lambda: self.configure(request.name))
+
+    def on_cleanup(self, request: Any, response: Any) -> Any:
+        """Take back the configuration of a controller."""
+        return self.attempt(response, lambda: self.cleanup(request.name))
+
+    def on_unload(self, request: Any, response: Any) -> Any:
+        """Remove a controller."""
+        return self.attempt(response, lambda: self.unload(request.name))
+
+    def on_switch(self, request: Any, response: Any) -> Any:
+        """Activate and deactivate controllers."""
+        is_strict = request.strictness != srv.SwitchController.Request.BEST_EFFORT
+        begin, end = list(request.activate_controllers), list(request.deactivate_controllers)
+        return self.attempt(response, lambda: self.switch(begin, end, is_strict=is_strict))
+
+    def on_list(self, _request: Any, response: Any) -> Any:
+        """List the controllers."""
+        response.controller = [self.described(one) for one in self.controllers.values()]
+        return response
+
+    def described(self, one: Controller) -> ControllerState:
+        """Return the message about a controller."""
+        message = ControllerState(
+            name=one.get_name(), state=one.state.value, type=one.kind, update_rate=self.rate_hz
+        )
+        if one.state is not State.UNCONFIGURED:
+            message.required_command_interfaces = one.command_interfaces()
+            message.required_state_interfaces = one.state_interfaces()
+        if one.state is State.ACTIVE:
+            message.claimed_interfaces = one.command_interfaces()
+        return message
+
+    def on_list_types(self, _request: Any, response: Any) -> Any:
+        """List the types of controllers."""
+        response.types = sorted(TYPES)
+        response.base_classes = ["controller_interface::ControllerInterface"] * len(TYPES)
+        return response
+
+    def on_list_components(self, _request: Any, response: Any) -> Any:
+        """List the hardware."""
+        assert self.hardware is not None
+        active = LifecycleState(id=LifecycleState.PRIMARY_STATE_ACTIVE, label="active")
+        response.component = [
+            HardwareComponentState(
+                name=one.name,
+                type=one.kind,
+                rw_rate=self.rate_hz,
+                plugin_name=one.plugin,
+                state=active,
+                command_interfaces=self.interfaces(one.commands),
+                state_interfaces=self.interfaces(one.states),
+            )
+            for one in self.hardware.components
+        ]
+        return response
+
+    def on_list_interfaces(self, _request: Any, response: Any) -> Any:
+        """List the interfaces of the hardware."""
+        assert self.hardware is not None
+        response.command_interfaces = self.interfaces(self.hardware.commands)
+        response.state_interfaces = self.interfaces(self.hardware.states)
+        return response
+
+    def interfaces(self, names: Any) -> list[HardwareInterface]:
+        """Return the messages about interfaces."""
+        claimed, hardware = self.claimed(), self.hardware
+        commands = hardware.commands if hardware is not None else {}
+        return [
+            HardwareInterface(
+                name=one,
+                data_type="double",
+                is_available=True,
+                is_claimed=one in claimed and one in commands,
+            )
+            for one in names
+        ]
+
+
+def main() -> None:
+    """Run until Ctrl-C."""
+    run_node(ControllerManager)
+
+
+if __name__ == "__main__":
+    main()

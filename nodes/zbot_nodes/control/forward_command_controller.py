@@ -1,0 +1,92 @@
+"""Pass commands on to joints.
+
+Types:      forward_command_controller/ForwardCommandController,
+            position_controllers/JointGroupPositionController,
+            velocity_controllers/JointGroupVelocityController,
+            effort_controllers/JointGroupEffortController
+Subscribes: ~/commands (std_msgs/Float64MultiArray): a value for each joint
+Parameters: joints, interface_name (ForwardCommandController only)
+"""
+
+from __future__ import annotations
+
+import math
+
+from zbot_nodes.control.controller import Controller, ControllerError, State
+
+from std_msgs.msg import Float64MultiArray
+
+_DEPTH = 10
+
+
+class ForwardCommandController(Controller):
+    """Writes the last message to the interfaces of its joints."""
+
+    kind = "forward_command_controller/ForwardCommandController"
+    interface = ""
+
+    def configure(self) -> None:
+        """Read the names of the joints."""
+        interface = self.interface or str(self.setting("interface_name", ""))
+        if not interface:
+            raise ControllerError(f"the parameter interface_name of {self.get_name()} is empty")
+        self.names = [f"{joint}/{interface}" for joint in self.joints("joints")]
+        self.values: list[float] = []
+        self.create_subscription(Float64MultiArray, "~/commands", self.accept, _DEPTH)
+
+    def command_interfaces(self) -> list[str]:
+        """Return one interface of each joint."""
+        return self.names
+
+    def activate(self) -> None:
+        """Forget old commands."""
+        self.values = []
+
+    def accept(self, message: Float64MultiArray) -> None:
+        """Take a command."""
+        values = list(message.data)
+        if self.state is not State.ACTIVE:
+            return
+        text = ""
+        if len(values) != len(self.names):
+            text = f"command has {len(values)} values, but there are {len(self.names)} joints"
+        elif not all(map(math.isfinite, values)):
+            text = f"command has values that are not finite: {values}"
+        if text:
+            self.get_logger().error(text, throttle_duration_sec=1.0)
+            return
+        self.values = values
+
+    def update(self, period_s: float) -> None:
+        """Write the last command."""
+        del period_s
+        self.hardware.commands.update(zip(self.names, self.values, strict=False))
+
+
+class JointGroupPositionController(ForwardCommandController):
+    """Commands positions."""
+
+    kind = "position_controllers/JointGroupPositionController"
+    interface = "position"
+
+
+class JointGroupVelocityController(ForwardCommandController):
+    """Commands velocities, and stops at the end."""
+
+    kind = "velocity_controllers/JointGroupVelocityController"
+    interface = "velocity"
+
+    def deactivate(self) -> None:
+        """Stop the joints."""
+        self.hardware.commands.update(dict.fromkeys(self.names, 0.0))
+
+
+class JointGroupEffortController(ForwardCommandController):
+    """Commands efforts, and lets go at the end."""
+
+    kind = "effort_controllers/JointGroupEffortController"
+    interface = "effort"
+
+    def deactivate(self) -> None:
+        """Let the joints go."""
+        self.hardware.commands.update(dict.fromkeys(self.names, 0.0))

@@ -1,0 +1,1 @@
+"""Nodes that read a robot description: its frames, its joints, its sliders."""

@@ -1,0 +1,24 @@
+"""Write the robot description that a xacro file describes, with the package xacro of PyPI.
+
+Run:         zbot run xacro xacro robot.urdf.xacro [NAME:=VALUE]... [-o robot.urdf]
+In launches: Command(["xacro ", path]), also where no program `xacro` is on the PATH
+"""
+
+import sys
+
+MISSING = 'error: xacro is not installed: pip install "zbot[robot]"'
+
+
+def main() -> None:
+    """Run xacro with the arguments of this program."""
+    try:
+        import xacro  # noqa: PLC0415 - an extra
+    except ModuleNotFoundError as error:
+        if error.name != "xacro":
+            raise
+        sys.exit(MISSING)
+    xacro.main()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,1 @@
+"""Nodes that turn a gamepad into velocities, and choose between sources of velocities."""

@@ -1,0 +1,204 @@
+"""Choose between sources of velocities: the source with the highest priority drives the robot.
+
+Run:        zbot run twist_mux twist_mux --ros-args --params-file twist_mux.yaml
+Subscribes: topics.NAME.topic (geometry_msgs/TwistStamped, or Twist if use_stamped is false);
+            locks.NAME.topic (std_msgs/Bool): true stops sources below the lock's priority
+Publishes:  cmd_vel_out (TwistStamped or Twist), diagnostics (diagnostic_msgs/DiagnosticArray)
+Parameters: use_stamped (true; if it is not set, the type that all others use);
+            topics.NAME.topic, .timeout (s; 0: none), .priority (1 to 255);
+            locks.NAME.topic, .timeout, .priority
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import zbot
+from zbot_nodes.startup.program import ParameterError, run_node
+
+from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus, KeyValue
+from geometry_msgs.msg import Twist, TwistStamped
+from std_msgs.msg import Bool
+
+_DEPTH = 10
+_HIGHEST = 255
+_DIAGNOSTICS_S = 1.0
+_FOLLOW_S = 0.5
+
+
+@dataclass
+class Source:
+    """A topic with velocities, or a lock."""
+
+    name: str
+    topic: str
+    timeout_s: float  #: 0 means that messages never become too old
+    priority: int
+    received_ns: int = 0
+    is_locked: bool = False  #: the last message of a lock
+
+    def has_expired(self, now_ns: int) -> bool:
+        """Return whether the last message is too old, or none came yet."""
+        return self.timeout_s > 0 and now_ns - self.received_ns > self.timeout_s * 1e9
+
+    def locks(self, now_ns: int) -> bool:
+        """Return whether a lock is in force. A lock that sends nothing any more is in force."""
+        return self.has_expired(now_ns) or self.is_locked
+
+
+class TwistMux(zbot.Node):
+    """Passes on the velocities of one source.
+
+    Args:
+        options: The options of `zbot.Node`.
+    """
+
+    def __init__(self, **options: Any) -> None:
+        super().__init__(
+            "twist_mux",
+            allow_undeclared_parameters=True,
+            automatically_declare_parameters_from_overrides=True,
+            **options,
+        )
+        is_chosen = self.has_parameter("use_stamped")
+        if not is_chosen:
+            self.declare_parameter("use_stamped", True)
+        self.kind: Any = TwistStamped if self.get_parameter("use_stamped").value else Twist
+        self.velocities = self.read_sources("topics")
+        self.locks = self.read_sources("locks")
+        if not self.velocities:
+            self.get_logger().warn(
+                "No source is set: give parameters such as topics.joystick.topic"
+            )
+        self.diagnostics = self.create_publisher(DiagnosticArray, "/diagnostics", 1)
+        self.publisher: zbot.Publisher[Any] | None = None
+        self.subscriptions_of_velocities: list[zbot.Subscription[Any]] = []
+        self.connect()
+        for source in (*self.velocities, *self.locks):
+            self.tell(source)
+        for lock in self.locks:
+            self.listen(lock, Bool, self.set_lock)
+        self.create_timer(_DIAGNOSTICS_S, self.report)
+        if not is_chosen:
+            self.create_timer(_FOLLOW_S, self.follow)
+
+    def connect(self) -> None:
+        """Publish and subscribe with the present type of message."""
+        for subscription in self.subscriptions_of_velocities:
+            self.destroy_subscription(subscription)
+        if self.publisher is not None:
+            self.destroy_publisher(self.publisher)
+        self.publisher = self.create_publisher(self.kind, "cmd_vel_out", 1)
+        self.subscriptions_of_velocities = [
+            self.listen(one, self.kind, self.pass_on) for one in self.velocities
+        ]
+
+    def follow(self) -> None:
+        """Take the type that all others use. Robots of ROS 2 Humble do not set use_stamped."""
+        output = self.resolve_topic_name("cmd_vel_out")
+        others = {one.topic_type for one in self.get_subscriptions_info_by_topic(output)}
+        for source in self.velocities:
+            topic = self.resolve_topic_name(source.topic)
+            others |= {one.topic_type for one in self.get_publishers_info_by_topic(topic)}
+        for kind in (Twist, TwistStamped):
+            if others == {f"geometry_msgs/msg/{kind.__name__}"} and self.kind is not kind:
+                self.kind = kind
+                self.connect()
+                name = kind.__name__
+                self.get_logger().info(f"use_stamped is not set: the other nodes use {name}")
+
+    def read_sources(self, group: str) -> list[Source]:
+        """Return the sources of the parameters `topics` or `locks`."""
+        settings: dict[str, dict[str, Any]] = {}
+        for name, parameter in self.get_parameters_by_prefix(group).items():
+            source, _, key = name.rpartition(".")
+            settings.setdefault(source, {})[key] = parameter.value
+        return [self.source(group, name, one) for name, one in settings.items()]
+
+    def source(self, group: str, name: str, settings: dict[str, Any]) -> Source:
+        """Return a source with its settings."""
+        missing = [key for key in ("topic", "timeout", "priority") if key not in settings]
+        if missing:
+            raise ParameterError(f"the parameter {group}.{name}.{missing[0]} is missing")
+        try:
+            timeout_s, priority = float(settings["timeout"]), int(settings["priority"])
+        except (TypeError, ValueError):
+            raise ParameterError(
+                f"timeout and priority of {group}.{name} must be numbers"
+            ) from None
+        return Source(name, str(settings["topic"]), timeout_s, min(max(priority, 0), _HIGHEST))
+
+    def listen(self, source: Source, kind: Any, callback: Any) -> zbot.Subscription[Any]:
+        """Subscribe to the topic of a source."""
+        return self.create_subscription(
+            kind, source.topic, lambda message: callback(source, message), _DEPTH
+        )
+
+    def tell(self, source: Source) -> None:
+        """Log the settings of a source."""
+        timeout = f"{source.timeout_s:f}s" if source.timeout_s > 0 else "None"
+        self.get_logger().info(
+            f"Topic handler '{source.name}' subscribed to topic '{source.topic}': "
+            f"timeout = {timeout} , priority = {source.priority}."
+        )
+
+    def now_ns(self) -> int:
+        """Return the present time."""
+        return self.get_clock().now().nanoseconds
+
+    def pass_on(self, source: Source, message: Any) -> None:
+        """Publish a message if no source above it is active, and no lock above it is in force."""
+        source.received_ns = self.now_ns()
+        if self.active() is source and self.publisher is not None:
+            self.publisher.publish(message)
+
+    def set_lock(self, lock: Source, message: Bool) -> None:
+        """Note the state of a lock."""
+        lock.received_ns, lock.is_locked = self.now_ns(), message.data
+
+    def lock_priority(self) -> int:
+        """Return the highest priority of the locks in force. 0 if there is none."""
+        now = self.now_ns()
+        return max((one.priority for one in self.locks if one.locks(now)), default=0)
+
+    def is_masked(self, source: Source) -> bool:
+        """Return whether a source is too old or below a lock."""
+        return source.has_expired(self.now_ns()) or source.priority < self.lock_priority()
+
+    def active(self) -> Source | None:
+        """Return the source that drives. Priority 0 never drives; of equal ones, the first."""
+        free = [one for one in self.velocities if one.priority > 0 and not self.is_masked(one)]
+        return max(free, key=lambda one: one.priority, default=None)
+
+    def report(self) -> None:
+        """Publish the state of all sources."""
+        now = self.now_ns()
+        status = DiagnosticStatus(
+            name=f"{self.get_name()}: Twist mux status", message="ok", hardware_id="none"
+        )
+        for one in self.velocities:
+            self.add(status, f"velocity {one.name}", one, self.is_masked(one), "masked", "unmasked")
+        for one in self.locks:
+            self.add(status, f"lock {one.name}", one, one.locks(now), "locked", "free")
+        status.values.append(KeyValue(key="current priority", value=str(self.lock_priority())))
+        array = DiagnosticArray(status=[status])
+        array.header.stamp = self.get_clock().now().to_msg()
+        self.diagnostics.publish(array)
+
+    @staticmethod
+    def add(  # noqa: PLR0917 - a row of the report
+        status: DiagnosticStatus, key: str, one: Source, is_on: bool, yes: str, no: str
+    ) -> None:
+        """Add the state of a source to the report."""
+        text = f" {yes if is_on else no} (listening to {one.topic} @ {one.timeout_s:f}s with "
+        status.values.append(KeyValue(key=key, value=f"{text}priority #{one.priority})"))
+
+
+def main() -> None:
+    """Run until Ctrl-C."""
+    run_node(TwistMux)
+
+
+if __name__ == "__main__":
+    main()

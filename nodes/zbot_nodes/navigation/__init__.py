@@ -1,0 +1,1 @@
+"""Nodes of nav2 that are not about driving: maps, and the states of managed nodes."""

@@ -1,0 +1,210 @@
+"""Configure and activate managed nodes in an order, and take them down together.
+
+Run:        zbot run nav2_lifecycle_manager lifecycle_manager --ros-args -p autostart:=true \
+                -p "node_names:=[map_server]"
+Serves:     lifecycle_manager/manage_nodes (nav2_msgs/ManageLifecycleNodes),
+            lifecycle_manager/is_active (std_srvs/Trigger)
+Publishes:  lifecycle_manager/managed_nodes_activated (std_msgs/Bool), kept for late subscribers
+Parameters: node_names, autostart (false), service_timeout (5.0 s), bond_timeout (4.0 s; 0: do
+            not watch the nodes)
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import zbot
+from zbot.qos import DurabilityPolicy, QoSProfile
+from zbot_nodes.startup.program import ParameterError, run_node
+
+from lifecycle_msgs.msg import State, Transition
+from lifecycle_msgs.srv import ChangeState, GetState
+from nav2_msgs.srv import ManageLifecycleNodes
+from rcl_interfaces.msg import ParameterDescriptor
+from std_msgs.msg import Bool
+from std_srvs.srv import Trigger
+
+_KEPT = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+_POLL_S = 0.1
+_WATCH_S = 1.0
+_CONFIGURE = (Transition.TRANSITION_CONFIGURE, "Configuring", State.PRIMARY_STATE_INACTIVE)
+_ACTIVATE = (Transition.TRANSITION_ACTIVATE, "Activating", State.PRIMARY_STATE_ACTIVE)
+_DEACTIVATE = (Transition.TRANSITION_DEACTIVATE, "Deactivating", State.PRIMARY_STATE_INACTIVE)
+_CLEANUP = (Transition.TRANSITION_CLEANUP, "Cleaning up", State.PRIMARY_STATE_UNCONFIGURED)
+_SHUTDOWN = (
+    Transition.TRANSITION_UNCONFIGURED_SHUTDOWN,
+    "Shutting down",
+    State.PRIMARY_STATE_FINALIZED,
+)
+#: For each command: the transitions, and whether a node that fails stops them.
+_COMMANDS: dict[int, tuple[Any, ...]] = {
+    ManageLifecycleNodes.Request.STARTUP: (_CONFIGURE, _ACTIVATE),
+    ManageLifecycleNodes.Request.PAUSE: (_DEACTIVATE,),
+    ManageLifecycleNodes.Request.RESUME: (_ACTIVATE,),
+    ManageLifecycleNodes.Request.RESET: (_DEACTIVATE, _CLEANUP),
+    ManageLifecycleNodes.Request.SHUTDOWN: (_DEACTIVATE, _CLEANUP, _SHUTDOWN),
+}
+
+
+class LifecycleManager(zbot.Node):
+    """Changes the states of its nodes, one after the other.
+
+    Args:
+        options: The options of `zbot.Node`.
+    """
+
+    def __init__(self, **options: Any) -> None:
+        super().__init__("lifecycle_manager", **options)
+        any_type = ParameterDescriptor(dynamic_typing=True)
+        names = self.declare_parameter("node_names", [], any_type).value
+        is_list = not isinstance(names, (str, int, float))
+        self.names = [str(one) for one in names] if is_list else []
+        if not self.names:
+            raise ParameterError("the parameter node_names must name at least one node")
+        is_automatic = bool(self.declare_parameter("autostart", False).value)
+        self.timeout_s = float(self.declare_parameter("service_timeout", 5.0).value)
+        bond_s = float(self.declare_parameter("bond_timeout", 4.0).value)
+        self.declare_parameter("bond_respawn_max_duration", 10.0)
+        self.declare_parameter("attempt_respawn_reconnection", True)
+        self.declare_parameter("bond_heartbeat_period", 0.25)
+        self.is_active = False
+        # Callbacks wait for other nodes, so a second callback must be able to run meanwhile.
+        self.group = zbot.ReentrantCallbackGroup()
+        prefix = self.get_name()
+        self.publisher = self.create_publisher(Bool, f"{prefix}/managed_nodes_activated", _KEPT)
+        self.changers, self.states = self.create_clients()
+        self.create_service(
+            ManageLifecycleNodes, f"{prefix}/manage_nodes", self.manage, callback_group=self.group
+        )
+        self.create_service(Trigger, f"{prefix}/is_active", self.tell)
+        self.set_active(is_active=False)
+        if is_automatic:
+            self.start_timer: zbot.Timer | None = self.create_timer(
+                _POLL_S, self.start, callback_group=self.group
+            )
+        if bond_s > 0:
+            self.create_timer(_WATCH_S, self.watch, callback_group=self.group)
+
+    def create_clients(self) -> tuple[dict[str, Any], dict[str, Any]]:
+        """Return the clients of the nodes' services, by node."""
+        changers: dict[str, Any] = {}
+        states: dict[str, Any] = {}
+        for name in self.names:
+            changers[name] = self.create_client(
+                ChangeState, f"{name}/change_state", callback_group=self.group
+            )
+            states[name] = self.create_client(
+                GetState, f"{name}/get_state", callback_group=self.group
+            )
+        return changers, states
+
+    async def start(self) -> None:
+        """Bring up all nodes, once."""
+        timer, self.start_timer = self.start_timer, None
+        if timer is None:
+            return
+        self.destroy_timer(timer)
+        self.get_logger().info("Starting managed nodes bringup...")
+        await self.run(ManageLifecycleNodes.Request.STARTUP)
+
+    async def manage(
+        self, request: ManageLifecycleNodes.Request, response: ManageLifecycleNodes.Response
+    ) -> ManageLifecycleNodes.Response:
+        """Do what a request asks for."""
+        response.success = request.command in _COMMANDS and await self.run(request.command)
+        return response
+
+    async def run(self, command: int) -> bool:
+        """Make the transitions of a command. Return whether all nodes made them."""
+        is_up = _COMMANDS[command][-1] is _ACTIVATE
+        succeeded = True
+        for transition in _COMMANDS[command]:
+            for name in self.names if is_up else reversed(self.names):
+                if not await self.change(name, *transition):
+                    succeeded = False
+                    if is_up:
+                        text = "Failed to bring up all requested nodes. Aborting bringup."
+                        self.get_logger().error(text)
+                        return False
+        self.set_active(is_active=is_up and succeeded)
+        self.get_logger().info("Managed nodes are active" if is_up else "Managed nodes are down")
+        return succeeded
+
+    async def change(self, name: str, number: int, what: str, goal: int) -> bool:
+        """Make one transition of a node. Return whether the node is in the wanted state then."""
+        self.get_logger().info(f"{what} {name}")
+        request = ChangeState.Request()
+        request.transition.id = number
+        answer = await self.ask(name, self.changers[name], request)
+        state = None
+        if answer is not None and answer.success:
+            state = await self.ask(name, self.states[name], GetState.Request())
+        if state is None or state.current_state.id != goal:
+            self.get_logger().error(f"Failed to change state for node: {name}")
+            return False
+        return True
+
+    async def ask(self, name: str, client: Any, request: Any) -> Any:
+        """Call a service of a node. Return None if it fails, or if there is no answer in time."""
+        waited_s = 0.0
+        while not client.service_is_ready():
+            if waited_s >= self.timeout_s:
+                text = f"{name} was not there in {self.timeout_s:g} s: is it a managed node?"
+                self.get_logger().error(text)
+                return None
+            await self.pause(_POLL_S)
+            waited_s += _POLL_S
+        future = client.call_async(request)
+        waited_s = 0.0
+        while not future.done() and waited_s < self.timeout_s:
+            await self.pause(_POLL_S / 10)
+            waited_s += _POLL_S / 10
+        error = future.exception() if future.done() else None
+        if error is not None:
+            self.get_logger().error(str(error))
+        return future.result() if future.done() and error is None else None
+
+    async def pause(self, seconds: float) -> None:
+        """Let other callbacks run for some time."""
+        done: zbot.Future[bool] = zbot.Future()
+
+        def end() -> None:
+            if not done.done():
+                done.set_result(True)
+
+        timer = self.create_timer(seconds, end, callback_group=self.group)
+        await done
+        self.destroy_timer(timer)
+
+    async def watch(self) -> None:
+        """Take all nodes down if one of them has ended."""
+        gone = [name for name in self.names if not self.states[name].service_is_ready()]
+        if not self.is_active or not gone:
+            return
+        self.set_active(is_active=False)
+        self.get_logger().error(
+            f"CRITICAL FAILURE: SERVER {gone[0]} IS DOWN. Shutting down related nodes."
+        )
+        for name in reversed(self.names):
+            if name not in gone:
+                await self.change(name, *_DEACTIVATE)
+                await self.change(name, *_CLEANUP)
+
+    def set_active(self, *, is_active: bool) -> None:
+        """Note and publish whether all nodes are active."""
+        self.is_active = is_active
+        self.publisher.publish(Bool(data=is_active))
+
+    def tell(self, _request: Trigger.Request, response: Trigger.Response) -> Trigger.Response:
+        """Answer whether all nodes are active."""
+        response.success = self.is_active
+        return response
+
+
+def main() -> None:
+    """Run until Ctrl-C."""
+    run_node(LifecycleManager)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,1 @@
+"""Names of programs of rqt, which open a panel of the page."""

@@ -1,0 +1,138 @@
+"""Base class of nodes that pass on messages of any type, as bytes."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import zbot
+from zbot.interfaces import get_message
+from zbot.node.remote_types import learn_type
+from zbot.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+from zbot_nodes.startup.program import ParameterError
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+_DISCOVERY_S = 0.1
+_DEPTH = 10
+
+
+class TopicTool(zbot.Node):
+    """Subscribes to a topic as soon as it has a publisher, with the publisher's type and profile.
+
+    Args:
+        name: The node's name.
+        options: The options of `zbot.Node`.
+    """
+
+    def __init__(self, name: str, **options: Any) -> None:
+        super().__init__(name, **options)
+        self.input = self.output = ""
+        self.is_lazy = bool(self.declare_parameter("lazy", False).value)
+        self.publisher: zbot.Publisher[Any] | None = None
+        self.subscription: zbot.Subscription[Any] | None = None
+        self.source: tuple[str, QoSProfile] | None = None
+
+    def required(self, name: str, kind: type, text: str) -> Any:
+        """Declare a parameter, and return its value. The default is 0 or an empty string.
+
+        Raises:
+            ParameterError: The parameter is a string, and its value is empty.
+            InvalidParameterTypeException: The value has another type.
+        """
+        self.declare_parameter(name, kind())
+        value = self.get_parameter(name).value
+        if not value and kind is str:
+            raise ParameterError(f"the parameter {name} is missing: {text}")
+        return value
+
+    def begin(self) -> None:
+        """Look for the input from now on."""
+        self.create_timer(_DISCOVERY_S, self.match)
+        self.match()
+
+    def match(self) -> None:
+        """Adapt the publisher and the subscription to the graph."""
+        source = self.find_source()
+        if source is None:
+            return
+        output = self.resolve_topic_name(self.output)
+        if source != self.source or self.publisher is None or self.publisher.topic_name != output:
+            self.forget()
+            self.source = source
+            self.publisher = self.create_publisher(self.message_type(), self.output, source[1])
+        is_wanted = not self.is_lazy or self.publisher.get_subscription_count() > 0
+        topic = self.resolve_topic_name(self.input)
+        if self.subscription is not None and (
+            not is_wanted or self.subscription.topic_name != topic
+        ):
+            self.destroy_subscription(self.subscription)
+            self.subscription = None
+        if is_wanted and self.subscription is None:
+            self.subscription = self.create_subscription(
+                self.message_type(), self.input, self.process, source[1], raw="payload"
+            )
+
+    def forget(self) -> None:
+        """Destroy the publisher and the subscription."""
+        if self.publisher is not None:
+            self.destroy_publisher(self.publisher)
+        if self.subscription is not None:
+            self.destroy_subscription(self.subscription)
+        self.publisher = self.subscription = None
+
+    def message_type(self) -> Any:
+        """Return the class of the messages. The publisher sends an unknown definition."""
+        assert self.source is not None
+        try:
+            return get_message(self.source[0])
+        except (LookupError, zbot.ZbotError):
+            learn_type(self.context, self.source[0])
+            return get_message(self.source[0])
+
+    def find_source(self) -> tuple[str, QoSProfile] | None:
+        """Return the type and profile of the input's publishers, or None without a publisher."""
+        found = self.get_publishers_info_by_topic(self.resolve_topic_name(self.input))
+        if not found:
+            return None
+        profiles = [one.qos_profile for one in found]
+        is_reliable = all(one.reliability is ReliabilityPolicy.RELIABLE for one in profiles)
+        is_kept = all(one.durability is DurabilityPolicy.TRANSIENT_LOCAL for one in profiles)
+        profile = QoSProfile(
+            depth=_DEPTH,
+            reliability=(
+                ReliabilityPolicy.RELIABLE if is_reliable else ReliabilityPolicy.BEST_EFFORT
+            ),
+            durability=(DurabilityPolicy.TRANSIENT_LOCAL if is_kept else DurabilityPolicy.VOLATILE),
+        )
+        return found[0].topic_type, profile
+
+    def process(self, message: bytes) -> None:
+        """Decide what happens with a message."""
+        self.pass_on(message)
+
+    def pass_on(self, message: bytes) -> None:
+        """Publish a message."""
+        if self.publisher is not None:
+            self.publisher.publish(message)
+
+
+def overrides(names: Sequence[str], values: Sequence[Any]) -> list[zbot.Parameter[Any]]:
+    """Return the parameters that the words of a command line set."""
+    return [zbot.Parameter(name, value=one) for name, one in zip(names, values, strict=False)]
+
+
+def number(word: str, name: str) -> float:
+    """Return a word of the command line as a number.
+
+    Raises:
+        ParameterError: The word is not a finite number.
+    """
+    try:
+        value = float(word)
+    except ValueError:
+        value = math.nan
+    if not math.isfinite(value):
+        raise ParameterError(f"{name} must be a number, not '{word}'")
+    return value

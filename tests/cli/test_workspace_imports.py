@@ -1,0 +1,109 @@
+"""Tests of Python packages of the workspace that scripts, tests and launched programs import."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.cli.command import zbot
+
+LAUNCH = """
+import sys
+from alpha.tools import hello
+from launch import LaunchDescription
+from launch.actions import ExecuteProcess
+
+def generate_launch_description():
+    command = "from alpha.tools import hello; print(hello(), sys.argv[1:])"
+    plain = [sys.executable, "-c", "import sys; " + command, "plain"]
+    script = ["python3", "src/beta/scripts/use.py", hello() + "s"]
+    return LaunchDescription([
+        ExecuteProcess(cmd=plain, output="screen", cwd="/"),
+        ExecuteProcess(cmd=script, output="screen"),
+    ])
+"""
+
+
+@pytest.fixture
+def workspace(tmp_path: Path) -> Path:
+    """Return a workspace with two packages. The programs of `beta` import `alpha`."""
+    files = {
+        "alpha/alpha/__init__.py": "",
+        "alpha/alpha/tools.py": "def hello(): return 'hello'\n",
+        "alpha/launch/other.launch.py": "",
+        "beta/beta/__init__.py": "",
+        "beta/scripts/use.py": "import sys\nfrom alpha.tools import hello\n"
+        "print(hello(), sys.argv[1:])\n",
+        "beta/launch/all.launch.py": LAUNCH,
+        "beta/test/test_use.py": "from alpha.tools import hello\n"
+        "def test_use():\n    assert hello() == 'hello'\n",
+    }
+    for name in ("alpha", "beta"):
+        files[f"{name}/package.xml"] = f"<package><name>{name}</name></package>"
+        files[f"{name}/setup.py"] = f"from setuptools import setup\nsetup(name='{name}')\n"
+    for name, text in files.items():
+        path = tmp_path / "ws" / "src" / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+    return tmp_path / "ws"
+
+
+def test_a_script_imports_the_packages_of_its_workspace(workspace: Path, tmp_path: Path) -> None:
+    script = workspace / "src" / "beta" / "scripts" / "use.py"
+    for folder in (workspace, tmp_path):
+        result = zbot("run", str(script), "5", cwd=folder)
+        assert (result.code, result.out) == (0, "hello ['5']\n"), result.err
+
+
+@pytest.mark.parametrize("given", ["", "jazzy"])
+def test_programs_have_the_variables_of_a_sourced_ros(
+    given: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    if given:
+        monkeypatch.setenv("ROS_DISTRO", given)
+    text = "import os\nprint(os.environ['ROS_DISTRO'], os.environ['ROS_VERSION'])\n"
+    (tmp_path / "show.py").write_text(text)
+    assert zbot("run", "show.py", cwd=tmp_path).out == f"{given or 'kilted'} 2\n"
+    (tmp_path / "show.launch.xml").write_text(
+        '<launch><log message="I am $(env ROS_DISTRO)"/></launch>'
+    )
+    result = zbot("launch", "show.launch.xml", cwd=tmp_path)
+    assert f"I am {given or 'kilted'}" in result.out + result.err
+
+
+def test_launch_files_and_their_processes_import_the_packages(workspace: Path) -> None:
+    result = zbot("launch", "src/beta/launch/all.launch.py", cwd=workspace)
+    assert "hello ['plain']" in result.out
+    assert "hello ['hellos']" in result.out
+
+
+@pytest.mark.parametrize("folder", [".", "src", "src/beta"])
+def test_tests_import_the_packages(workspace: Path, folder: str) -> None:
+    path = Path("src/beta/test").relative_to(Path(folder).as_posix())
+    result = zbot("test", str(path), cwd=workspace / folder)
+    assert result.code == 0, result.out
+
+
+def test_a_missing_module_of_a_launch_file_is_explained(workspace: Path) -> None:
+    (workspace / "bad.launch.py").write_text("import alpha.tools, nav2_common\n")
+    result = zbot("launch", "bad.launch.py", "-s", cwd=workspace)
+    assert result.code == 1
+    assert "bad.launch.py:1: ModuleNotFoundError: No module named 'nav2_common'" in result.err
+    assert "hint: `zbot pkg deps` shows what is missing" in result.err
+
+
+def test_tests_of_linters_are_skipped_and_others_run(workspace: Path) -> None:
+    folder = workspace / "src" / "beta" / "test"
+    for name in ("flake8", "pep257"):
+        (folder / f"test_{name}.py").write_text(
+            f"from ament_{name}.main import main\ndef test_{name}():\n    assert main() == 0\n"
+        )
+    result = zbot("test", "src/beta/test", cwd=workspace)
+    assert result.code == 0
+    assert "1 passed, 2 skipped" in result.out
+    (folder / "test_use.py").unlink()
+    result = zbot("test", "src/beta/test", cwd=workspace)
+    assert (result.code, "2 skipped" in result.out) == (0, True)
+    (folder / "test_other.py").write_text("import ament_other\n")
+    assert "No module named 'ament_other'" in zbot("test", "src/beta/test", cwd=workspace).out

@@ -1,0 +1,78 @@
+"""Tests of recordings in threads of their own that start late, fail or do not end."""
+
+from __future__ import annotations
+
+import threading
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+from tests.conftest import wait_until
+from zbot.bag import background
+from zbot.bag.background import BackgroundRecording
+from zbot.bag.errors import BagError
+from zbot.bag.reader import Reader
+from zbot.bag.recorder import Recorder
+from zbot.bag.selection import Selection
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+EVERYTHING = Selection(all_topics=True)
+
+
+def recording_threads() -> list[str]:
+    return [one.name for one in threading.enumerate() if one.name == "zbot bag recording"]
+
+
+@pytest.mark.parametrize("late", ["Node", "Recorder"])
+def test_a_recording_that_starts_too_late_does_not_go_on(
+    domain: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, late: str
+) -> None:
+    may_start, make = threading.Event(), getattr(background, late)
+
+    def make_late(*arguments: Any, **options: Any) -> Any:
+        assert may_start.wait(60)
+        return make(*arguments, **options)
+
+    monkeypatch.setattr(background, late, make_late)
+    monkeypatch.setattr(background, "_START_S", 0.1)
+    with pytest.raises(BagError, match=r"has not started within 0\.1 s"):
+        BackgroundRecording(tmp_path / "bag", EVERYTHING, domain)
+    assert recording_threads()
+    may_start.set()
+    assert wait_until(lambda: not recording_threads(), 10)
+    if (tmp_path / "bag").exists():
+        with Reader(tmp_path / "bag") as bag:
+            assert not bag.damage
+
+
+def test_an_unexpected_error_is_told(
+    domain: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+) -> None:
+    def defect(*_arguments: Any, **_options: Any) -> None:
+        raise KeyError("defect")
+
+    monkeypatch.setattr(background, "Writer", defect)
+    recording = BackgroundRecording(tmp_path / "bag", EVERYTHING, domain)
+    recording.join(10)
+    assert recording.error == "zbot bag recording failed: KeyError('defect')"
+    assert "Traceback" in capfd.readouterr().err
+
+
+def test_a_recording_that_does_not_end_is_not_waited_for(
+    domain: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    may_end, stop = threading.Event(), Recorder.stop
+
+    def stop_late(recorder: Any) -> None:
+        assert may_end.wait(60)
+        stop(recorder)
+
+    monkeypatch.setattr(Recorder, "stop", stop_late)
+    monkeypatch.setattr(background, "_STOP_S", 0.1)
+    recording = BackgroundRecording(tmp_path / "bag", EVERYTHING, domain)
+    recording.stop()
+    assert recording.error == "zbot bag recording has not ended within 0.1 s"
+    may_end.set()
+    assert wait_until(lambda: not recording.is_running, 10)

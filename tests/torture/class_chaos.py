@@ -1,0 +1,313 @@
+"""Faults in a class: laptops in network namespaces, their hubs, and the teacher's hub."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import signal
+import time
+from dataclasses import dataclass, field
+from functools import partial
+from typing import TYPE_CHECKING
+
+from tests.classroom.impairment import Impairment, impair
+from tests.classroom.lesson import hub_pid
+from tests.classroom.testbed import LanTestbed, missing_requirement
+from tests.torture.faults import Fault, Schedule, plan
+from tests.torture.report import times
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from pathlib import Path
+
+    from tests.classroom.machine import Finished, Machine
+    from tests.conftest import Program
+    from tests.torture.report import Report
+    from tests.torture.stall import StallMeter
+
+_LAPTOPS, _NODES, _HZ = 4, 3, 5
+_PAUSE_S = 4.0
+_TRUE_LIST_S = 3.0
+#: Hubs notice a cut after at most this time (docs/wire.md), and then lists become true.
+_CUT_S = 4.0
+_COMMAND_PERIOD_S = 9.0
+_COMMAND_S = 2.0
+_CALM_S = 15.0
+_PIN = "4711"
+_CRASHES = ("Traceback (most recent call last)", "panicked at", "Fatal Python error")
+_KINDS = {
+    "kill": 4.0,
+    "cut": 3.0,
+    "unplug": 2.0,
+    "sleep": 2.0,
+    "hub killed": 1.5,
+    "teacher killed": 1.5,
+    "teacher stopped": 1.5,
+}
+
+
+@dataclass(eq=False)
+class _Laptop:
+    """A laptop and its nodes."""
+
+    machine: Machine
+    number: int
+    nodes: dict[str, Program] = field(default_factory=dict)
+    since: float = 0.0
+    is_faulty: bool = False
+    is_reported: bool = False
+
+    def change(self) -> None:
+        """Note that its state has changed now."""
+        self.since, self.is_reported = time.monotonic(), False
+
+
+class ClassChaos:
+    """Chaos in a class.
+
+    Args:
+        testbed: The machines.
+        seed: Text.
+        seconds: How long faults occur.
+        report: Takes what breaks a promise.
+        stall: Extends the limits of time on a busy machine.
+    """
+
+    def __init__(
+        self, testbed: LanTestbed, seed: str, seconds: float, report: Report, stall: StallMeter
+    ) -> None:
+        self._testbed, self._report, self._stall = testbed, report, stall
+        self._seconds = seconds
+        self._plan = plan(f"{seed}/class", _KINDS, seconds, _PAUSE_S)
+        self._later = Schedule()
+        self._seen: set[tuple[int, str]] = set()
+        self._programs: list[Program] = []
+        self._teacher_since = 0.0
+        self._teacher_is_faulty = False
+        self._listed_s: list[float] = []
+        self._code = self._open_class()
+        self._laptops = [
+            _Laptop(machine, number) for number, machine in enumerate(testbed.laptops, 1)
+        ]
+        tool = impair(testbed, Impairment(loss=0.0), [self._laptops[-1].machine])
+        report.note(f"class: the messages of the last laptop are late by {tool}")
+        self._watch = testbed.teacher.start("watch.py")
+        self._watch.wait_for("watching")
+        for laptop in self._laptops:
+            self._join(laptop)
+            for index in range(_NODES):
+                self._start_node(laptop, f"pupil{index}")
+
+    # -- the run ---------------------------------------------------------------------------------
+
+    def run(self) -> None:
+        """Let the faults of the plan occur, and check the promises meanwhile."""
+        begin = time.monotonic()
+        for fault in self._plan:
+            self._later.add(fault.at_s, partial(self._begin_fault, fault))
+        self._later.add(_COMMAND_PERIOD_S, self._list_class)
+        while time.monotonic() < begin + self._seconds + _CALM_S:
+            self._later.run_due()
+            self._check()
+            time.sleep(0.1)
+        self._end(begin)
+
+    def _begin_fault(self, fault: Fault) -> None:
+        self._report.count(f"class {fault.kind}")
+        act: Callable[[Fault], str] = getattr(self, f"_fault_{fault.kind.replace(' ', '_')}")
+        self._report.note(f"class: {fault.kind} {act(fault)}")
+
+    def _end(self, begin: float) -> None:
+        lost = 0
+        for laptop in self._laptops:
+            for program in laptop.nodes.values():
+                program.process.send_signal(signal.SIGINT)
+                self._check_end(program)
+        for program in self._programs:
+            program.new_lines()
+            for line in program.lines:
+                if any(crash in line for crash in _CRASHES):
+                    self._report.violation(f"a program of the class printed: {line}")
+                words = line.split()
+                # A neighbour that was started again begins with 1.
+                if words[:1] == ["gap"] and int(words[2]) > int(words[1]):
+                    lost += int(words[2]) - int(words[1]) - 1
+                    self._report.violation(f"a node of a laptop missed messages: {line}")
+        note = self._report.note
+        note(f"class: {len(self._plan)} faults in {time.monotonic() - begin:.0f} s")
+        note(f"class: {lost} messages lost between nodes of one laptop (depth 10)")
+        note(f"class: `zbot class list`: {times(self._listed_s)}")
+
+    def _check_end(self, program: Program) -> None:
+        begin = time.monotonic()
+        with contextlib.suppress(Exception):
+            program.wait(10)
+        took_s = time.monotonic() - begin
+        if program.process.poll() != 0 or took_s > self._stall.allowed(1.0, begin):
+            code = program.process.poll()
+            self._report.violation(f"a node of the class ended with {code} after {took_s:.1f} s")
+
+    # -- the class -------------------------------------------------------------------------------
+
+    def _run(self, machine: Machine, *words: str) -> Finished | None:
+        begin = time.monotonic()
+        try:
+            done = machine.run("zbot", *words, env={"ZBOT_PIN": _PIN}, timeout_s=60)
+        except Exception as error:  # noqa: BLE001 - a command that hangs is what we look for
+            self._report.violation(f"{machine.name}: {error}")
+            return None
+        if done.code or any(crash in done.err for crash in _CRASHES):
+            took_s = time.monotonic() - begin
+            text = f"{machine.name}: `zbot {' '.join(words)}` ended with {done.code}"
+            self._report.violation(f"{text} after {took_s:.1f} s: {done.err.strip()[-300:]}")
+        return done
+
+    def _open_class(self) -> str:
+        done = self._run(self._testbed.teacher, "class", "start", "Robots", "--json", "--pin")
+        self._teacher_is_faulty = False
+        self._teacher_since = time.monotonic()
+        return str(json.loads(done.out)["code"]) if done is not None and not done.code else ""
+
+    def _join(self, laptop: _Laptop) -> None:
+        self._run(laptop.machine, "join", self._code, "--number", str(laptop.number))
+        laptop.is_faulty = False
+        laptop.change()
+
+    def _start_node(self, laptop: _Laptop, name: str) -> None:
+        neighbour = f"pupil{(int(name[-1]) + 1) % _NODES}"
+        words = ("pupil.py", name, neighbour, "--hz", str(_HZ))
+        laptop.nodes[name] = laptop.machine.start(*words)
+        self._programs.append(laptop.nodes[name])
+        laptop.change()
+
+    def _list_class(self) -> None:
+        self._later.add(_COMMAND_PERIOD_S, self._list_class)
+        if self._teacher_is_faulty or any(one.is_faulty for one in self._laptops):
+            return
+        begin = time.monotonic()
+        done = self._run(self._testbed.teacher, "class", "list", "--json")
+        if done is not None:
+            self._listed_s.append(done.took_s)
+            if done.took_s > self._stall.allowed(_COMMAND_S, begin):
+                self._report.violation(f"`zbot class list` needed {done.took_s:.1f} s")
+
+    def _check(self) -> None:
+        """Compare the nodes that the teacher's hub sees with those that run."""
+        for line in self._watch.new_lines():
+            kind, _, domain, node = line.split()
+            change = self._seen.add if kind == "up" else self._seen.discard
+            change((int(domain), node))
+        if self._teacher_is_faulty:
+            return
+        for laptop in self._laptops:
+            since = max(laptop.since, self._teacher_since)
+            wanted = {f"/{name}" for name in laptop.nodes}
+            seen = {node for domain, node in self._seen if domain == laptop.number}
+            if laptop.is_faulty or seen == wanted:
+                continue
+            waited_s = time.monotonic() - since
+            limit_s = self._stall.allowed(_TRUE_LIST_S + _CUT_S, since)
+            if waited_s > limit_s and not laptop.is_reported:
+                laptop.is_reported = True
+                self._report.violation(
+                    f"after {waited_s:.1f} s the teacher sees {sorted(seen)} and not "
+                    f"{sorted(wanted)} of laptop {laptop.number}"
+                )
+
+    # -- faults ----------------------------------------------------------------------------------
+
+    def _victim(self, fault: Fault) -> _Laptop | None:
+        able = [one for one in self._laptops if not one.is_faulty]
+        return able[fault.victim % len(able)] if able else None
+
+    def _fault_kill(self, fault: Fault) -> str:
+        laptop = self._victim(fault)
+        if laptop is None or not laptop.nodes:
+            return "nobody"
+        name = sorted(laptop.nodes)[fault.victim % len(laptop.nodes)]
+        program = laptop.nodes.pop(name)
+        program.process.kill()
+        program.process.wait(5)
+        laptop.change()
+        self._later.add(4 * fault.size, partial(self._start_node, laptop, name))
+        return f"{name} of laptop {laptop.number} for {4 * fault.size:.1f} s"
+
+    def _disturb(
+        self, fault: Fault, begin: Callable[[Machine], None], end: Callable[[Machine], None]
+    ) -> str:
+        laptop = self._victim(fault)
+        if laptop is None:
+            return "nobody"
+        laptop.is_faulty = True
+        begin(laptop.machine)
+
+        def undo() -> None:
+            end(laptop.machine)
+            laptop.is_faulty = False
+            laptop.change()
+
+        seconds = 0.5 + 8 * fault.size**2
+        self._later.add(seconds, undo)
+        return f"of laptop {laptop.number} for {seconds:.1f} s"
+
+    def _fault_cut(self, fault: Fault) -> str:
+        return self._disturb(fault, lambda one: one.disconnect(), lambda one: one.reconnect())
+
+    def _fault_unplug(self, fault: Fault) -> str:
+        return self._disturb(fault, lambda one: one.unplug(), lambda one: one.plug_in())
+
+    def _fault_sleep(self, fault: Fault) -> str:
+        return self._disturb(fault, lambda one: one.sleep(), lambda one: one.wake_up())
+
+    def _fault_hub_killed(self, fault: Fault) -> str:
+        """Kill the hub of a laptop. The student joins again later, as `zbot status` says."""
+        laptop = self._victim(fault)
+        if laptop is None:
+            return "nobody"
+        laptop.is_faulty = True
+        os.kill(hub_pid(laptop.machine), signal.SIGKILL)
+        self._later.add(3 * fault.size, partial(self._join_when_open, laptop))
+        return f"of laptop {laptop.number} for {3 * fault.size:.1f} s"
+
+    def _join_when_open(self, laptop: _Laptop) -> None:
+        if self._teacher_is_faulty:
+            self._later.add(1.0, partial(self._join_when_open, laptop))
+        else:
+            self._join(laptop)
+
+    def _fault_teacher_killed(self, fault: Fault) -> str:
+        if self._teacher_is_faulty:
+            return "already"
+        self._teacher_is_faulty = True
+        os.kill(hub_pid(self._testbed.teacher), signal.SIGKILL)
+        self._later.add(4 * fault.size, self._open_class_again)
+        return f"for {4 * fault.size:.1f} s"
+
+    def _open_class_again(self) -> None:
+        self._open_class()
+
+    def _fault_teacher_stopped(self, fault: Fault) -> str:
+        if self._teacher_is_faulty:
+            return "already"
+        self._teacher_is_faulty = True
+        pid = hub_pid(self._testbed.teacher)
+        os.kill(pid, signal.SIGSTOP)
+
+        def go_on() -> None:
+            os.kill(pid, signal.SIGCONT)
+            self._teacher_is_faulty = False
+            self._teacher_since = time.monotonic()
+
+        self._later.add(0.5 + 3 * fault.size, go_on)
+        return f"for {0.5 + 3 * fault.size:.1f} s"
+
+
+def run_class(folder: Path, seed: str, seconds: float, report: Report, stall: StallMeter) -> None:  # noqa: ARG001 - as run_domain
+    """Run the chaos in a class of 4 laptops with 3 nodes each."""
+    missing = missing_requirement()
+    if missing is not None:
+        report.note(f"no class: {missing}")
+        return
+    with LanTestbed(_LAPTOPS) as testbed:
+        ClassChaos(testbed, seed, seconds, report, stall).run()

@@ -1,0 +1,573 @@
+"""Readers of bytes from the network: messages, tokens, answers and documents."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+import zenoh
+
+import zbot  # noqa: F401 - makes the messages importable
+from tests.torture.reader import Reader
+from zbot.classroom.address import Address
+from zbot.classroom.admission import AdmissionService
+from zbot.classroom.attendance import Attendance
+from zbot.classroom.enrolment import membership_from
+from zbot.classroom.hub_queries import document_of
+from zbot.classroom.register import Register
+from zbot.classroom.robots import driver_in
+from zbot.errors import InvalidNameError
+from zbot.graph.endpoint_info import TypeHash
+from zbot.graph.snapshot import Snapshot, full_names, process_of
+from zbot.interfaces import get_interface, get_message, type_description
+from zbot.interfaces.definition_limits import check_limits
+from zbot.interfaces.errors import (
+    InterfaceSyntaxError,
+    UnknownInterfaceError,
+    UnknownPackageError,
+)
+from zbot.interfaces.plain_value import json_value
+from zbot.interfaces.remote_definition import hash_among, specs_from, specs_from_sources
+from zbot.json_reader import JsonError, read_json, read_json_object
+from zbot.libraries.image_array import CvBridge, CvBridgeError
+from zbot.libraries.point_cloud import read_points
+from zbot.log.teacher_notice import notice_text
+from zbot.names import validate_full_topic_name
+from zbot.parameters.errors import ParameterAnswerError
+from zbot.parameters.parameter import UnknownParameterTypeError
+from zbot.security.pin import PinClient, PinError, PinServer
+from zbot.security.secret import Secret
+from zbot.transport.admin_query import router_facts
+from zbot.web.image_encoder import ImageError, encode_jpeg, media_type
+from zbot.web.page_discovery import address_in
+from zbot.web.remote_parameter import remote_parameters
+from zbot.web.topic_picture import points_of, ring
+from zbot.web.value_text import brief
+from zbot.wire import attachment
+from zbot.wire.cdr import cdr_codec_for
+from zbot.wire.codec import codec_for
+from zbot.wire.error_reply import unpack_error
+from zbot.wire.errors import CodecError, TokenError
+from zbot.wire.keys import encoded_type, parse_key
+from zbot.wire.large_arrays import extract_arrays
+from zbot.wire.messagepack import UnreadableError, pack, unpack
+from zbot.wire.rmw_zenoh import RMW_ZENOH
+from zbot.wire.tokens import parse_token
+from zbot.wire.transcoder import to_cdr, to_messagepack
+
+from geometry_msgs.msg import Twist
+from nav_msgs.msg import Odometry, Path
+from rcl_interfaces.msg import Log, ParameterEvent
+from rcl_interfaces.srv import DescribeParameters, GetParameters
+from sensor_msgs.msg import CompressedImage, Image, LaserScan, PointCloud2, PointField
+from std_msgs.msg import ByteMultiArray, String
+from visualization_msgs.msg import Marker, MarkerArray
+
+_POSE_STAMPED: Any = get_message("geometry_msgs/msg/PoseStamped")
+_TYPES: tuple[Any, ...] = (
+    String(data="hello"),
+    Twist(),
+    Odometry(),
+    Path(poses=[_POSE_STAMPED()]),
+    MarkerArray(markers=[Marker(text="a"), Marker()]),
+    Log(level=40, name="talker", msg="late", file="a.py", line=5),
+    ParameterEvent(),
+    LaserScan(ranges=[0.5] * 40, range_max=9.0, angle_increment=0.1),
+    PointCloud2(width=2, height=1, point_step=4, data=bytes(8)),
+    ByteMultiArray(data=[b"a", b"b"]),
+    get_message("std_msgs/msg/UInt8MultiArray")(data=bytes(5000)),
+    get_message("action_msgs/msg/GoalStatusArray")(),
+)
+_ADDRESS = Address("10.0.0.1", 7447)
+_UNKNOWN = (InterfaceSyntaxError, UnknownInterfaceError, UnknownPackageError)
+_BOX = "box_msgs/msg/Box"
+
+
+def _text(data: bytes) -> str:
+    return data.decode(errors="replace")  # Zenoh's keys are valid UTF-8
+
+
+def _typed(codec_of: Any) -> Any:
+    def call(data: bytes) -> None:
+        message_type = type(_TYPES[data[0] % len(_TYPES)]) if data else String
+        message = codec_of(message_type).decode(data[1:])
+        brief(message)
+        json.dumps(json_value(message))
+
+    return call
+
+
+def _converted(converter: Any) -> Any:
+    def call(data: bytes) -> None:
+        message_type = type(_TYPES[data[0] % len(_TYPES)]) if data else String
+        assert converter(message_type)(data[1:])
+
+    return call
+
+
+def _typed_seeds(codec_of: Any) -> tuple[bytes, ...]:
+    return tuple(
+        bytes((index,)) + codec_of(type(message)).encode(message)
+        for index, message in enumerate(_TYPES)
+    )
+
+
+def _decoded(message_type: Any, data: bytes) -> Any:
+    return codec_for(message_type).decode(data)
+
+
+def _encoded(message: Any) -> bytes:
+    encode: Any = codec_for(type(message)).encode
+    octets: bytes = encode(message)
+    return octets
+
+
+def _token(data: bytes) -> None:
+    token: Any = parse_token(_text(data))
+    graph = Snapshot((token,))
+    full_names(graph.nodes)
+    assert [graph.topics(), graph.services(), graph.actions()]
+    assert token.gid
+    if graph.endpoints:
+        TypeHash.parse(graph.endpoints[0].type_hash)
+
+
+def _ros2_token(data: bytes) -> None:
+    token: Any = RMW_ZENOH.parse_token(_text(data))
+    assert len(token.gid) == 16
+    assert token == RMW_ZENOH.parse_token(token.key)
+    RMW_ZENOH.with_key(token)
+
+
+def _names(data: bytes) -> None:
+    key = _text(data)
+    parse_key(key)
+    encoded_type(key)
+    str(TypeHash.parse(key))
+    validate_full_topic_name(key)
+
+
+def _sources(data: bytes) -> None:
+    parts = _text(data).split("=====")
+    texts = dict(zip(parts[::2], parts[1::2], strict=False))
+    specs = specs_from_sources(_BOX, texts)
+    check_limits(specs)
+    hash_among(_BOX, specs)
+
+
+def _description(data: bytes) -> None:
+    specs = specs_from(read_json_object(data))
+    check_limits(specs)
+
+
+def _description_response(data: bytes) -> None:
+    from zbot.node.remote_types import _from_description, _from_texts  # noqa: PLC0415
+
+    answer = _decoded(
+        get_interface("type_description_interfaces/srv/GetTypeDescription_Response"), data
+    )
+    for read in (_from_texts, _from_description):
+        check_limits(read(answer, _BOX))
+
+
+def _parameters(data: bytes) -> None:
+    values, _, descriptors = data.partition(b"=====")
+    got = _decoded(GetParameters.Response, values).values
+    described = _decoded(DescribeParameters.Response, descriptors).descriptors
+    names = [f"a{index}" for index in range(len(got))]
+    for one in remote_parameters("/node", names, got, described):
+        assert one.text is not None
+
+
+def _image(data: bytes) -> None:
+    message = _decoded(Image, data)
+    try:
+        CvBridge().imgmsg_to_cv2(message)
+    except CvBridgeError:
+        encode_jpeg(message)
+
+
+def _cloud(data: bytes) -> None:
+    read_points(_decoded(PointCloud2, data))
+
+
+def _scan(data: bytes) -> None:
+    _, reach = points_of(_decoded(LaserScan, data))
+    ring(reach)
+
+
+def _pin(data: bytes) -> None:
+    document = read_json_object(data)
+    server, client = _PIN_SERVER, PinClient(Secret("1"), "4b", "hub")
+    for step in (
+        lambda: server.challenge(document),
+        lambda: server.admit(document),
+        lambda: client.claim(document, {}),
+        lambda: client.opened(document),
+    ):
+        try:
+            step()
+        except PinError as error:
+            assert str(error)  # noqa: PT017 - each step has the same named error
+
+
+_PIN_SERVER = PinServer(Secret("1"), "4b", bool, lambda: 0.0, lambda _: None)
+_PIN_SERVER._guesses = 1e9
+
+
+def _admission(data: bytes) -> None:
+    service = AdmissionService(
+        "4b",
+        "",
+        Register(),
+        is_own_hub=bool,
+        credentials=lambda _: {},
+        changed=lambda _: None,
+    )
+    json.dumps(service.answer(document_of(zenoh.ZBytes(data))))
+
+
+def _attendance(data: bytes) -> None:
+    attendance = Attendance()
+    attendance._learn(5, document_of(zenoh.ZBytes(data)), 0, 1)
+    json.dumps(attendance.laptop(5).last_error)
+
+
+def _json(value: Any) -> bytes:
+    return json.dumps(value).encode()
+
+
+def _box_texts() -> bytes:
+    texts = {
+        _BOX: "Lid lid\nfloat64[3] size 1\nstring<=5 name 'a' # b\n",
+        "box_msgs/msg/Lid": "bool x\n",
+    }
+    return "=====".join(part for pair in texts.items() for part in pair).encode()
+
+
+def _response(name: str) -> bytes:
+    from zbot.node.type_description import _describe  # noqa: PLC0415
+
+    srv: Any = get_interface("type_description_interfaces/srv/GetTypeDescription")
+    return _encoded(
+        _describe(srv.Request(type_name=name, include_type_sources=True), srv.Response())
+    )
+
+
+_FACTS = {"host": "desk", "pid": 7, "started": 9, "version": "1", "command": "run"}
+_ANSWER = _json(
+    {"sessions": [{"peer": "a1", "whatami": "peer"}], "metadata": {"zbot": _FACTS}, "locators": []}
+)
+_ROS2_TOKEN = (
+    b"@ros2_lv/5/a1b2/0/7/MP/%/%robots/talker/%chatter/std_msgs::msg::dds_::String_/RIHS01_"
+    + b"a" * 64
+    + b"/2:1:,5:0,100000000:,:,,"
+)
+_TOKEN = (
+    b"@zbot/5/a1b2/0/7/MP/%/%robots/talker/%chatter/std_msgs%msg%String/RIHS01_"
+    + b"a" * 64
+    + b"/::,10:,:,:,,"
+)
+_HELLO = PinClient(Secret("1"), "4b", "hub")
+_CHALLENGE = _PIN_SERVER.challenge(_HELLO.hello())
+
+NETWORK_READERS = (
+    Reader(
+        "json",
+        ("zbot.json_reader",),
+        read_json,
+        (JsonError,),
+        (
+            _ANSWER,
+            b'[1, -2.5e3, "\\u00e9\\ud83e\\udd16", null, true, {}]',
+            b"[" * 9000,
+            b"Infinity",
+        ),
+    ),
+    Reader(
+        "admin_space_router",
+        ("zbot.transport.admin_query",),
+        router_facts,
+        (JsonError,),
+        (_ANSWER,),
+    ),
+    Reader(
+        "admin_space_process",
+        ("zbot.graph.snapshot",),
+        lambda data: process_of("a1", data),
+        (),
+        (_ANSWER, b'{"metadata": {"zbot": {"pid": Infinity}}}'),
+    ),
+    Reader(
+        "liveliness_token",
+        ("zbot.wire.tokens", "zbot.wire.qos"),
+        _token,
+        (TokenError,),
+        (_TOKEN, b"@zbot/5/a1b2/0/0/NN/%/%robots/talker", _TOKEN.replace(b"MP", b"SS")),
+    ),
+    Reader(
+        "ros2_token",
+        ("zbot.wire.rmw_zenoh", "zbot.wire.tokens", "zbot.wire.qos", "zbot.wire.xxh3"),
+        _ros2_token,
+        (TokenError,),
+        (_ROS2_TOKEN, b"@ros2_lv/5/a1b2/0/0/NN/%/%robots/talker", _ROS2_TOKEN + b"/backends:cpu:"),
+    ),
+    Reader(
+        "key",
+        ("zbot.wire.keys", "zbot.names", "zbot.graph.endpoint_info"),
+        _names,
+        (InvalidNameError,),
+        (
+            b"5/chatter",
+            b"/robots/a_1",
+            b"RIHS01_" + b"a" * 64,
+            b"zbot;std_msgs/msg/String",
+            b"/" + b"a/" * 90 + b"b",
+        ),
+    ),
+    Reader(
+        "messagepack",
+        ("zbot.wire.messagepack",),
+        unpack,
+        (UnreadableError,),
+        (
+            pack({"a": [1, 2.5, "b", b"c", None, True, {"d": [0] * 2000}]}),
+            b"\xdd\xff\xff\xff\xff" * 9,
+            b"\x91" * 9000,
+        ),
+    ),
+    Reader(
+        "message",
+        (
+            "zbot.wire.codec",
+            "zbot.wire.default_memory",
+            "zbot.interfaces.array_value",
+            "zbot.interfaces.field_check",
+        ),
+        _typed(codec_for),
+        (CodecError,),
+        _typed_seeds(codec_for),
+    ),
+    Reader(
+        "cdr_message",
+        ("zbot.wire.cdr", "zbot.wire.cdr_decoder", "zbot.wire.cdr_values"),
+        _typed(cdr_codec_for),
+        (CodecError,),
+        _typed_seeds(cdr_codec_for),
+    ),
+    Reader(
+        "cdr_to_messagepack",
+        ("zbot.wire.transcoder", "zbot.wire.transcoder_values"),
+        _converted(to_messagepack),
+        (CodecError,),
+        _typed_seeds(cdr_codec_for),
+    ),
+    Reader(
+        "messagepack_to_cdr",
+        ("zbot.wire.transcoder", "zbot.wire.transcoder_values"),
+        _converted(to_cdr),
+        (CodecError,),
+        _typed_seeds(codec_for),
+    ),
+    Reader(
+        "robot_driver",
+        ("zbot.classroom.robots",),
+        lambda data: driver_in(document_of(zenoh.ZBytes(data)), "robot"),
+        (),
+        (b'{"drivers": {"robot": 17}}', b'{"drivers": {"robot": true}}', b'{"drivers": [17]}'),
+    ),
+    Reader(
+        "large_arrays",
+        ("zbot.wire.large_arrays",),
+        lambda data: extract_arrays(data, {pack("data"): "data"}),
+        (),
+        (pack({"data": bytes(9000), "a": 1}), pack({"layout": {}, "data": b"abc"})),
+    ),
+    Reader(
+        "attachment",
+        ("zbot.wire.attachment",),
+        attachment.unpack,
+        (),
+        (attachment.pack(5, 6, bytes(16)), b""),
+    ),
+    Reader(
+        "error_reply",
+        ("zbot.wire.error_reply",),
+        unpack_error,
+        (),
+        (pack({"error": "a", "message": "b"}), b"plain text"),
+    ),
+    Reader(
+        "type_sources",
+        ("zbot.interfaces.remote_definition", "zbot.interfaces.definition_limits"),
+        _sources,
+        _UNKNOWN,
+        (_box_texts(), b"box_msgs/msg/Box=====Box b\n"),
+    ),
+    Reader(
+        "type_description",
+        ("zbot.interfaces.remote_definition",),
+        _description,
+        (*_UNKNOWN, JsonError),
+        (
+            _json(type_description("geometry_msgs/msg/PoseStamped")),
+            _json(type_description("std_srvs/srv/SetBool")),
+        ),
+    ),
+    Reader(
+        "type_description_response",
+        ("zbot.node.remote_types",),
+        _description_response,
+        (*_UNKNOWN, CodecError),
+        (_response("geometry_msgs/msg/Pose"), _response("std_msgs/msg/String")),
+    ),
+    Reader(
+        "parameter_answers",
+        ("zbot.web.remote_parameter", "zbot.parameters.parameter"),
+        _parameters,
+        (CodecError, ParameterAnswerError, UnknownParameterTypeError),
+        (
+            pack({"values": [{"type": 2, "integer_value": 5}]})
+            + b"====="
+            + pack(
+                {
+                    "descriptors": [
+                        {"name": "a", "integer_range": [{"from_value": 1, "to_value": 9}]}
+                    ]
+                }
+            ),
+            pack(
+                {
+                    "values": [
+                        {"type": 9, "string_array_value": ["a"]},
+                        {"type": 5, "byte_array_value": [1]},
+                    ]
+                }
+            )
+            + b"====="
+            + pack({"descriptors": [{}, {}]}),
+        ),
+    ),
+    Reader(
+        "image",
+        ("zbot.libraries.image_array", "zbot.web.image_encoder"),
+        _image,
+        (CodecError, ImageError, CvBridgeError),
+        (
+            _encoded(Image(width=2, height=2, encoding="rgb8", step=6, data=bytes(12))),
+            _encoded(Image(width=2, height=1, encoding="32FC1", step=8, data=bytes(8))),
+        ),
+    ),
+    Reader(
+        "compressed_image",
+        ("zbot.web.image_encoder",),
+        lambda data: media_type(bytes(_decoded(CompressedImage, data).data)),
+        (CodecError, ImageError),
+        (_encoded(CompressedImage(format="jpeg", data=b"\xff\xd8\xff")),),
+    ),
+    Reader(
+        "laser_scan",
+        ("zbot.web.topic_picture",),
+        _scan,
+        (CodecError,),
+        (_encoded(LaserScan(ranges=[0.5, 2.0], range_max=9.0, angle_increment=0.1)),),
+    ),
+    Reader(
+        "point_cloud",
+        ("zbot.libraries.point_cloud",),
+        _cloud,
+        (CodecError, ValueError, AssertionError),
+        (
+            _encoded(
+                PointCloud2(
+                    width=2,
+                    height=1,
+                    point_step=4,
+                    row_step=8,
+                    data=bytes(8),
+                    fields=[PointField(name="x", datatype=7, count=1)],
+                )
+            ),
+        ),
+    ),
+    Reader(
+        "teacher_notice",
+        ("zbot.log.teacher_notice",),
+        notice_text,
+        (),
+        (b'{"text": "hello", "time": 5}',),
+    ),
+    Reader(
+        "hub_document",
+        ("zbot.classroom.hub_queries",),
+        lambda data: document_of(zenoh.ZBytes(data)),
+        (),
+        (b'{"op": "hello"}', b"[" * 9000),
+    ),
+    Reader(
+        "admission",
+        ("zbot.classroom.admission",),
+        _admission,
+        (),
+        (
+            b'{"op": "hello"}',
+            _json({"op": "enrol", **_HELLO.hello()}),
+            b'{"op": "release", "number": 5, "proof": "\xc3\xa9"}',
+        ),
+    ),
+    Reader(
+        "attendance",
+        ("zbot.classroom.attendance",),
+        _attendance,
+        (),
+        (
+            _json(
+                {
+                    "version": "1",
+                    "system": "Linux",
+                    "time_ns": 5,
+                    "last_error": {"node": "a", "text": "b"},
+                }
+            ),
+        ),
+    ),
+    Reader(
+        "class_membership",
+        ("zbot.classroom.enrolment",),
+        lambda data: membership_from(_ADDRESS, document_of(zenoh.ZBytes(data))),
+        (KeyError, TypeError, ValueError),
+        (
+            _json(
+                {
+                    "class": "4b",
+                    "number": 17,
+                    "name": "Ana",
+                    "claim": "a1",
+                    "hub_id": "f0",
+                    "user": "student17",
+                    "secret": "ab",
+                }
+            ),
+        ),
+    ),
+    Reader(
+        "pin",
+        ("zbot.security.pin",),
+        _pin,
+        (JsonError,),
+        (
+            _json(_HELLO.hello()),
+            _json(_CHALLENGE),
+            _json(_HELLO.claim(_CHALLENGE, {"a": 1})),
+            _json({"answer": "00", "tag": "00", "visit": "\ud800", "claim": "00", "proof": "a"}),
+        ),
+        limit_s=2.0,
+    ),
+    Reader(
+        "page_announcement",
+        ("zbot.web.page_discovery",),
+        lambda data: address_in(_text(data)),
+        (),
+        (b'{"host": "desk", "address": "http://127.0.0.1:8080"}', b'{"host": 5}'),
+    ),
+)

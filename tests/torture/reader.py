@@ -1,0 +1,33 @@
+"""Reader of foreign bytes or text, as the torture test sees it."""
+
+from __future__ import annotations
+
+import shutil
+import tempfile
+from dataclasses import dataclass
+from multiprocessing.util import Finalize
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+
+@dataclass(frozen=True)
+class Reader:
+    """A reader and what it may do."""
+
+    name: str
+    modules: tuple[str, ...]  #: the modules that contain it, e.g. `zbot.wire.codec`
+    call: Callable[[bytes], object]
+    errors: tuple[type[Exception], ...]  #: the named errors with which it may refuse an input
+    seeds: tuple[bytes, ...]  #: valid inputs, and inputs that once were a problem
+    limit_s: float = 1.0  #: the longest processor time for one input, see `allowed`
+
+
+def temporary_folder(prefix: str) -> Path:
+    """Return a new folder, which is removed when this process ends."""
+    folder = Path(tempfile.mkdtemp(prefix=prefix))
+    # `atexit` does not run in the processes of multiprocessing, and this does.
+    Finalize(None, shutil.rmtree, (folder, True), exitpriority=0)
+    return folder

@@ -1,0 +1,28 @@
+"""List of all readers of foreign bytes or text. A test checks that no module is missing in it."""
+
+from __future__ import annotations
+
+from tests.torture.bag_readers import BAG_READERS
+from tests.torture.network_readers import NETWORK_READERS
+from tests.torture.text_readers import TEXT_READERS
+from tests.torture.web_readers import WEB_READERS
+
+READERS = (*NETWORK_READERS, *TEXT_READERS, *BAG_READERS, *WEB_READERS)
+
+#: Modules that call a parser, but have no reader in the list. The value is the reason.
+EXCEPTIONS = {
+    "zbot.classroom.background": "it reads only the file that this user's own hub writes",
+    "zbot.package.finder": "it reads only the direct_url.json that pip writes",
+    "zbot.node.service": "the attachment has the right length, which _request_id checks",
+    "zbot.node.service_introspection": "it reads the bytes that zbot.node.service has checked",
+    "zbot.node.service_request": "it reads an attachment that this process has packed",
+    "zbot.transport.config": "it reads the settings that Zenoh has checked",
+    "zbot.transport.environment": "it reads the settings that Zenoh has checked",
+    "zbot.transport.running_programs": "it reads the files that this user's programs write",
+    "zbot.web.request_check": "the standard library's parsers of addresses raise only ValueError",
+    "zbot.web.rosbridge.frame": "it makes a picture of the text that this process has written",
+    "zbot_cli.commands.run.script": "it reads the program that the user runs anyway",
+    "zbot_cli.commands.test": "it reads the tests that the user runs anyway",
+    "zbot_cli.packages.known_workspaces": "it reads the list that this user's zbot writes",
+    "zbot_nodes.turtlesim.world": "it rounds a constant to a 32-bit float",
+}

@@ -1,0 +1,39 @@
+from __future__ import annotations
+
+import pytest
+
+from zbot.interfaces.unknown_field import add_advice
+
+from geometry_msgs.msg import Twist, Vector3
+from std_msgs.msg import Int8
+
+
+def text_after_advice(message: object, field: str) -> str:
+    with pytest.raises(AttributeError) as caught:
+        setattr(message, field, 1.0)
+    caught.value.obj = None  # later versions of Python set it, and suggest a name themselves
+    add_advice(caught.value)
+    add_advice(caught.value)
+    return str(caught.value)
+
+
+def test_an_assignment_of_an_unknown_field_names_the_nearest() -> None:
+    text = text_after_advice(Twist(), "liner")
+    assert text.startswith("'Twist' object has no attribute 'liner'")
+    assert text.endswith("; did you mean 'linear'?")
+    assert text.count("did you mean") == 1
+
+
+def test_an_assignment_of_an_unknown_field_names_all_if_none_is_near() -> None:
+    assert text_after_advice(Vector3(), "speed").endswith("; it has x, y, z")
+
+
+def test_errors_of_other_objects_are_left_alone() -> None:
+    class Robot:
+        __slots__ = ()
+
+    assert "; " not in text_after_advice(Robot(), "speed")
+    error = ValueError("'Int8' object has no attribute 'dta'")
+    add_advice(error)
+    assert str(error) == "'Int8' object has no attribute 'dta'"
+    assert Int8().data == 0

@@ -1,0 +1,101 @@
+"""Tests of the reader of robot descriptions, and of the transforms of joints."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from zbot_nodes.description.urdf import quaternion, read_urdf
+from zbot_nodes.description.xml_text import DescriptionError
+
+LINKS = '<link name="a"/><link name="b"/>'
+LIMIT = '<limit lower="-1" upper="2" effort="1" velocity="1"/>'
+
+
+def joint(inside: str = "", type_: str = "continuous", name: str = "j", ends: str = "a b") -> str:
+    parent, child = ends.split()
+    both = f'<parent link="{parent}"/><child link="{child}"/>'
+    return f'<joint name="{name}" type="{type_}">{both}{inside}</joint>'
+
+
+def robot(inside: str) -> str:
+    return f'<?xml version="1.0" encoding="latin-1"?><robot name="ü">{inside}</robot>'
+
+
+def test_a_description_is_read() -> None:
+    inside = (
+        '<origin xyz="1 2 3" rpy="0 0 1.5"/><axis xyz="0 0 2"/><mimic joint="k" multiplier="-2" '
+        f'offset="0.5"/>{LIMIT}<safety_controller soft_lower_limit="-0.5" k_velocity="1"/>'
+    )
+    found = read_urdf(robot(LINKS + joint(inside, "revolute") + "<material name='red'/>"))
+    assert (found.name, found.root, found.links) == ("ü", "a", ("a", "b"))
+    one = found.joints["j"]
+    assert (one.type, one.parent, one.child) == ("revolute", "a", "b")
+    assert (one.lower, one.upper, one.soft_lower, one.soft_upper) == (-1, 2, -0.5, None)
+    assert one.axis == (0, 0, 1)
+    assert one.origin.translation == (1, 2, 3)
+    assert one.mimic is not None
+    assert (one.mimic.joint, one.mimic.multiplier, one.mimic.offset) == ("k", -2, 0.5)
+
+
+def test_angles_are_about_fixed_axes() -> None:
+    half = math.sqrt(0.5)
+    assert quaternion(0, 0, math.pi / 2) == pytest.approx((0, 0, half, half))
+    # Roll first: the x axis stays, then yaw turns it to y.
+    assert quaternion(math.pi / 2, 0, math.pi / 2) == pytest.approx((0.5, 0.5, 0.5, 0.5))
+
+
+@pytest.mark.parametrize(
+    ("type_", "translation", "rotation"),
+    [
+        ("continuous", (0, 0, 1), (0, math.sin(0.25), 0, math.cos(0.25))),
+        ("revolute", (0, 0, 1), (0, math.sin(0.25), 0, math.cos(0.25))),
+        ("prismatic", (0, 0.5, 1), (0, 0, 0, 1)),
+        ("fixed", (0, 0, 1), (0, 0, 0, 1)),
+        ("floating", (0, 0, 1), (0, 0, 0, 1)),
+        ("planar", (0, 0, 1), (0, 0, 0, 1)),
+    ],
+)
+def test_a_position_moves_along_or_about_the_axis(
+    type_: str, translation: tuple[float, ...], rotation: tuple[float, ...]
+) -> None:
+    inside = f'<origin xyz="0 0 1"/><axis xyz="0 3 0"/>{LIMIT}'
+    pose = read_urdf(robot(LINKS + joint(inside, type_))).joints["j"].transform(0.5)
+    assert pose.translation == pytest.approx(translation)
+    assert pose.rotation == pytest.approx(rotation)
+
+
+@pytest.mark.parametrize(
+    ("text", "reason"),
+    [
+        ("", "it is empty"),
+        ("robot.urdf", "line 1: syntax error"),
+        ("<robot name='a'>", "no element found"),
+        ("<sdf/>", "the outermost tag is <sdf>, but must be <robot>"),
+        ("<!DOCTYPE a [<!ENTITY b 'c'>]><robot/>", "must not define entities"),
+        ("<a>" * 200, "nested deeper than 100 levels"),
+        ("<robot><link name='a'/></robot>", "a <robot> has no name"),
+        (robot(""), "it has no <link>"),
+        (robot("<link/>"), "a <link> has no name"),
+        (robot(LINKS), "'a' and 'b' both have no parent: connect them by a joint"),
+        (robot(LINKS + LINKS), "two links have the name 'a'"),
+        (robot(LINKS + joint() + joint(ends="b a")), "two joints have the name 'j'"),
+        (robot(LINKS + joint() + joint(name="k")), "link 'b' is the child of two joints"),
+        (robot(LINKS + joint() + joint(name="k", ends="b a")), "around link 'a' form a loop"),
+        (robot(LINKS + joint(ends="a c")), "joint 'j' names the unknown link 'c'"),
+        (robot(LINKS + "<joint name='j' type='fixed'/>"), "joint 'j' has no <parent link"),
+        (robot(LINKS + joint(type_="hinge")), "joint 'j' has the type 'hinge', not revolute"),
+        (robot(LINKS + joint(type_="revolute")), "joint 'j' is revolute, but has no <limit>"),
+        (robot(LINKS + joint('<limit effort="1"/>')), "the <limit> of joint 'j' has no velocity"),
+        (robot(LINKS + joint('<origin xyz="1 2"/>')), "origin of joint 'j' must be 3 numbers"),
+        (robot(LINKS + joint('<origin rpy="0 0 nan"/>')), "must be 3 numbers, not '0 0 nan'"),
+        (robot(LINKS + joint('<axis xyz="0 0 0"/>')), "the axis of joint 'j' has the length 0"),
+        (robot(LINKS + joint("<mimic/>")), "the <mimic> of joint 'j' names no joint"),
+        (robot('<xacro:include xmlns:xacro="x"/>'), "it contains <xacro:include>: give the output"),
+    ],
+)
+def test_an_invalid_description_is_refused(text: str, reason: str) -> None:
+    with pytest.raises(DescriptionError) as caught:
+        read_urdf(text)
+    assert reason in str(caught.value)

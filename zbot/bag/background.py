@@ -1,0 +1,204 @@
+"""Recordings and playbacks in threads of their own, with a node and a context each."""
+
+from __future__ import annotations
+
+import contextlib
+import threading
+import time
+import traceback
+from typing import TYPE_CHECKING, Any
+
+from zbot.bag.errors import BagError
+from zbot.bag.node_thread import spinning
+from zbot.bag.player import Player
+from zbot.bag.player_services import PlayerServices
+from zbot.bag.reader import Reader
+from zbot.bag.recorder import Discovery, Recorder
+from zbot.bag.writer import Writer
+from zbot.context import Context
+from zbot.errors import ExternalShutdownException, ZbotError
+from zbot.executor.single_threaded_executor import SingleThreadedExecutor
+from zbot.log import get_logger
+from zbot.node.node import Node
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from pathlib import Path
+
+    from zbot.bag.play_options import PlayOptions
+    from zbot.bag.selection import Selection
+
+_START_S = 20.0  #: longest wait for the node
+_STOP_S = 60.0  #: longest wait for the end; a bag may have much to write
+PLAYER_NAME, RECORDER_NAME = "rosbag2_player", "rosbag2_recorder"
+
+
+class _Background:
+    """Work in a thread. `error` says why it ended early."""
+
+    def __init__(self, name: str, domain_id: int | None, *, is_client: bool = False) -> None:
+        self.error = ""
+        self._domain_id = domain_id
+        self._is_client = is_client
+        self._is_ready = threading.Event()
+        self._is_ended = False
+        self._thread = threading.Thread(target=self._run, name=name, daemon=True)
+        self._thread.start()
+        if not self._is_ready.wait(_START_S):
+            self._end()  # as soon as it can: nobody could stop it later
+            raise BagError(f"{name} has not started within {_START_S:g} s")
+
+    @property
+    def is_running(self) -> bool:
+        """Whether the work has not ended."""
+        return self._thread.is_alive()
+
+    def join(self, timeout_s: float | None = None) -> None:
+        """Wait for the end."""
+        self._thread.join(timeout_s)
+
+    def stop(self) -> None:
+        """End the work, and wait for it. If it does not end within 60 s, `error` says so."""
+        self._end()
+        self.join(_STOP_S)
+        if self.is_running:
+            self.error = f"{self._thread.name} has not ended within {_STOP_S:g} s"
+
+    def _run(self) -> None:
+        try:
+            self._work()
+        except ExternalShutdownException:
+            pass  # the process ends
+        except ZbotError as error:
+            self.error = str(error)
+        except Exception as error:  # noqa: BLE001 - whoever started the thread sees it
+            self.error = f"{self._thread.name} failed: {error!r}"
+            get_logger("zbot.bag").error("".join(traceback.format_exception(error)))
+        finally:
+            self._is_ready.set()
+
+    def _work(self) -> None:
+        raise NotImplementedError
+
+    def _begin(self) -> None:
+        self._is_ready.set()
+        if self._is_ended:
+            self._end()  # the first `_end` came too early to reach the work
+
+    def _end(self) -> None:
+        """End the work soon. It may not have begun yet."""
+        self._is_ended = True
+
+    @contextlib.contextmanager
+    def _node(self, name: str) -> Iterator[Node]:
+        context = Context(mode="client" if self._is_client else "peer")
+        context.init([], domain_id=self._domain_id)
+        try:
+            if self._is_client:
+                context.connect(wait=True)
+            node = Node(
+                name,
+                context=context,
+                use_global_arguments=False,
+                enable_rosout=False,
+                start_parameter_services=False,
+            )
+            if self._is_ended:
+                raise ExternalShutdownException
+            yield node
+        finally:
+            context.shutdown()
+
+
+class BackgroundPlayback(_Background):
+    """Playback of a bag. It begins at once. Any thread may call its methods.
+
+    Args:
+        path: The bag.
+        options: How to play.
+        domain_id: 0 to 232. `None` means the same as in `zbot.init`.
+
+    Raises:
+        BagError: The playback does not start.
+    """
+
+    def __init__(self, path: Path, options: PlayOptions, domain_id: int | None = None) -> None:
+        self.path = path
+        self._options = options
+        self.player: Player | None = None  #: `None` if the bag cannot be played
+        super().__init__("zbot bag playback", domain_id)
+
+    def _end(self) -> None:
+        super()._end()
+        if self.player is not None:
+            self.player.stop()
+
+    def _work(self) -> None:
+        with Reader(self.path) as bag, self._node(PLAYER_NAME) as node:
+            player = Player(node, [bag], self._options)
+            PlayerServices(node, player)
+            with spinning(node):
+                self.player = player
+                self._begin()
+                player.run()
+
+
+class BackgroundRecording(_Background):
+    """Recording of topics. It begins at once. Any thread may call its methods.
+
+    Args:
+        path: Folder of the new bag.
+        selection: The topics.
+        domain_id: 0 to 232. `None` means the same as in `zbot.init`.
+        is_client: Whether to be a client of the domain's router, e.g. for the domain of a student.
+        options: Arguments of `Writer`.
+
+    Raises:
+        BagError: The recording does not start.
+    """
+
+    def __init__(
+        self,
+        path: Path,
+        selection: Selection,
+        domain_id: int | None = None,
+        *,
+        is_client: bool = False,
+        **options: Any,
+    ) -> None:
+        self.path = path
+        self.started_s = time.monotonic()
+        self.recorder: Recorder | None = None  #: `None` if the bag cannot be written
+        self._selection = selection
+        self._options = options
+        super().__init__("zbot bag recording", domain_id, is_client=is_client)
+
+    @property
+    def bytes(self) -> int:
+        """Size of the files so far."""
+        with contextlib.suppress(OSError):  # the folder was removed
+            return sum(one.stat().st_size for one in self.path.iterdir())
+        return 0
+
+    def _end(self) -> None:
+        super()._end()
+        if self.recorder is not None:
+            self.recorder.end()
+
+    def _work(self) -> None:
+        with self._node(RECORDER_NAME) as node:
+            recorder = Recorder(
+                node,
+                Writer(self.path, **self._options),
+                self._selection,
+                discovery=Discovery(),
+                overrides={},
+            )
+            executor = SingleThreadedExecutor(context=node.context)
+            executor.add_node(node)
+            self.recorder = recorder
+            self._begin()
+            try:
+                recorder.run(executor)
+            finally:
+                recorder.stop()

@@ -1,0 +1,180 @@
+"""Text about a bag, as `ros2 bag info` prints it."""
+
+from __future__ import annotations
+
+import time
+from collections import Counter
+from typing import TYPE_CHECKING, Any
+
+from zbot.bag.action_description import action_name, action_text
+from zbot.bag.size_text import size_text
+from zbot.time import S_TO_NS
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable, Sequence
+
+    from zbot.bag.metadata import BagMetadata, TopicInformation
+    from zbot.bag.reader import Reader
+
+_INDENT = 19
+_EVENT_TOPIC, _EVENT_TYPE = "/_service_event", "_Event"
+SORT_KEYS: dict[str, Callable[[TopicInformation], Any]] = {
+    "name": lambda one: one.topic.name,
+    "type": lambda one: one.topic.type_name,
+    "count": lambda one: one.message_count,
+    "serialization_format": lambda one: one.topic.serialization_format,
+}
+
+
+def is_service_event(name: str, type_name: str) -> bool:
+    """Return whether a topic has the recorded calls of a service."""
+    return name.endswith(_EVENT_TOPIC) and type_name.endswith(_EVENT_TYPE)
+
+
+def service_name(topic: str) -> str:
+    """Return the name of the service whose calls are on a topic."""
+    return topic.removesuffix(_EVENT_TOPIC)
+
+
+def topic_names(metadata: BagMetadata, sort: str = "name") -> list[str]:
+    """Return the names of the topics that do not belong to services."""
+    return [
+        one.topic.name
+        for one in _sorted(metadata, sort)
+        if not _is_event(one) and not action_name(one.topic.name)
+    ]
+
+
+def description(
+    metadata: BagMetadata,
+    *,
+    sort: str = "name",
+    sizes: dict[str, int] | None = None,
+    calls: dict[str, tuple[int, int]] | None = None,
+) -> str:
+    """Return the text of `ros2 bag info`, which begins with an empty line.
+
+    Args:
+        metadata: The bag's description.
+        sort: A key of `SORT_KEYS`.
+        sizes: Bytes of the messages of each topic, for `--verbose`.
+        calls: Requests and responses of each service, for `--verbose`.
+    """
+    everything = _sorted(metadata, sort)
+    actions = _actions(everything)
+    plain = [one for one in everything if not action_name(one.topic.name)]
+    events = [one for one in plain if _is_event(one)]
+    topics = [one for one in plain if not _is_event(one)]
+    lines = [
+        "",
+        f"Files:             {_below(metadata.paths)}",
+        f"Bag size:          {size_text(metadata.bag_size)}",
+        f"Storage id:        {metadata.storage_id}",
+        f"ROS Distro:        {metadata.ros_distro or 'unknown'}",
+        f"Duration:          {_seconds(metadata.duration_ns)}s",
+        f"Start:             {_time(metadata.start_ns)}",
+        f"End:               {_time(metadata.end_ns)}",
+        f"Messages:          {sum(one.message_count for one in topics)}",
+        f"Topic information: {_below(_topic_lines(topics, sizes))}",
+        f"Service:           {len(events)}",
+        f"Service information: {_below(_service_lines(events, sizes, calls), _INDENT + 2)}",
+    ]
+    end = "\n\n" if events else "\n"
+    return "\n".join(lines) + end + action_text(actions, sizes, calls)
+
+
+def _actions(topics: Sequence[TopicInformation]) -> dict[str, list[TopicInformation]]:
+    found: dict[str, list[TopicInformation]] = {}
+    for one in topics:
+        name = action_name(one.topic.name)
+        if name:
+            found.setdefault(name, []).append(one)
+    return found
+
+
+def contributions(bag: Reader) -> tuple[dict[str, int], dict[str, tuple[int, int]]]:
+    """Return the bytes of each topic, and the requests and responses of each service.
+
+    Raises:
+        BagReadError: A part of the bag is damaged.
+    """
+    sizes: Counter[str] = Counter()
+    kinds: dict[str, Counter[int]] = {}
+    events = {name for name, one in bag.topics.items() if is_service_event(name, one.type_name)}
+    for one in bag.messages():
+        sizes[one.topic] += len(one.data)
+        if one.topic in events and len(one.data) > _EVENT_KIND:
+            kinds.setdefault(one.topic, Counter())[one.data[_EVENT_KIND]] += 1
+    # A call that both sides report is counted once.
+    calls = {name: (max(k[0], k[1]), max(k[2], k[3])) for name, k in kinds.items()}
+    return dict(sizes), calls
+
+
+_EVENT_KIND = 4  # `event_type` is the first field of an event, behind the header of CDR
+
+
+def _is_event(one: TopicInformation) -> bool:
+    return is_service_event(one.topic.name, one.topic.type_name)
+
+
+def _sorted(metadata: BagMetadata, sort: str) -> list[TopicInformation]:
+    return sorted(metadata.topics, key=SORT_KEYS[sort])
+
+
+def _topic_lines(topics: Sequence[TopicInformation], sizes: dict[str, int] | None) -> Iterable[str]:
+    for one in topics:
+        topic = one.topic
+        size = "" if sizes is None else f"{_contribution(sizes, topic.name)} | "
+        yield (
+            f"Topic: {topic.name} | Type: {topic.type_name} | Count: {one.message_count} | "
+            f"{size}Serialization Format: {topic.serialization_format}"
+        )
+
+
+def _service_lines(
+    events: Sequence[TopicInformation],
+    sizes: dict[str, int] | None,
+    calls: dict[str, tuple[int, int]] | None,
+) -> Iterable[str]:
+    for one in events:
+        topic = one.topic
+        if calls is None:
+            count = f"Event Count: {one.message_count}"
+        else:
+            requests, responses = calls.get(topic.name, (0, 0))
+            count = f"Request Count: {requests} | Response Count: {responses}"
+        size = "" if sizes is None else f"{_contribution(sizes, topic.name)} | "
+        yield (
+            f"Service: {service_name(topic.name)} | "
+            f"Type: {topic.type_name.removesuffix(_EVENT_TYPE)} | {count} | "
+            f"{size}Serialization Format: {topic.serialization_format}"
+        )
+
+
+def _contribution(sizes: dict[str, int], topic: str) -> str:
+    return f"Size Contribution: {size_text(sizes.get(topic, 0))}"
+
+
+def _below(lines: Iterable[str], indent: int = _INDENT) -> str:
+    return f"\n{' ' * indent}".join(lines)
+
+
+def _seconds(time_ns: int) -> str:
+    seconds, rest = divmod(time_ns, S_TO_NS)
+    return f"{seconds}.{rest:09}"
+
+
+def _time(time_ns: int) -> str:
+    # %e of C: the day of the month with a space in front of a single digit.
+    seconds, rest = divmod(time_ns, S_TO_NS)
+    try:
+        local = time.localtime(seconds)
+    except (OverflowError, ValueError, OSError):
+        return f"({_seconds(time_ns)})"  # the system has no date for it
+    month = _MONTHS[local.tm_mon - 1]
+    clock = f"{local.tm_hour:02}:{local.tm_min:02}:{local.tm_sec:02}.{rest:09}"
+    return f"{month} {local.tm_mday:>2} {local.tm_year} {clock} ({_seconds(time_ns)})"
+
+
+# The same in all languages of the system.
+_MONTHS = ("Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec")

@@ -1,0 +1,71 @@
+"""Errors of bags. Each is one sentence that says which bag and what is wrong."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from zbot.errors import ZbotError
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+
+class BagError(ZbotError, RuntimeError):
+    """Root of the errors of bags."""
+
+
+class NoBagExtraError(BagError, ImportError):
+    """A package that reads and writes bags is not installed."""
+
+    def __init__(self, missing: str) -> None:
+        self.missing = missing
+        super().__init__(f'bags need {missing}: install it with pip install "zbot[bag]"')
+
+
+class BagNotFoundError(BagError, LookupError):
+    """There is no bag with this path."""
+
+    def __init__(self, path: Path | str) -> None:
+        self.path = str(path)
+        super().__init__(f"Bag path '{path}' does not exist!")
+
+
+class BagExistsError(BagError):
+    """A new bag cannot be written, because there is a file or folder with its name."""
+
+    def __init__(self, path: Path | str) -> None:
+        self.path = str(path)
+        self.hint = "choose another name with -o, or delete the folder"
+        super().__init__(f"Output folder '{path}' already exists.")
+
+
+class BagReadError(BagError, ValueError):
+    """A bag cannot be read."""
+
+    def __init__(self, path: Path | str, reason: str) -> None:
+        self.path, self.reason = str(path), reason
+        super().__init__(f"cannot read the bag '{path}': {reason}")
+
+
+class BagWriteError(BagError):
+    """A bag cannot be written any more, e.g. because the disk is full."""
+
+    def __init__(self, path: Path | str, reason: str) -> None:
+        self.path, self.reason = str(path), reason
+        super().__init__(f"cannot write the bag '{path}': {reason}")
+
+
+class BagTopicError(BagError, ValueError):
+    """A message or a topic does not fit the bag."""
+
+    def __init__(self, topic: str, reason: str) -> None:
+        self.topic, self.reason = topic, reason
+        super().__init__(f"topic '{topic}' of the bag: {reason}")
+
+
+class BagTypeError(BagError, LookupError):
+    """A bag's messages have a type that is not known here or is different here."""
+
+    def __init__(self, type_name: str, reason: str) -> None:
+        self.type_name, self.reason = type_name, reason
+        super().__init__(f"cannot use the message type '{type_name}' of the bag: {reason}")

@@ -1,0 +1,287 @@
+"""Reader of MCAP files. It also reads files that have no end, e.g. after SIGKILL."""
+
+from __future__ import annotations
+
+import os
+import struct
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, BinaryIO
+
+from zbot.bag.errors import BagReadError
+from zbot.bag.mcap_chunk import chunk_messages
+from zbot.bag.message import BagMessage, Definition
+from zbot.bag.metadata import (
+    BagMetadata,
+    FileInformation,
+    TopicInformation,
+    TopicMetadata,
+    read_metadata,
+)
+from zbot.bag.packages import import_mcap
+from zbot.bag.qos_profiles import read_profiles
+
+if TYPE_CHECKING:
+    from collections.abc import Collection, Iterator
+    from pathlib import Path
+
+STORAGE_ID = "mcap"
+_MIN_BYTES = 64  #: a shorter file has no room for a footer
+# A chunk of some kilobytes can claim to contain more than the memory holds.
+_MAX_CHUNK_BYTES = 2**30
+# Before the compressed bytes, a chunk has an opcode, five numbers, and the name of the compression.
+_COMPRESSION_AT, _SIZE_BYTES, _FRAME_HEADER_BYTES = 1 + 8 + 8 + 8 + 8 + 4, 8, 18
+
+
+@dataclass
+class _Contents:
+    """What a file contains, from its summary or from all its records."""
+
+    channels: dict[int, Any] = field(default_factory=dict)
+    schemas: dict[int, Any] = field(default_factory=dict)
+    counts: dict[int, int] = field(default_factory=dict)
+    start_ns: int = 0
+    end_ns: int = 0
+    chunks: list[Any] = field(default_factory=list)  #: their indexes, if the file has a summary
+
+    def add(self, channel_id: int, time_ns: int) -> None:
+        self.start_ns = min(time_ns, self.start_ns) if self.counts else time_ns
+        self.end_ns = max(time_ns, self.end_ns)
+        self.counts[channel_id] = self.counts.get(channel_id, 0) + 1
+
+
+class McapReader:
+    """Reader of one MCAP file.
+
+    Args:
+        path: The file.
+
+    Raises:
+        BagReadError: The file cannot be read or is not MCAP.
+        NoBagExtraError: The package `mcap` is not installed.
+    """
+
+    def __init__(self, path: Path) -> None:
+        import_mcap()
+        self._path = path
+        self._errors = _read_errors()
+        self.damage = ""
+        self._extra: dict[str, str] = {}
+        try:
+            self._contents = self._summary() or self._scan()
+            self.metadata = self._metadata()
+        except OSError as error:
+            raise BagReadError(path, error.strerror or str(error)) from error
+        except self._errors as error:
+            raise BagReadError(path, _reason(error)) from error
+        self.definitions = {
+            one.name: Definition(one.encoding, one.data.decode("utf-8", "replace"))
+            for one in self._contents.schemas.values()
+        }
+
+    def messages(
+        self, topics: Collection[str] | None, start_ns: int, end_ns: int | None
+    ) -> Iterator[BagMessage]:
+        """Yield messages as `StorageReader.messages` says.
+
+        In a file without an end, messages are ordered only inside each chunk. A recorder writes
+        them in order.
+
+        Raises:
+            BagReadError: A part in the middle of the file is damaged.
+        """
+        wanted = {
+            number: one.topic
+            for number, one in self._contents.channels.items()
+            if topics is None or one.topic in topics
+        }
+        found = self._indexed(wanted, start_ns, end_ns)
+        if not self._contents.chunks:
+            found = self._unindexed(wanted)
+        try:
+            for one in found:
+                if start_ns <= one.log_ns and (end_ns is None or one.log_ns <= end_ns):
+                    yield one
+        except self._errors as error:
+            raise BagReadError(self._path, _reason(error)) from error
+
+    def _indexed(
+        self, wanted: dict[int, str], start_ns: int, end_ns: int | None
+    ) -> Iterator[BagMessage]:
+        chunks = [
+            one
+            for one in self._contents.chunks
+            if start_ns <= one.message_end_time
+            and (end_ns is None or one.message_start_time <= end_ns)
+            # A writer may leave out the offsets.
+            and not wanted.keys().isdisjoint(one.message_index_offsets or wanted)
+        ]
+        with self._path.open("rb") as stream:
+            yield from chunk_messages(stream, chunks, wanted)
+
+    def _unindexed(self, wanted: dict[int, str]) -> Iterator[BagMessage]:
+        for block in self._blocks():
+            for one in sorted(block, key=lambda record: getattr(record, "log_time", 0)):
+                if hasattr(one, "log_time") and getattr(one, "channel_id", None) in wanted:
+                    topic = wanted[one.channel_id]
+                    yield BagMessage(topic, one.data, one.log_time, one.publish_time)
+
+    def _summary(self) -> _Contents | None:
+        """Return the contents from the file's summary, or `None` if it has no summary."""
+        from mcap.reader import SeekingReader  # noqa: PLC0415 - an extra
+
+        with self._path.open("rb") as stream:
+            if self._path.stat().st_size < _MIN_BYTES:
+                return None
+            reader = SeekingReader(stream)
+            try:
+                summary = reader.get_summary()
+            except self._errors:
+                return None  # there is no footer where it has to be
+            if summary is None or summary.statistics is None or not summary.chunk_indexes:
+                return None
+            for index in summary.chunk_indexes:
+                _check_chunk(stream, index)
+            for one in reader.iter_metadata():
+                if one.name == "rosbag2":
+                    self._extra = dict(one.metadata)
+        counted = summary.statistics
+        return _Contents(
+            channels=summary.channels,
+            schemas=summary.schemas,
+            counts=dict(counted.channel_message_counts),
+            start_ns=counted.message_start_time,
+            end_ns=counted.message_end_time,
+            chunks=summary.chunk_indexes,
+        )
+
+    def _scan(self) -> _Contents:
+        """Return the contents from all records of the file."""
+        from mcap import records  # noqa: PLC0415 - an extra
+
+        found = _Contents()
+        for block in self._blocks():
+            for one in block:
+                if isinstance(one, records.Message):
+                    found.add(one.channel_id, one.log_time)
+                elif isinstance(one, records.Channel):
+                    found.channels[one.id] = one
+                elif isinstance(one, records.Schema):
+                    found.schemas[one.id] = one
+                elif isinstance(one, records.Metadata) and one.name == "rosbag2":
+                    self._extra = dict(one.metadata)
+        return found
+
+    def _blocks(self) -> Iterator[list[Any]]:
+        """Yield lists of records: those of a chunk, or one outside chunks. End at any damage."""
+        from mcap.records import Chunk  # noqa: PLC0415 - an extra
+        from mcap.stream_reader import StreamReader, breakup_chunk, read_magic  # noqa: PLC0415
+
+        size = self._path.stat().st_size
+        with self._path.open("rb") as stream:
+            from mcap.data_stream import ReadDataStream  # noqa: PLC0415 - an extra
+
+            read_magic(ReadDataStream(stream))
+            # A record cannot be longer than the file, so a damaged length allocates no memory.
+            records = StreamReader(
+                stream, skip_magic=True, emit_chunks=True, record_size_limit=size
+            ).records
+            while True:
+                try:
+                    one = next(records, None)
+                    if one is None:
+                        return
+                    if isinstance(one, Chunk):
+                        _check_sizes(one.compression, one.uncompressed_size, one.data)
+                        yield breakup_chunk(one, validate_crc=True)
+                    else:
+                        yield [one]
+                except self._errors as error:
+                    # Behind the footer there is nothing to read.
+                    self.damage = self.damage or _reason(error)
+                    return
+
+    def _metadata(self) -> BagMetadata:
+        contents = self._contents
+        count = sum(contents.counts.values())
+        start, duration = contents.start_ns, contents.end_ns - contents.start_ns
+        topics: dict[str, TopicInformation] = {}
+        for number, one in contents.channels.items():
+            known = topics.get(one.topic)
+            messages = contents.counts.get(number, 0) + (known.message_count if known else 0)
+            topics[one.topic] = TopicInformation(self._topic(one), messages)
+        written = self._written()
+        return BagMetadata(
+            storage_id=STORAGE_ID,
+            topics=tuple(topics.values()),
+            files=(FileInformation(self._path.name, start, duration, count),),
+            paths=(self._path.name,),
+            start_ns=start,
+            duration_ns=duration,
+            message_count=count,
+            custom_data={} if written is None else written.custom_data,
+            ros_distro=self._extra.get("ROS_DISTRO", "") if written is None else written.ros_distro,
+            bag_size=self._path.stat().st_size,
+        )
+
+    def _topic(self, channel: Any) -> TopicMetadata:
+        schema = self._contents.schemas.get(channel.schema_id)
+        return TopicMetadata(
+            name=channel.topic,
+            type_name="" if schema is None else schema.name,
+            serialization_format=channel.message_encoding,
+            offered_qos_profiles=tuple(
+                read_profiles(channel.metadata.get("offered_qos_profiles", ""))
+            ),
+            type_hash=channel.metadata.get("topic_type_hash", ""),
+        )
+
+    def _written(self) -> BagMetadata | None:
+        """Return the description that rosbag2 writes into the file, if there is one."""
+        try:
+            return read_metadata(self._extra["serialized_metadata"])
+        except (AttributeError, KeyError, TypeError, ValueError):
+            return None
+
+
+def _check_chunk(stream: BinaryIO, index: Any) -> None:
+    """Check the sizes of a chunk of the file without reading the chunk."""
+    stream.seek(index.chunk_start_offset + _COMPRESSION_AT)
+    name_bytes = int.from_bytes(stream.read(4), "little")
+    stream.seek(name_bytes + _SIZE_BYTES, os.SEEK_CUR)
+    _check_sizes(index.compression, index.uncompressed_size, stream.read(_FRAME_HEADER_BYTES))
+
+
+def _check_sizes(compression: str, size: int, data: bytes) -> None:
+    """Check the size of a chunk after decompression.
+
+    Raises:
+        ValueError: The chunk is too large.
+    """
+    import zstandard  # noqa: PLC0415 - an extra
+
+    sizes = [size]
+    if compression == "zstd":
+        sizes.append(zstandard.frame_content_size(data[:_FRAME_HEADER_BYTES]))
+    if max(sizes) > _MAX_CHUNK_BYTES:
+        raise ValueError(f"a chunk has {max(sizes)} bytes, and the limit is {_MAX_CHUNK_BYTES}")
+
+
+def _read_errors() -> tuple[type[Exception], ...]:
+    """Return all exceptions that damaged bytes cause in mcap and its decompressors."""
+    from mcap.exceptions import McapError  # noqa: PLC0415 - an extra
+
+    found = [McapError, struct.error, ValueError, KeyError, OverflowError, MemoryError]
+    import zstandard  # noqa: PLC0415 - an extra
+
+    found.append(zstandard.ZstdError)
+    return (*found, RuntimeError)  # lz4 raises RuntimeError
+
+
+def _reason(error: Exception) -> str:
+    from mcap.exceptions import EndOfFile, InvalidMagic  # noqa: PLC0415 - an extra
+
+    if isinstance(error, InvalidMagic):
+        return "it is not an MCAP file"
+    if isinstance(error, EndOfFile | struct.error):
+        return "the file has no end: its program was killed, or it was copied incompletely"
+    return f"a part of the file is damaged ({type(error).__name__}: {error})"

@@ -1,0 +1,91 @@
+"""Message of a bag, and what the readers of all formats have in common."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple, Protocol
+
+if TYPE_CHECKING:
+    from collections.abc import Collection, Iterator
+    from pathlib import Path
+
+    from zbot.bag.metadata import BagMetadata, TopicMetadata
+
+
+class BagMessage(NamedTuple):
+    """Message of a bag, not decoded. Times are nanoseconds since the epoch."""
+
+    topic: str
+    data: bytes  #: the message in CDR
+    log_ns: int  #: time at which it was recorded
+    publish_ns: int  #: time at which it was sent, or the time of recording if that is not known
+
+
+class Definition(NamedTuple):
+    """Definition of a message type in a bag."""
+
+    encoding: str  #: `ros2msg` or `ros2idl`, or empty if the bag has no definition
+    text: str
+
+
+NO_DEFINITION = Definition("", "")
+
+
+class StorageReader(Protocol):
+    """Reader of one file of a bag."""
+
+    metadata: BagMetadata
+    definitions: dict[str, Definition]  #: by type
+    damage: str  #: why only a part of the file can be read, or empty if the file is complete
+
+    def messages(
+        self, topics: Collection[str] | None, start_ns: int, end_ns: int | None
+    ) -> Iterator[BagMessage]:
+        """Yield the messages of some topics, ordered by the time at which they were recorded.
+
+        Args:
+            topics: Names of topics. `None` means all.
+            start_ns: First time.
+            end_ns: Last time. `None` means no limit.
+        """
+        ...
+
+
+class StorageWriter(Protocol):
+    """Writer of one file of a bag. After an `OSError`, only `abandon` may be called."""
+
+    path: Path
+
+    @property
+    def size(self) -> int:
+        """Bytes of the file so far."""
+        ...
+
+    @property
+    def message_count(self) -> int:
+        """Messages in the file."""
+        ...
+
+    @property
+    def start_ns(self) -> int:
+        """Time of the first message."""
+        ...
+
+    def add_topic(self, topic: TopicMetadata, definition: Definition) -> None:
+        """Add a topic. All messages of the topic come later."""
+        ...
+
+    def write(self, topic: str, data: bytes, log_ns: int, publish_ns: int) -> None:
+        """Add a message. The file may get it later, at the next `flush`."""
+        ...
+
+    def flush(self) -> None:
+        """Write all messages so far into the file."""
+        ...
+
+    def close(self, custom_data: dict[str, str], ros_distro: str) -> BagMetadata:
+        """Write the end of the file, and return its description."""
+        ...
+
+    def abandon(self) -> None:
+        """Close the file after an error."""
+        ...

@@ -1,0 +1,85 @@
+"""Clock of a playback. It has a rate, can stand still, and can be set."""
+
+from __future__ import annotations
+
+import math
+import threading
+import time
+
+from zbot.time import S_TO_NS
+
+
+class PlaybackClock:
+    """Clock that converts the time of this machine to the time of a recording.
+
+    Any thread may call its methods.
+
+    Args:
+        start_ns: First time, in nanoseconds since the epoch.
+        rate: How many seconds of the recording pass in a second.
+        is_paused: Whether it stands still at first.
+    """
+
+    def __init__(self, start_ns: int, rate: float, *, is_paused: bool) -> None:
+        self._lock = threading.Lock()
+        self._rate = rate
+        self._is_paused = is_paused
+        self._anchor_ns = start_ns
+        self._set_at_s = time.perf_counter()
+
+    @property
+    def rate(self) -> float:
+        """How many seconds of the recording pass in a second."""
+        return self._rate
+
+    @property
+    def is_paused(self) -> bool:
+        """Whether the clock stands still."""
+        return self._is_paused
+
+    def now_ns(self) -> int:
+        """Return the present time of the recording, in nanoseconds since the epoch."""
+        with self._lock:
+            return self._now_ns()
+
+    def seconds_until(self, time_ns: int) -> float:
+        """Return how long it takes until a time. It is infinite while the clock stands still."""
+        with self._lock:
+            if self._is_paused:
+                return math.inf
+            due_s = self._set_at_s + (time_ns - self._anchor_ns) / S_TO_NS / self._rate
+        return due_s - time.perf_counter()
+
+    def set(self, time_ns: int) -> None:
+        """Continue from another time."""
+        with self._lock:
+            self._anchor_ns = time_ns
+            self._set_at_s = time.perf_counter()
+
+    def set_rate(self, rate: float) -> None:
+        """Continue with another rate."""
+        with self._lock:
+            self._settle()
+            self._rate = rate
+
+    def pause(self) -> None:
+        """Stand still."""
+        with self._lock:
+            self._settle()
+            self._is_paused = True
+
+    def resume(self) -> None:
+        """Continue after `pause`."""
+        with self._lock:
+            self._settle()
+            self._is_paused = False
+
+    def _settle(self) -> None:
+        self._anchor_ns = self._now_ns()
+        self._set_at_s = time.perf_counter()
+
+    def _now_ns(self) -> int:
+        if self._is_paused:
+            return self._anchor_ns
+        passed_s = time.perf_counter() - self._set_at_s
+        return self._anchor_ns + int(passed_s * self._rate * S_TO_NS)

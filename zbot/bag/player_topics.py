@@ -1,0 +1,132 @@
+"""Topics of a playback: their publishers and message classes."""
+
+from __future__ import annotations
+
+import time
+from functools import partial
+from typing import TYPE_CHECKING, Any, Protocol
+
+from zbot.bag.action_description import action_name
+from zbot.bag.description import is_service_event, service_name
+from zbot.bag.qos_profiles import profile_to_publish
+from zbot.bag.service_requests import GoalPublisher, RequestPublisher
+from zbot.errors import ZbotError
+from zbot.interfaces import type_name
+from zbot.wire.errors import CodecError
+from zbot.wire.payload import is_cdr
+from zbot.wire.serialization import deserialize_message, serialize_message
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from zbot.bag.metadata import TopicMetadata
+    from zbot.bag.play_options import PlayOptions
+    from zbot.bag.reader import Reader
+    from zbot.bag.service_requests import Goals
+    from zbot.node.node import Node
+    from zbot.wire.dialect import Dialect
+
+CLOCK_TOPIC = "/clock"
+_DISCOVERY_S = 0.5  #: longest time until servers that run already are known
+
+
+class MessagePublisher(Protocol):
+    """Publisher of a topic, or client that sends the requests in events."""
+
+    def publish(self, msg: Any, /) -> None:
+        """Send a message."""
+
+
+class PlayedTopic:
+    """Topic that is played: its publisher, and errors."""
+
+    def __init__(
+        self, name: str, publisher: MessagePublisher, prepare: Callable[[bytes], Any]
+    ) -> None:
+        self.name = name  #: name in the domain
+        self.publisher = publisher
+        self.prepare = prepare  #: converts a message in CDR to what the publisher takes
+        self.errors = 0  #: messages whose bytes do not fit the type
+
+
+def played_topics(
+    node: Node, bags: Sequence[Reader], options: PlayOptions
+) -> dict[str, PlayedTopic]:
+    """Create the publishers of a playback. A topic that cannot be played is left out.
+
+    Returns:
+        The topics by their names in the bags.
+    """
+    topics: dict[str, tuple[TopicMetadata, Reader]] = {}
+    for bag in bags:
+        for name, topic in bag.topics.items():
+            topics.setdefault(name, (topic, bag))
+    found = {}
+    goals: Goals = {}
+    for name, (topic, bag) in topics.items():
+        if _is_wanted(topic, options):
+            played = _played(node, topic, bag, options, goals)
+            if played is not None:
+                found[name] = played
+    end_s = time.monotonic() + _DISCOVERY_S
+    for one in found.values():
+        if isinstance(one.publisher, RequestPublisher):
+            one.publisher.wait_for_server(end_s - time.monotonic())
+    return found
+
+
+def _is_wanted(topic: TopicMetadata, options: PlayOptions) -> bool:
+    if options.clock_hz > 0 and topic.name == CLOCK_TOPIC:
+        return False  # the player's own clock replaces the recorded one
+    if options.sends_goals and action_name(topic.name) and not _is_event(topic):
+        return False  # the action's server publishes its feedback and its status itself
+    return options.selection.takes(topic.name, topic.type_name)
+
+
+def _is_event(topic: TopicMetadata) -> bool:
+    return is_service_event(topic.name, topic.type_name)
+
+
+def _played(
+    node: Node, topic: TopicMetadata, bag: Reader, options: PlayOptions, goals: Goals
+) -> PlayedTopic | None:
+    try:
+        message_class = bag.message_class(topic)
+        publisher = _publisher(node, topic, message_class, options, goals)
+    except ZbotError as error:
+        node.get_logger().warning(f"Ignoring a topic '{topic.name}', reason: {error}.")
+        return None
+    prepare = partial(deserialize_message, message_type=message_class)
+    if not isinstance(publisher, RequestPublisher):
+        prepare = partial(_payload, node.context.dialect, message_class)
+    # The first call generates code for the type, which takes milliseconds.
+    prepare(serialize_message(message_class()))
+    return PlayedTopic(options.remap.get(topic.name, topic.name), publisher, prepare)
+
+
+def _payload(dialect: Dialect, message_class: type[Any], data: bytes) -> bytes:
+    if is_cdr(data):
+        return dialect.payload_of(data, message_class)
+    raise CodecError("decode", type_name(message_class), "", "the bytes are not CDR")
+
+
+def _publisher(
+    node: Node,
+    topic: TopicMetadata,
+    message_class: type[Any],
+    options: PlayOptions,
+    goals: Goals,
+) -> MessagePublisher:
+    name = options.remap.get(topic.name, topic.name)
+    if _is_event(topic):
+        service, of_clients = service_name(name), options.requests_of_clients
+        if options.sends_goals and action_name(topic.name):
+            return GoalPublisher(node, service, topic.type_name, goals, is_of_clients=of_clients)
+        if options.publishes_requests:
+            return RequestPublisher(node, service, topic.type_name, is_of_clients=of_clients)
+    profile = options.overrides.get(topic.name)
+    if profile is None:
+        profile = profile_to_publish(topic.offered_qos_profiles)
+    else:
+        node.get_logger().info(f"Overriding QoS profile for topic {topic.name}")
+    return node.create_publisher(message_class, name, profile)

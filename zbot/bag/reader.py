@@ -1,0 +1,259 @@
+"""Reader of bags: folders, single MCAP files and single sqlite3 files."""
+
+from __future__ import annotations
+
+import heapq
+import re
+import tempfile
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from zbot.bag import mcap_reader, ros1_reader, sqlite_reader
+from zbot.bag.definition import message_class
+from zbot.bag.errors import BagNotFoundError, BagReadError, BagTypeError
+from zbot.bag.message import NO_DEFINITION, BagMessage, Definition, StorageReader
+from zbot.bag.message_compression import plain_message
+from zbot.bag.metadata import METADATA_FILE, BagMetadata, merged, read_metadata_file
+from zbot.wire.serialization import deserialize_message
+
+if TYPE_CHECKING:
+    from collections.abc import Collection, Iterable, Iterator
+    from types import TracebackType
+
+    from typing_extensions import Self
+
+    from zbot.bag.metadata import TopicMetadata
+
+_STORAGES: dict[str, type[Any]] = {
+    ".mcap": mcap_reader.McapReader,
+    ".db3": sqlite_reader.SqliteReader,
+    ".bag": ros1_reader.Ros1Reader,
+}
+_PACKED = ".zstd"
+CDR = "cdr"  #: the only serialization that zbot decodes
+
+
+class Reader:
+    """Reader of a bag.
+
+    Args:
+        path: Folder of a bag, or one of its files (`.mcap` or `.db3`), or a bag of ROS 1 (`.bag`).
+        storage_id: `mcap` or `sqlite3`. Empty means any.
+        uses_metadata_file: Whether to use `metadata.yaml` of a folder. Without it, the files are
+            examined.
+
+    Raises:
+        BagNotFoundError: There is nothing with this path.
+        BagReadError: It is not a bag, or cannot be read.
+        NoBagExtraError: The extra `bag` is not installed.
+    """
+
+    def __init__(
+        self, path: str | Path, storage_id: str = "", *, uses_metadata_file: bool = True
+    ) -> None:
+        self.path = Path(path)
+        self._unpacked: tempfile.TemporaryDirectory[str] | None = None
+        if not self.path.exists():
+            raise BagNotFoundError(path)
+        written = None
+        if uses_metadata_file and (self.path / METADATA_FILE).exists():
+            written = read_metadata_file(self.path)
+        self._paths = self._find(written)
+        self._files = [self._open(one) for one in self._paths]
+        self.has_metadata_file = written is not None
+        self.metadata: BagMetadata = self._described(written)
+        if storage_id and storage_id != self.metadata.storage_id:
+            self.close()
+            reason = f"its storage is {self.metadata.storage_id}, not {storage_id}"
+            raise BagReadError(path, reason)
+
+    @property
+    def topics(self) -> dict[str, TopicMetadata]:
+        """The topics by name."""
+        return {one.topic.name: one.topic for one in self.metadata.topics}
+
+    @property
+    def damage(self) -> str:
+        """Why only a part of the bag can be read, or an empty text if it is complete."""
+        return next((one.damage for one in self._files if one.damage), "")
+
+    def definition(self, type_name: str) -> Definition:
+        """Return the bag's definition of a message type."""
+        found = (one.definitions.get(type_name) for one in self._files)
+        return next(filter(None, found), NO_DEFINITION)
+
+    def message_class(self, topic: TopicMetadata) -> type[Any]:
+        """Return the class of a topic's messages, from here or from the bag's definition.
+
+        Raises:
+            BagTypeError: The type is not known, or is different here, or messages are not in CDR.
+        """
+        if topic.serialization_format != CDR:
+            reason = f"the messages are in the format '{topic.serialization_format}', not in CDR"
+            raise BagTypeError(topic.type_name, reason)
+        return message_class(topic.type_name, *self.definition(topic.type_name))
+
+    def messages(
+        self,
+        topics: Collection[str] | None = None,
+        start_ns: int = 0,
+        end_ns: int | None = None,
+    ) -> Iterator[BagMessage]:
+        """Yield messages in the order in which they were recorded, without decoding them.
+
+        Args:
+            topics: Names of topics. `None` means all.
+            start_ns: First time, in nanoseconds since the epoch.
+            end_ns: Last time. `None` means no limit.
+
+        Raises:
+            BagReadError: A part of a file is damaged.
+        """
+        # Files of a bag follow each other in time, so only one file at a time is open.
+        for file in self._files:
+            described = file.metadata
+            is_early = described.start_ns + described.duration_ns < start_ns
+            is_late = end_ns is not None and described.start_ns > end_ns
+            if not (is_early or is_late):
+                for one in file.messages(topics, start_ns, end_ns):
+                    plain = plain_message(one.data)
+                    yield one if plain is one.data else one._replace(data=plain)
+
+    def close(self) -> None:
+        """Remove temporary files. Only bags with compressed files have some."""
+        if self._unpacked is not None:
+            self._unpacked.cleanup()
+            self._unpacked = None
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self.close()
+
+    def _find(self, written: BagMetadata | None) -> list[Path]:
+        if not self.path.is_dir():
+            return [self.path]
+        if written is not None:
+            # Before Foxy, the paths began with the name of the folder.
+            paths = [self.path / one for one in written.paths]
+            paths = [one if one.exists() else self.path / one.name for one in paths]
+        else:
+            paths = bag_files(self.path)
+        missing = next((one for one in paths if not one.exists()), None)
+        if missing is not None:
+            raise BagReadError(self.path, f"its file {missing.name} is missing")
+        if not paths:
+            raise BagReadError(self.path, "there is no .mcap, .db3 or .bag file in this folder")
+        return paths
+
+    def _open(self, path: Path) -> StorageReader:
+        packed = path.suffix == _PACKED
+        suffix = Path(path.stem).suffix if packed else path.suffix
+        storage = _STORAGES.get(suffix)
+        if storage is None:
+            raise BagReadError(path, "it is no folder, .mcap, .db3 or .bag file")
+        opened: StorageReader = storage(self._unpacked_file(path) if packed else path)
+        return opened
+
+    def _unpacked_file(self, path: Path) -> Path:
+        from zbot.bag.packages import import_mcap  # noqa: PLC0415 - rarely used
+
+        import_mcap()
+        import zstandard  # noqa: PLC0415 - an extra
+
+        if self._unpacked is None:
+            self._unpacked = tempfile.TemporaryDirectory(prefix="zbot_bag_")
+        target = Path(self._unpacked.name) / path.stem
+        try:
+            with path.open("rb") as source, target.open("wb") as sink:
+                zstandard.ZstdDecompressor().copy_stream(source, sink)
+        except OSError as error:
+            raise BagReadError(path, error.strerror or str(error)) from error
+        except zstandard.ZstdError as error:
+            raise BagReadError(path, f"the file is damaged ({error})") from error
+        return target
+
+    def _described(self, written: BagMetadata | None) -> BagMetadata:
+        if written is None:
+            parts = (
+                _renamed(one.metadata, path)
+                for one, path in zip(self._files, self._paths, strict=True)
+            )
+            return merged(parts)
+        size = sum(one.stat().st_size for one in self.path.iterdir() if one.is_file())
+        return replace(written, bag_size=size)
+
+
+def bag_files(folder: Path) -> list[Path]:
+    """Return the files of a bag in a folder, in the order of their numbers."""
+    found = (
+        one
+        for one in folder.iterdir()
+        if one.suffix in _STORAGES or (one.suffix == _PACKED and Path(one.stem).suffix in _STORAGES)
+    )
+    return sorted(found, key=_number)
+
+
+def read(path: str | Path, topics: Iterable[str] | None = None) -> Iterator[tuple[str, Any, int]]:
+    """Yield a bag's messages, decoded, in the order in which they were recorded.
+
+        for topic, msg, t in zbot.bag.read("lesson"):
+            print(topic, msg.data, t)
+
+    Types that this machine does not have come from the bag.
+
+    Args:
+        path: Folder of a bag, or one of its files.
+        topics: Names of topics. `None` means all.
+
+    Yields:
+        The topic, the message, and the time of recording in nanoseconds since the epoch.
+
+    Raises:
+        BagNotFoundError: There is nothing with this path.
+        BagReadError: It is not a bag, or a part of it is damaged.
+        BagTypeError: A type is not known, or is different here, or messages are not in CDR.
+        CodecError: The bytes of a message do not fit its type.
+        NoBagExtraError: The extra `bag` is not installed.
+    """
+    # Names in bags begin with a slash, except in some bags that other programs wrote.
+    wanted = None if topics is None else {name for one in topics for name in (one, f"/{one}")}
+    with Reader(path) as bag:
+        known = bag.topics
+        classes: dict[str, type[Any]] = {}
+        for one in bag.messages(wanted):
+            cls = classes.get(one.topic)
+            if cls is None:
+                cls = classes[one.topic] = bag.message_class(known[one.topic])
+            yield one.topic, deserialize_message(one.data, cls), one.log_ns
+
+
+def merge(streams: Iterable[Iterator[BagMessage]]) -> Iterator[BagMessage]:
+    """Yield the messages of several bags, ordered by the time at which they were recorded."""
+    return heapq.merge(*streams, key=lambda one: one.log_ns)
+
+
+def _renamed(part: BagMetadata, path: Path) -> BagMetadata:
+    """Return the description of a file with the name that it has in the bag."""
+    if path.suffix != _PACKED:
+        return part
+    return replace(
+        part,
+        files=(replace(part.files[0], path=path.name),),
+        paths=(path.name,),
+        bag_size=path.stat().st_size,
+        compression_format="zstd",
+        compression_mode="FILE",
+    )
+
+
+def _number(path: Path) -> tuple[int, str]:
+    digits = re.search(r"_([0-9]{1,9})\.", path.name)
+    return (int(digits.group(1)) if digits else 0, path.name)

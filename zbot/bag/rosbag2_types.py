@@ -1,0 +1,273 @@
+"""Values of ROS 2's `rosbag2_py`: options, filters and descriptions, with its names."""
+
+from __future__ import annotations
+
+import enum
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from zbot.bag import metadata as own
+from zbot.bag.qos_profiles import read_profiles
+from zbot.bag.selection import Selection
+from zbot.time import Duration, Time
+
+if TYPE_CHECKING:
+    from zbot.qos import QoSProfile
+
+
+@dataclass
+class StorageOptions:
+    """Where and how a bag is stored."""
+
+    uri: str
+    storage_id: str = ""
+    max_bagfile_size: int = 0
+    max_bagfile_duration: int = 0
+    max_cache_size: int = 0
+    storage_preset_profile: str = ""
+    storage_config_uri: str = ""
+    snapshot_mode: bool = False
+    start_time_ns: int = -1
+    end_time_ns: int = -1
+    custom_data: dict[str, str] = field(default_factory=dict)
+
+
+@dataclass
+class ConverterOptions:
+    """Serialization of the messages. It is always `cdr`."""
+
+    input_serialization_format: str = ""
+    output_serialization_format: str = ""
+
+
+class CompressionMode(enum.IntEnum):
+    """What is compressed beside the chunks of MCAP files."""
+
+    NONE = 0
+    FILE = 1
+    MESSAGE = 2
+
+
+@dataclass
+class CompressionOptions:
+    """How files are compressed. The format is always `zstd`."""
+
+    compression_format: str = ""
+    compression_mode: CompressionMode = CompressionMode.NONE
+    compression_queue_size: int = 0
+    compression_threads: int = 0
+
+
+class ReadOrderSortBy(enum.IntEnum):
+    """Times that decide the order of messages."""
+
+    ReceivedTimestamp = 0
+    PublishedTimestamp = 1
+    File = 2
+
+
+@dataclass
+class ReadOrder:
+    """Order of messages."""
+
+    sort_by: ReadOrderSortBy = ReadOrderSortBy.ReceivedTimestamp
+    reverse: bool = False
+
+
+def compression_mode_from_string(text: str) -> CompressionMode:
+    """Return the mode with a name in any case. An unknown name is `NONE`."""
+    return CompressionMode.__members__.get(text.upper(), CompressionMode.NONE)
+
+
+def compression_mode_to_string(mode: CompressionMode) -> str:
+    """Return the name of a mode in capital letters."""
+    return CompressionMode(mode).name
+
+
+def to_rclcpp_qos_vector(text: str, version: int) -> list[QoSProfile]:  # noqa: ARG001 - rosbag2's signature
+    """Return the profiles in the YAML of a bag."""
+    return read_profiles(text)
+
+
+def convert_rclcpp_qos_to_rclpy_qos(profile: QoSProfile) -> QoSProfile:
+    """Return the profile itself, because zbot has only one class of profiles."""
+    return profile
+
+
+@dataclass
+class StorageFilter:
+    """Topics to read. An empty rule selects everything."""
+
+    topics: list[str] = field(default_factory=list)
+    services_events: list[str] = field(default_factory=list)
+    actions: list[str] = field(default_factory=list)
+    regex: str = ""
+    exclude_topics: list[str] = field(default_factory=list)
+    exclude_service_events: list[str] = field(default_factory=list)
+    exclude_actions: list[str] = field(default_factory=list)
+    regex_to_exclude: str = ""
+
+    def selection(self) -> Selection:
+        """Return the same rules for zbot's readers."""
+        events = [one.removesuffix("/_service_event") for one in self.services_events]
+        is_narrow = bool(self.topics or events or self.actions or self.regex)
+        out = [one.removesuffix("/_service_event") for one in self.exclude_service_events]
+        return Selection(
+            all_topics=not is_narrow,
+            topics=frozenset(self.topics),
+            regex=self.regex,
+            all_services=not is_narrow,
+            services=frozenset(events),
+            all_actions=not is_narrow,
+            actions=frozenset(self.actions),
+            exclude_topics=frozenset(self.exclude_topics),
+            exclude_services=frozenset(out),
+            exclude_actions=frozenset(self.exclude_actions),
+            exclude_regex=self.regex_to_exclude,
+        )
+
+
+@dataclass
+class TopicMetadata:
+    """A topic of a bag."""
+
+    id: int
+    name: str
+    type: str
+    serialization_format: str
+    offered_qos_profiles: list[QoSProfile] = field(default_factory=list)
+    type_description_hash: str = ""
+
+    def equals(self, other: TopicMetadata) -> bool:
+        """Return whether another topic is the same. The numbers may differ."""
+        return to_own_topic(self) == to_own_topic(other)
+
+
+@dataclass
+class TopicInformation:
+    """A topic of a bag, and the number of its messages."""
+
+    topic_metadata: TopicMetadata
+    message_count: int
+
+
+@dataclass
+class FileInformation:
+    """A file of a bag."""
+
+    path: str
+    starting_time: Time
+    duration: Duration
+    message_count: int
+
+
+@dataclass
+class MessageDefinition:
+    """Definition of a message type in a bag."""
+
+    topic_type: str
+    encoding: str
+    encoded_message_definition: str
+    type_hash: str
+
+
+@dataclass
+class BagMetadata:
+    """Description of a bag."""
+
+    version: int = own.VERSION
+    bag_size: int = 0
+    storage_identifier: str = ""
+    relative_file_paths: list[str] = field(default_factory=list)
+    files: list[FileInformation] = field(default_factory=list)
+    duration: Duration = field(default_factory=Duration)
+    starting_time: Time = field(default_factory=Time)
+    message_count: int = 0
+    topics_with_message_count: list[TopicInformation] = field(default_factory=list)
+    compression_format: str = ""
+    compression_mode: str = ""
+    custom_data: dict[str, str] = field(default_factory=dict)
+    ros_distro: str = ""
+
+
+def to_own_topic(topic: TopicMetadata) -> own.TopicMetadata:
+    """Return a topic in zbot's form."""
+    return own.TopicMetadata(
+        topic.name,
+        topic.type,
+        topic.serialization_format,
+        tuple(topic.offered_qos_profiles),
+        topic.type_description_hash,
+    )
+
+
+def topic_metadata(number: int, topic: own.TopicMetadata) -> TopicMetadata:
+    """Return a topic in rosbag2_py's form."""
+    return TopicMetadata(
+        number,
+        topic.name,
+        topic.type_name,
+        topic.serialization_format,
+        list(topic.offered_qos_profiles),
+        topic.type_hash,
+    )
+
+
+def bag_metadata(found: own.BagMetadata) -> BagMetadata:
+    """Return a description in rosbag2_py's form."""
+    return BagMetadata(
+        version=found.version,
+        bag_size=found.bag_size,
+        storage_identifier=found.storage_id,
+        relative_file_paths=list(found.paths),
+        files=[
+            FileInformation(
+                one.path,
+                Time(nanoseconds=one.start_ns),
+                Duration(nanoseconds=one.duration_ns),
+                one.message_count,
+            )
+            for one in found.files
+        ],
+        duration=Duration(nanoseconds=found.duration_ns),
+        starting_time=Time(nanoseconds=found.start_ns),
+        message_count=found.message_count,
+        topics_with_message_count=[
+            TopicInformation(topic_metadata(number, one.topic), one.message_count)
+            for number, one in enumerate(found.topics, 1)
+        ],
+        compression_format=found.compression_format,
+        compression_mode=found.compression_mode,
+        custom_data=dict(found.custom_data),
+        ros_distro=found.ros_distro,
+    )
+
+
+def to_own_metadata(given: BagMetadata) -> own.BagMetadata:
+    """Return a description in zbot's form."""
+    return own.BagMetadata(
+        storage_id=given.storage_identifier,
+        topics=tuple(
+            own.TopicInformation(to_own_topic(one.topic_metadata), one.message_count)
+            for one in given.topics_with_message_count
+        ),
+        files=tuple(
+            own.FileInformation(
+                one.path,
+                one.starting_time.nanoseconds,
+                one.duration.nanoseconds,
+                one.message_count,
+            )
+            for one in given.files
+        ),
+        paths=tuple(given.relative_file_paths),
+        start_ns=given.starting_time.nanoseconds,
+        duration_ns=given.duration.nanoseconds,
+        message_count=given.message_count,
+        compression_format=given.compression_format,
+        compression_mode=given.compression_mode,
+        custom_data=dict(given.custom_data),
+        ros_distro=given.ros_distro,
+        version=given.version,
+        bag_size=given.bag_size,
+    )

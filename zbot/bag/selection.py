@@ -1,0 +1,95 @@
+"""Selection of the topics to record or to play."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from zbot.bag.action_description import action_name
+from zbot.bag.description import is_service_event, service_name
+from zbot.bag.errors import BagError
+
+_ACTION_TOPICS = (
+    "feedback",
+    "status",
+    "send_goal/_service_event",
+    "cancel_goal/_service_event",
+    "get_result/_service_event",
+)
+
+
+class BadPatternError(BagError, ValueError):
+    """A regular expression is not valid."""
+
+    def __init__(self, pattern: str, reason: str) -> None:
+        self.pattern, self.reason = pattern, reason
+        super().__init__(f"'{pattern}' is not a regular expression: {reason}")
+
+
+@dataclass(frozen=True)
+class Selection:
+    """Rules of rosbag2 that select topics. Services are recorded as topics of their calls.
+
+    An action is recorded as its topics and the calls of its services.
+
+    `all_topics` makes `topics`, `topic_types` and `regex` needless. The `exclude_...` rules have
+    the last word.
+
+    Raises:
+        BadPatternError: A regular expression is not valid.
+    """
+
+    all_topics: bool = False
+    topics: frozenset[str] = frozenset()
+    topic_types: frozenset[str] = frozenset()
+    regex: str = ""
+    all_services: bool = False
+    services: frozenset[str] = frozenset()
+    all_actions: bool = False
+    actions: frozenset[str] = frozenset()
+    exclude_topics: frozenset[str] = frozenset()
+    exclude_types: frozenset[str] = frozenset()
+    exclude_services: frozenset[str] = frozenset()
+    exclude_actions: frozenset[str] = frozenset()
+    exclude_regex: str = ""
+
+    def __post_init__(self) -> None:
+        for pattern in (self.regex, self.exclude_regex):
+            try:
+                re.compile(pattern)
+            except re.error as error:
+                raise BadPatternError(pattern, str(error)) from None
+
+    @property
+    def is_list(self) -> bool:
+        """Whether only topics, services and actions with given names are selected."""
+        is_all = self.all_topics or self.all_services or self.all_actions
+        return not (is_all or self.topic_types or self.regex)
+
+    @property
+    def names(self) -> frozenset[str]:
+        """The topics that are selected by name, also those of services and actions."""
+        events = {f"{one}/_service_event" for one in self.services}
+        parts = {f"{one}/_action/{part}" for one in self.actions for part in _ACTION_TOPICS}
+        return self.topics | events | parts
+
+    def takes(self, topic: str, type_name: str) -> bool:
+        """Return whether a topic is selected."""
+        action = action_name(topic)
+        if action:
+            name = action
+            is_in = self.all_actions or action in self.actions or topic in self.topics
+            is_out = action in self.exclude_actions or topic in self.exclude_topics
+        elif is_service_event(topic, type_name):
+            name = service_name(topic)
+            is_in = self.all_services or name in self.services
+            is_out = name in self.exclude_services
+        else:
+            name = topic
+            is_in = self.all_topics or topic in self.topics or type_name in self.topic_types
+            is_out = topic in self.exclude_topics or type_name in self.exclude_types
+        if not is_in and self.regex:
+            is_in = re.search(self.regex, name) is not None
+        if not is_out and self.exclude_regex:
+            is_out = re.search(self.exclude_regex, name) is not None
+        return is_in and not is_out

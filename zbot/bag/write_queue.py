@@ -1,0 +1,121 @@
+"""Queue of messages for a bag, and the thread that writes them."""
+
+from __future__ import annotations
+
+import enum
+import queue
+import threading
+import time
+from typing import TYPE_CHECKING
+
+from zbot.bag.message import BagMessage
+from zbot.errors import ZbotError
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from zbot.bag.message import Definition
+    from zbot.bag.metadata import TopicMetadata
+    from zbot.bag.writer import Writer
+
+LOST_KEY = "lost_messages"  #: in the metadata of bags in which messages are missing
+FLUSH_S = 0.5  #: messages are in the file after this time, whatever happens to the process
+
+
+class _Order(enum.Enum):
+    """Orders for the thread that writes."""
+
+    SPLIT = enum.auto()
+    END = enum.auto()
+
+
+class WriteQueue:
+    """Queue that decouples the receiving thread from the disk.
+
+    `put` and `add_topic` may be called by one thread.
+
+    Args:
+        writer: The bag. From now on, only the queue's thread uses it.
+        max_bytes: Messages that may wait, in bytes. 0 means no limit.
+    """
+
+    def __init__(self, writer: Writer, max_bytes: int) -> None:
+        self.error: ZbotError | None = None  #: why nothing can be written any more
+        self._writer = writer
+        self._max_bytes = max_bytes
+        self._items: queue.SimpleQueue[BagMessage | tuple[TopicMetadata, Definition] | _Order] = (
+            queue.SimpleQueue()
+        )
+        # Each number is changed by one thread only, so they need no lock.
+        self._put_bytes = self._written_bytes = 0
+        self._thread = threading.Thread(target=self._run, name="zbot bag", daemon=True)
+        self._thread.start()
+
+    def add_topic(self, topic: TopicMetadata, definition: Definition) -> None:
+        """Add a topic to the bag."""
+        self._items.put((topic, definition))
+
+    def put(self, message: BagMessage) -> bool:
+        """Add a message. Return false if the queue is full, so that the message is lost."""
+        size = len(message.data)
+        waiting = self._put_bytes - self._written_bytes
+        if self._max_bytes and waiting and waiting + size > self._max_bytes:
+            return False
+        self._put_bytes += size
+        self._items.put(message)
+        return True
+
+    def put_all(self, messages: Iterable[BagMessage]) -> None:
+        """Add messages, however many wait already."""
+        for one in messages:
+            self._put_bytes += len(one.data)
+            self._items.put(one)
+
+    def split(self) -> None:
+        """Begin the next file of the bag after the messages that wait."""
+        self._items.put(_Order.SPLIT)
+
+    def close(self, lost: str = "") -> None:
+        """Write all messages, and close the bag.
+
+        Args:
+            lost: Text about lost messages for the bag's metadata.
+
+        Raises:
+            BagWriteError: The bag cannot be written, e.g. because the disk is full.
+        """
+        self._items.put(_Order.END)
+        self._thread.join()
+        if lost:
+            self._writer.set_custom_data(LOST_KEY, lost)
+        self._writer.close()
+        if self.error is not None:
+            raise self.error
+
+    def _run(self) -> None:
+        try:
+            self._write_all()
+        except ZbotError as error:
+            self.error = error
+
+    def _write_all(self) -> None:
+        due = time.monotonic() + FLUSH_S
+        while True:
+            left = due - time.monotonic()
+            if left <= 0:
+                self._writer.flush()
+                due = time.monotonic() + FLUSH_S
+                continue
+            try:
+                item = self._items.get(timeout=left)
+            except queue.Empty:
+                continue
+            if item is _Order.END:
+                return
+            if isinstance(item, BagMessage):
+                self._written_bytes += len(item.data)
+                self._writer.write_serialized(*item)
+            elif isinstance(item, tuple):
+                self._writer.create_topic(*item)
+            else:
+                self._writer.split()

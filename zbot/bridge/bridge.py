@@ -1,0 +1,213 @@
+"""Bridge as a whole: a zbot node, the two sides and the carrier, until Ctrl-C."""
+
+from __future__ import annotations
+
+import json
+import os
+import secrets
+import threading
+import time
+from collections.abc import Callable
+from contextlib import ExitStack, suppress
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Protocol
+
+from zbot.bridge.carrier import Carrier
+from zbot.bridge.rclpy_import import import_rclpy
+from zbot.bridge.rclpy_side import RclpySide
+from zbot.bridge.selection import Selection
+from zbot.bridge.side import NODE_PREFIX
+from zbot.bridge.zbot_side import ZbotSide
+from zbot.context import Context
+from zbot.errors import ExternalShutdownException
+from zbot.executor.single_threaded_executor import SingleThreadedExecutor
+from zbot.node.node import Node
+from zbot.process.signals import SignalHandlerOptions, install
+from zbot.transport.rmw_choice import RMW_ZENOH
+from zbot.wire.dialect import ZBOT_IDENTIFIER
+
+if TYPE_CHECKING:
+    from zbot.bridge.side import Side
+
+
+# The graph of zbot is complete at once. DDS usually needs a second to find another bridge.
+_DISCOVERY_S = 3.0
+# ROS 2's variable with changes to the configuration of rmw_zenoh.
+_OVERRIDE = "ZENOH_CONFIG_OVERRIDE"
+
+
+class Gate(Protocol):
+    """Decides which messages and requests pass from zbot to ROS 2."""
+
+    def start(self) -> None:
+        """Begin to work."""
+        ...
+
+    def admits(self, name: str, gid: bytes) -> bool:
+        """Return whether something with this name, of the sender with this id, may pass."""
+        ...
+
+    def close(self) -> None:
+        """End."""
+        ...
+
+
+#: Makes a gate from a context, a function that stops the robot, and one that ends the bridge.
+MakeGate = Callable[[Context, Callable[[], None], Callable[[], None]], Gate]
+
+
+@dataclass(frozen=True)
+class BridgeOptions:
+    """What a bridge is asked to do."""
+
+    ros_domain: int = 0  #: domain of ROS 2, 0 to 232
+    connect: str = ""  #: address of rmw_zenoh's router; by default the one of this machine
+    prefix: str = ""  #: namespace in zbot for all names of ROS 2, e.g. `/robot1`
+    selection: Selection = field(default_factory=Selection)
+    make_gate: MakeGate | None = None  #: `None`: everything passes
+    on_ready: Callable[[], None] = lambda: None  #: called when the bridge works
+
+
+def new_bridge_id() -> str:
+    """Return an id. The ids of bridges that start later are greater, if the clocks agree."""
+    return f"{time.time_ns() // 1_000_000:011x}{secrets.token_hex(2)}"
+
+
+def run_dds(options: BridgeOptions) -> None:
+    """Carry between the zbot domain of this process and DDS, until Ctrl-C or SIGTERM.
+
+    Raises:
+        NoRclpyError: This Python cannot import a genuine rclpy.
+    """
+    import_rclpy()  # before a session is opened
+    install(SignalHandlerOptions.ALL)
+    bridge_id = new_bridge_id()
+    with ExitStack() as stack:
+        node = _node(bridge_id, ZBOT_IDENTIFIER, None, stack)
+        failure = _Failure(node.context)
+        ros = RclpySide(bridge_id, options.ros_domain, node.get_logger(), failure.note)
+        stack.callback(ros.close)
+        _carry(options, node, ros, stack, failure)
+
+
+def run_rmw_zenoh(options: BridgeOptions) -> None:
+    """Carry between the zbot domain of this process and rmw_zenoh, until Ctrl-C or SIGTERM.
+
+    Raises:
+        NoRouterError: The router of ROS 2 is on another machine and does not answer.
+        ConfigError: The address of the router is not valid.
+    """
+    if options.connect:
+        given = os.environ.get(_OVERRIDE, "").rstrip(";")
+        # The variable has `;` between its settings.
+        address = json.dumps(options.connect).replace(";", r"\u003b")
+        wanted = f"connect/endpoints=[{address}]"
+        os.environ[_OVERRIDE] = ";".join(filter(None, (given, wanted)))
+    install(SignalHandlerOptions.ALL)
+    bridge_id = new_bridge_id()
+    with ExitStack() as stack:
+        node = _node(bridge_id, ZBOT_IDENTIFIER, None, stack)
+        foreign = _node(bridge_id, RMW_ZENOH, options.ros_domain, stack)
+        ros = ZbotSide(foreign, label="ROS 2", wire_format="cdr")
+        stack.callback(ros.close)
+        executor = SingleThreadedExecutor(context=foreign.context)
+        executor.add_node(foreign)
+        failure = _Failure(node.context)
+        thread = threading.Thread(
+            target=_spin, args=(executor, failure), name="zbot bridge ROS 2", daemon=True
+        )
+        thread.start()
+        stack.callback(thread.join)
+        stack.callback(executor.shutdown, 5)
+        _carry(options, node, ros, stack, failure)
+
+
+def _node(bridge_id: str, rmw: str, domain: int | None, stack: ExitStack) -> Node:
+    """Return the bridge's node in a world of Zenoh. It ends with the stack."""
+    context = Context(rmw=rmw)
+    context.init(domain_id=domain)
+    stack.callback(context.shutdown)
+    node = Node(NODE_PREFIX + bridge_id, context=context, enable_rosout=False)
+    stack.callback(node.destroy_node)
+    return node
+
+
+class _Failure:
+    """Unexpected exception of another thread, which ends the bridge.
+
+    Args:
+        context: The context that the main thread spins.
+    """
+
+    def __init__(self, context: Context) -> None:
+        self._context = context
+        self._error: Exception | None = None
+
+    def note(self, error: Exception) -> None:
+        """Let the main thread raise an exception."""
+        self._error = self._error or error
+        self._context.interrupt()
+
+    def raise_if_any(self) -> None:
+        """Raise the exception, if there is one."""
+        if self._error is not None:
+            raise self._error
+
+
+def _spin(executor: SingleThreadedExecutor, failure: _Failure) -> None:
+    """Run the callbacks of the foreign node. An unexpected exception ends the bridge."""
+    try:
+        executor.spin()
+    except ExternalShutdownException:
+        return  # the bridge ends
+    except Exception as error:  # noqa: BLE001 - the main thread raises it
+        failure.note(error)
+
+
+def _carry(
+    options: BridgeOptions, node: Node, ros: Side, stack: ExitStack, failure: _Failure
+) -> None:
+    """Carry between the domain of a node and another side, until the context is interrupted."""
+    context, log = node.context, node.get_logger()
+    gate: Gate | None = None
+    if options.make_gate is not None:
+
+        def halt() -> None:
+            carrier.halt()
+
+        gate = options.make_gate(context, halt, context.interrupt)
+    zbot = ZbotSide(node, admits=None if gate is None else gate.admits)
+    stack.callback(zbot.close)
+    carrier = Carrier(
+        zbot,
+        ros,
+        options.selection,
+        bridge_id=node.get_name().removeprefix(NODE_PREFIX),
+        prefix=options.prefix,
+        log=log,
+        patience_s=_DISCOVERY_S,
+    )
+
+    def carry() -> None:
+        try:
+            carrier.run()
+        except Exception as error:  # noqa: BLE001 - the main thread raises it
+            failure.note(error)
+
+    thread = threading.Thread(target=carry, name="zbot bridge", daemon=True)
+    thread.start()
+    stack.callback(thread.join)
+    stack.callback(carrier.close)
+    if gate is not None:
+        gate.start()
+        stack.callback(gate.close)
+    executor = SingleThreadedExecutor(context=context)
+    executor.add_node(node)
+    log.info(
+        f"carrying between zbot domain {context.get_domain_id()} "
+        f"and {ros.label} domain {options.ros_domain} (Ctrl-C ends)"
+    )
+    options.on_ready()
+    with suppress(KeyboardInterrupt, ExternalShutdownException):
+        executor.spin()
+    failure.raise_if_any()

@@ -1,0 +1,47 @@
+"""Errors of the bridge."""
+
+from __future__ import annotations
+
+import sys
+
+from zbot.errors import ZbotError
+
+
+class BridgeError(ZbotError):
+    """The bridge cannot do what it was asked for."""
+
+
+class NoRclpyError(BridgeError):
+    """This Python cannot import a genuine rclpy."""
+
+    def __init__(self, reason: str) -> None:
+        self.reason = reason
+        if sys.platform == "linux":
+            advice = (
+                "source your ROS 2 (`source /opt/ros/<name>/setup.bash`), "
+                'or type `pip install "zbot[ros2]"`'
+            )
+        else:
+            advice = "run the bridge on a Linux machine: there are no packages for this system"
+        super().__init__(f"this Python cannot import ROS 2's rclpy ({reason}): {advice}")
+
+
+class PatternError(BridgeError, ValueError):
+    """A pattern of `--topics`, `--services`, `--actions` or `--rate` is not valid."""
+
+    def __init__(self, text: str, reason: str) -> None:
+        self.text, self.reason = text, reason
+        super().__init__(f"cannot use {text!r}: {reason}")
+
+
+class CallError(BridgeError):
+    """A service call that the bridge carried failed.
+
+    Attributes:
+        kind: `no_server`, `server_gone`, or the kind of error that the other side told.
+        message: Why it failed.
+    """
+
+    def __init__(self, kind: str, message: str) -> None:
+        self.kind, self.message = kind, message
+        super().__init__(message)

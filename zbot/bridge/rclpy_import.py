@@ -1,0 +1,48 @@
+"""Import of a genuine rclpy, and of the genuine classes of messages and services."""
+
+from __future__ import annotations
+
+import importlib
+from typing import Any
+
+from zbot.bridge.errors import NoRclpyError
+
+
+def import_rclpy() -> Any:
+    """Return the genuine module `rclpy`.
+
+    Raises:
+        NoRclpyError: It is not installed here, or a part of it cannot be loaded.
+    """
+    try:
+        rclpy = importlib.import_module("rclpy")
+        node = importlib.import_module("rclpy.node")
+    except ImportError as error:
+        raise NoRclpyError(str(error)) from error
+    if node.Node.__module__.startswith("zbot."):
+        raise NoRclpyError("only zbot's own rclpy is installed")
+    return rclpy
+
+
+def genuine_class(type_name: str) -> type[Any] | None:
+    """Return ROS 2's class of a message or service, or `None` if ROS 2 does not have it here.
+
+    The name may be that of a part of an action, e.g. `pkg/action/Fibonacci_SendGoal`.
+    """
+    package, kind, name = type_name.split("/")
+    try:
+        module = importlib.import_module(f"{package}.{kind}")
+    except ImportError:
+        return None
+    owner, _, part = name.partition("_")
+    found = getattr(module, name, None) if kind != "action" else getattr(module, owner, None)
+    if found is None or not hasattr(type(found), "__import_type_support__"):
+        return None  # zbot's own class, which the middleware cannot send
+    if not part or kind != "action":
+        return found  # type: ignore[no-any-return] # the module has any attributes
+    parts = {
+        "SendGoal": "SendGoalService",
+        "GetResult": "GetResultService",
+        "FeedbackMessage": "FeedbackMessage",
+    }
+    return getattr(found.Impl, parts[part], None) if part in parts else None

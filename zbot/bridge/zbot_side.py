@@ -1,0 +1,236 @@
+"""Side of a bridge that is a zbot context. The context may also speak another dialect of Zenoh."""
+
+from __future__ import annotations
+
+from contextlib import suppress
+from dataclasses import replace
+from functools import partial
+from typing import TYPE_CHECKING, Any
+
+from zbot.bridge.bridge_graph import BRIDGE_ENCLAVE, bridge_of
+from zbot.bridge.side import NODE_PREFIX, End, World
+from zbot.bridge.zbot_entities import (
+    BRIDGE_MARK,
+    RawCaller,
+    RawPublisher,
+    RawServer,
+    RawSubscription,
+)
+from zbot.errors import ZbotError
+from zbot.interfaces import get_interface, type_hash
+from zbot.interfaces.registry import is_loaded
+from zbot.names import fully_qualified, split_fully_qualified
+from zbot.node.remote_types import learn_type, nodes_to_ask
+from zbot.qos import QoSProfile, qos_profile_services_default
+from zbot.wire.rmw_zenoh import NO_HASH
+from zbot.wire.tokens import EndpointToken, EntityKind, NodeToken
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from zbot.bridge.side import Answer, Format
+    from zbot.graph.snapshot import Announcement, Token
+    from zbot.node.node import Node
+
+
+class ZbotSide:
+    """A zbot context as a side of a bridge. The executor of `node` runs the callbacks.
+
+    Args:
+        node: The bridge's node. Its name is `NODE_PREFIX` and the bridge's id.
+        label: The world in a sentence.
+        wire_format: Format of the bytes in the context's dialect.
+        admits: Called with the name and the sender's id of each message and request. It returns
+            whether this may pass. `None` lets everything pass.
+    """
+
+    def __init__(
+        self,
+        node: Node,
+        *,
+        label: str = "zbot",
+        wire_format: Format = "messagepack",
+        admits: Callable[[str, bytes], bool] | None = None,
+    ) -> None:
+        self.label = label
+        self.format: Format = wire_format
+        self._node = node
+        self._context = node.context
+        self._id = node.get_name().removeprefix(NODE_PREFIX)
+        self._admits = admits
+        self._changed: Callable[[], None] = lambda: None
+        self._nodes: dict[str, tuple[NodeToken, Announcement]] = {}
+        self._ends: dict[End, Announcement] = {}
+        self._known_types: set[str] = set()
+        self._lacks: dict[str, tuple[frozenset[str], str]] = {}  # who was asked, and the reason
+        self._context.graph.watch()
+        self._context.graph.add_listener(self._on_change)
+
+    def watch(self, changed: Callable[[], None]) -> None:
+        """Call a function after each change, in a thread of Zenoh or of this process."""
+        self._changed = changed
+
+    def _on_change(self, token: Token, appeared: bool) -> None:
+        del appeared
+        if token.zid != self._context.zid:
+            self._changed()
+
+    def world(self) -> World:
+        """Return the nodes and endpoints of the domain that no bridge has made."""
+        nodes: set[str] = set()
+        ends: set[End] = set()
+        bridges: dict[str, set[tuple[EntityKind, str]]] = {}
+        for token in self._context.graph.snapshot().tokens:
+            if token.zid == self._context.zid:
+                continue
+            bridge = bridge_of(token)
+            if bridge is not None:
+                offers = bridges.setdefault(bridge, set())
+                if isinstance(token, EndpointToken) and token.enclave.startswith(BRIDGE_ENCLAVE):
+                    offers.add((token.kind, token.name))
+            elif isinstance(token, NodeToken):
+                nodes.add(fully_qualified(token.namespace, token.node))
+            else:
+                ends.add(_end(token))
+        known = {one: frozenset(offers) for one, offers in bridges.items()}
+        return World(frozenset(nodes), frozenset(ends), known)
+
+    def lack(self, type_name: str) -> str:
+        """Return why zbot has no definition of a type. Ask the nodes of the domain first.
+
+        The nodes are asked again when there are others. The other side may also learn the type.
+        """
+        if type_name in self._known_types:
+            return ""
+        nodes = nodes_to_ask(self._context, type_name)
+        asked, reason = self._lacks.get(type_name, (None, ""))
+        if asked != nodes or is_loaded(type_name):
+            reason = self._look_up(type_name)
+            self._lacks[type_name] = nodes, reason
+        if not reason:
+            self._known_types.add(type_name)
+        return reason
+
+    def _look_up(self, type_name: str) -> str:
+        try:
+            get_interface(type_name)
+        except LookupError:
+            with suppress(ZbotError, LookupError):
+                if learn_type(self._context, type_name) is not None:
+                    get_interface(type_name)
+                    return ""
+            return f"{self.label} has no definition of {type_name}"
+        except ZbotError as error:
+            return str(error)
+        return ""
+
+    # -- entities --------------------------------------------------------------------------------
+
+    def receiver(
+        self, name: str, type_name: str, qos: QoSProfile, receive: Callable[[bytes], None]
+    ) -> RawSubscription:
+        """Subscribe to a topic, without an own token in the graph."""
+        cls = get_interface(type_name)
+        admits = None if self._admits is None else partial(self._admits, name)
+        return RawSubscription(
+            self._node,
+            cls,
+            self._token("", EntityKind.SUBSCRIPTION, name, type_name, qos),
+            partial(_receive, receive, admits),
+        )
+
+    def sender(self, name: str, type_name: str, qos: QoSProfile) -> RawPublisher:
+        """Return a publisher of bytes, without an own token in the graph."""
+        token = self._token("", EntityKind.PUBLISHER, name, type_name, qos)
+        return RawPublisher(self._node, get_interface(type_name), token)
+
+    def server(
+        self, name: str, type_name: str, node: str, serve: Callable[[bytes, Answer], None]
+    ) -> RawServer:
+        """Offer a service. The graph shows it as a service of `node`."""
+        qos = qos_profile_services_default
+        token = self._token(node, EntityKind.SERVICE, name, type_name, qos)
+        admits = None if self._admits is None else partial(self._admits, name)
+        return RawServer(self._node, get_interface(type_name), token, serve, admits)
+
+    def caller(self, name: str, type_name: str) -> RawCaller:
+        """Return a client of bytes."""
+        qos = qos_profile_services_default
+        token = self._token("", EntityKind.CLIENT, name, type_name, qos)
+        return RawCaller(self._node, get_interface(type_name), token)
+
+    # -- graph -----------------------------------------------------------------------------------
+
+    def show(self, nodes: frozenset[str], ends: frozenset[End]) -> None:
+        """Announce the nodes of the other side, and their endpoints."""
+        for end in [one for one in self._ends if one not in ends]:
+            self._ends.pop(end).undeclare()
+        for name in [one for one in self._nodes if one not in nodes]:
+            self._nodes.pop(name)[1].undeclare()
+        graph = self._context.graph
+        for name in nodes - self._nodes.keys():
+            node = self._node_token(name)
+            self._nodes[name] = node, graph.announce(node)
+        for end in ends - self._ends.keys():
+            token = self._token(end.node, end.kind, end.name, end.type_name, end.qos)
+            self._ends[end] = graph.announce(token)
+
+    def _node_token(self, name: str) -> NodeToken:
+        namespace, base = split_fully_qualified(name)
+        context = self._context
+        token = NodeToken(
+            domain=context.dialect.domain_of(context.get_domain_id(), name),
+            zid=context.zid,
+            nid=context.next_entity_id(),
+            namespace=namespace,
+            node=base,
+            enclave=BRIDGE_ENCLAVE + self._id,
+        )
+        return context.dialect.with_key(token)
+
+    def _token(
+        self, node: str, kind: EntityKind, name: str, type_name: str, qos: QoSProfile
+    ) -> EndpointToken:
+        """Return the token of an endpoint. `node` is a node of the other side, or empty."""
+        own = self._nodes[node][0] if node in self._nodes else self._node.handle.token
+        token = self._node.handle.named_endpoint(kind, name, (type_name, type_hash(type_name)), qos)
+        namespace, base = split_fully_qualified(node) if node else (own.namespace, own.node)
+        token = replace(
+            token,
+            nid=own.nid,
+            namespace=namespace,
+            node=base,
+            enclave=BRIDGE_ENCLAVE + self._id,
+            key="",
+        )
+        return self._context.dialect.with_key(token)
+
+    def close(self) -> None:
+        """Withdraw what was announced."""
+        self._context.graph.remove_listener(self._on_change)
+        if not self._context.is_closed:
+            self.show(frozenset(), frozenset())
+
+
+def _end(token: EndpointToken) -> End:
+    return End(
+        token.kind,
+        fully_qualified(token.namespace, token.node),
+        token.name,
+        token.type_name,
+        "" if token.type_hash == NO_HASH else token.type_hash,
+        token.qos,
+    )
+
+
+def _receive(
+    receive: Callable[[bytes], None],
+    admits: Callable[[bytes], bool] | None,
+    data: bytes,
+    info: Any,
+) -> None:
+    gid = info["publisher_gid"]
+    sender = b"" if gid is None else gid["data"]
+    if sender.startswith(BRIDGE_MARK) or (admits is not None and not admits(sender)):
+        return
+    receive(data)

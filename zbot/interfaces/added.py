@@ -1,0 +1,108 @@
+"""Store of the definitions that the user has added with `zbot interface add`, for all projects."""
+
+from __future__ import annotations
+
+import os
+import shutil
+from typing import TYPE_CHECKING
+
+from zbot.errors import ZbotError
+from zbot.interfaces.location import package_folder, packages_in
+from zbot.interfaces.parser import parse
+from zbot.interfaces.spec import MessageSpec, parts_of
+from zbot.package.user_folders import definitions_folder
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from zbot.interfaces.collection import FoundPackage
+    from zbot.interfaces.spec import InterfaceSpec
+
+
+class StoreError(ZbotError, OSError):
+    """The folder of the added definitions cannot be changed."""
+
+    def __init__(self, package: str, reason: OSError | str) -> None:
+        self.package = package
+        text = (reason.strerror or str(reason)) if isinstance(reason, OSError) else reason
+        super().__init__(f"cannot store the definitions of {package}: {text}")
+
+
+class NotAddedError(ZbotError, LookupError):
+    """A package that shall be removed was not added."""
+
+    def __init__(self, package: str, known: list[str]) -> None:
+        self.package = package
+        self.hint = f"the added packages are: {', '.join(known)}" if known else ""
+        super().__init__(f"'{package}' was not added with `zbot interface add`")
+
+
+def check(package: FoundPackage) -> set[str]:
+    """Check all definitions of a package. Return the packages that they use and that do not exist.
+
+    Raises:
+        InterfaceSyntaxError: A definition is wrong. The error has its file and line.
+    """
+    used: set[str] = set()
+    for path, text in package.texts.items():
+        name = f"{package.name}/{path.rpartition('.')[0]}"
+        spec = parse(name, text, f"{package.place}/{path}")
+        for message in _messages(spec):
+            used |= {one.type.base.split("/")[0] for one in message.fields if one.type.is_message}
+    return {name for name in used - {package.name} if package_folder(name) is None}
+
+
+def store(package: FoundPackage) -> None:
+    """Copy the definitions of a package into the store. They replace those of an earlier call.
+
+    Raises:
+        StoreError: The files cannot be written.
+    """
+    folder = definitions_folder()
+    if folder is None:
+        raise StoreError(package.name, "this user has no home folder")
+    # Other programs see the old definitions or the new ones, never a part of them.
+    new, old = (folder / f".{package.name}.{os.getpid()}.{word}" for word in ("new", "old"))
+    try:
+        for path, text in package.texts.items():
+            file = new / path
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_bytes(text.encode())
+        if (folder / package.name).exists():
+            (folder / package.name).rename(old)
+        new.rename(folder / package.name)
+    except OSError as error:
+        raise StoreError(package.name, error) from error
+    finally:
+        for left in (new, old):
+            shutil.rmtree(left, ignore_errors=True)
+
+
+def remove(package: str) -> None:
+    """Remove the definitions of a package from the store.
+
+    Raises:
+        NotAddedError: The package is not in the store.
+        StoreError: The files cannot be removed.
+    """
+    known = added_packages()
+    folder = definitions_folder()
+    if package not in known or folder is None:
+        raise NotAddedError(package, known)
+    try:
+        shutil.rmtree(folder / package)
+    except OSError as error:
+        raise StoreError(package, error) from error
+
+
+def added_packages() -> list[str]:
+    """Return the names of the packages in the store, sorted."""
+    folder = definitions_folder()
+    return packages_in(folder) if folder is not None else []
+
+
+def _messages(spec: InterfaceSpec) -> Iterator[MessageSpec]:
+    if isinstance(spec, MessageSpec):
+        yield spec
+    for part in parts_of(spec):
+        yield from _messages(part)

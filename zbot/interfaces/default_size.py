@@ -1,0 +1,51 @@
+"""Size of a message with default values."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+from zbot.interfaces.spec import MessageSpec
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from zbot.interfaces.spec import FieldType, InterfaceSpec
+
+# Memory of CPython's objects, rounded.
+_MESSAGE_BYTES, _ARRAY_BYTES, _REFERENCE_BYTES = 64, 120, 8
+_ITEM_BYTES = {"b": 1, "B": 1, "h": 2, "H": 2, "i": 4, "I": 4, "f": 4}
+
+
+class DefaultSize(NamedTuple):
+    """Size of a message with default values."""
+
+    octets: int = 0  #: bytes of memory, approximately
+    messages: int = 0  #: messages inside it, and itself
+    levels: int = 0  #: depth, 1 for a message without messages inside
+
+
+def combined_size(spec: InterfaceSpec, find: Callable[[str], DefaultSize]) -> DefaultSize:
+    """Return the size of a message. `find` returns the sizes of the types inside it."""
+    fields = spec.fields if isinstance(spec, MessageSpec) else ()
+    octets, messages, levels = _MESSAGE_BYTES + _REFERENCE_BYTES * len(fields), 1, 0
+    for field in fields:
+        kind = field.type
+        inner = find(kind.base) if kind.is_message else DefaultSize()
+        octets += _octets(kind, inner.octets)
+        messages += _count(kind) * inner.messages
+        levels = max(levels, inner.levels)
+    return DefaultSize(octets, messages, levels + 1)
+
+
+def _count(kind: FieldType) -> int:
+    """Return the number of values of a field that has its default value."""
+    return {"scalar": 1, "array": kind.size, "sequence": 0}[kind.kind]
+
+
+def _octets(kind: FieldType, each: int) -> int:
+    count = _count(kind)
+    if kind.kind == "scalar":
+        return each
+    if kind.typecode:
+        return _ARRAY_BYTES + count * _ITEM_BYTES.get(kind.typecode, 8)
+    return _ARRAY_BYTES + count * (_REFERENCE_BYTES + each)

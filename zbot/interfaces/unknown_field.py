@@ -1,0 +1,38 @@
+"""Advice for the assignment of a field that a message does not have: `twist.linear.vx = 1.0`.
+
+Python raises this AttributeError, and up to Python 3.12 it names no similar field. Message classes
+have no `__setattr__` of their own, because it would make every assignment slower.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+from zbot.errors import close_matches, did_you_mean
+from zbot.interfaces import registry
+
+# Python 3.13 adds "and no __dict__ for setting new attributes".
+_TEXT = re.compile(
+    r"'(\w+)' object has no attribute '([a-zA-Z]\w*)'"
+    r"(?: and no __dict__ for setting new attributes)?\Z"
+)
+
+
+def add_advice(error: BaseException) -> None:
+    """Add the message's fields to the text of an error, if the error is about an unknown field."""
+    if not isinstance(error, AttributeError) or getattr(error, "obj", None) is not None:
+        return  # Python itself suggests a name
+    match = _TEXT.match(str(error))
+    fields = _fields_of(match[1]) if match else ()
+    if match and fields:
+        near = close_matches(match[2], fields, 1)
+        error.args = (f"{error}{did_you_mean(near) or '; it has ' + ', '.join(fields)}",)
+
+
+def _fields_of(name: str) -> tuple[str, ...]:
+    """Return the fields of the message class with this name, if the program uses only one."""
+    found: list[Any] = [cls for cls in registry.used_classes() if cls.__name__ == name]
+    if len(found) != 1 or not hasattr(found[0], "get_fields_and_field_types"):
+        return ()
+    return tuple(found[0].get_fields_and_field_types())

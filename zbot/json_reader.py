@@ -1,0 +1,104 @@
+"""Reader of JSON from other programs and machines, with limits and with one error."""
+
+from __future__ import annotations
+
+import json
+import math
+from typing import Any
+
+from zbot.errors import ZbotError
+
+_MAX_BYTES = 16 * 1024 * 1024
+_MAX_LEVELS = 64
+_MAX_DIGITS = 400  # every number of a float64 is shorter
+
+
+class JsonError(ZbotError, ValueError):
+    """A text is not JSON that zbot accepts."""
+
+    def __init__(self, reason: str) -> None:
+        self.reason = reason
+        super().__init__(f"this is not valid JSON: {reason}")
+
+
+def read_json(text: str | bytes, max_bytes: int = _MAX_BYTES) -> Any:
+    """Return the value in a JSON text.
+
+    Args:
+        text: The text. Bytes are UTF-8.
+        max_bytes: The largest number of bytes or characters.
+
+    Raises:
+        JsonError: The text is not valid, too long or nested deeper than 64 levels, a number is
+            infinite or has more than 400 digits, or a string cannot be written as UTF-8.
+    """
+    if len(text) > max_bytes:
+        raise JsonError(f"it is longer than {max_bytes} bytes")
+    try:
+        value = json.loads(
+            text, parse_int=_integer, parse_float=_float, parse_constant=_refuse_constant
+        )
+    except JsonError:
+        raise
+    except RecursionError:
+        raise JsonError(f"it is nested deeper than {_MAX_LEVELS} levels") from None
+    except ValueError as error:
+        raise JsonError(str(error)) from error
+    _check(value)
+    return value
+
+
+def read_json_object(text: str | bytes, max_bytes: int = _MAX_BYTES) -> dict[str, Any]:
+    """Return the object in a JSON text. The errors are those of `read_json`.
+
+    Raises:
+        JsonError: The text is not valid, or is not an object.
+    """
+    value = read_json(text, max_bytes)
+    if not isinstance(value, dict):
+        raise JsonError("it is not an object")
+    return value
+
+
+def _check(value: Any) -> None:
+    """Check depth and strings. A loop is used, because a function would need a deep stack."""
+    level = [value]
+    for _ in range(_MAX_LEVELS + 1):
+        deeper: list[Any] = []
+        for one in level:
+            if isinstance(one, str):
+                _check_text(one)
+            elif isinstance(one, list):
+                deeper += one
+            elif isinstance(one, dict):
+                deeper += one
+                deeper += one.values()
+        if not deeper:
+            return
+        level = deeper
+    raise JsonError(f"it is nested deeper than {_MAX_LEVELS} levels")
+
+
+def _check_text(text: str) -> None:
+    if not text.isascii():
+        try:
+            text.encode()
+        except UnicodeEncodeError:
+            raise JsonError("a string has characters that UTF-8 cannot hold") from None
+
+
+def _integer(digits: str) -> int:
+    if len(digits) > _MAX_DIGITS:
+        raise JsonError(f"a number has more than {_MAX_DIGITS} digits")
+    return int(digits)
+
+
+def _float(digits: str) -> float:
+    value = float(digits)
+    if not math.isfinite(value):
+        raise JsonError("a number is infinite")
+    return value
+
+
+def _refuse_constant(word: str) -> Any:
+    raise JsonError(f"{word} is not a number")

@@ -1,0 +1,59 @@
+"""Sentences about two endpoints that cannot hear each other, because their types differ.
+
+In ROS 2's dialect, the hash of the definition is a part of the key. So endpoints with different
+definitions of one type get nothing from each other, and no error.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from zbot.interfaces import type_description
+from zbot.interfaces.difference import difference
+from zbot.interfaces.errors import (
+    InterfaceSyntaxError,
+    UnknownInterfaceError,
+    UnknownPackageError,
+)
+from zbot.interfaces.remote_definition import specs_from
+from zbot.names import fully_qualified
+from zbot.node.remote_types import definitions_of
+
+if TYPE_CHECKING:
+    from zbot.context import Context
+    from zbot.wire.tokens import EndpointToken
+
+_HASH_LENGTH = 16  # characters of a hash that a sentence shows
+
+
+def difference_text(context: Context, mine: EndpointToken, other: EndpointToken) -> str:
+    """Return a sentence about the definitions of two endpoints that cannot hear each other.
+
+    The other node is asked for its definition, which takes milliseconds, and at most 2 s.
+    """
+    who = fully_qualified(other.namespace, other.node)
+    if not (_has_hash(mine) and _has_hash(other)):
+        with_hash, without = (who, "this program") if _has_hash(other) else ("this program", who)
+        return (
+            f"{mine.name}: {without} speaks as ROS 2 Humble, and {with_hash} as a later ROS 2: "
+            "they cannot hear each other; if all nodes are of one ROS 2, start this program again"
+        )
+    details = _details(context, mine, other)
+    return (
+        f"{mine.name}: {who} has another definition of {mine.type_name}, so ROS 2 delivers nothing "
+        f"between it and this node: {details}; use the same definition in both"
+    )
+
+
+def _has_hash(token: EndpointToken) -> bool:
+    return token.type_hash.startswith("RIHS")
+
+
+def _details(context: Context, mine: EndpointToken, other: EndpointToken) -> str:
+    short = [token.type_hash[:_HASH_LENGTH] for token in (mine, other)]
+    hashes = f"its hash is {short[0]}... here and {short[1]}... there"
+    try:
+        here = specs_from(type_description(mine.type_name))
+    except (InterfaceSyntaxError, UnknownInterfaceError, UnknownPackageError):
+        return hashes
+    return difference(here, definitions_of(context, other)) or hashes

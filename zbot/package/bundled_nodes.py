@@ -1,0 +1,74 @@
+"""Table of the ROS 2 packages whose programs zbot replaces by bundled nodes."""
+
+from __future__ import annotations
+
+from typing import Final
+
+_DEMO_NODES = {
+    name: name for name in ("add_two_ints_client", "add_two_ints_server", "listener", "talker")
+}
+_FIBONACCI = {name: name for name in ("fibonacci_action_client", "fibonacci_action_server")}
+_LIFECYCLE = {"lifecycle_talker": "lifecycle_talker"}
+
+_RQT = (
+    *("rqt_action", "rqt_console", "rqt_graph", "rqt_gui", "rqt_image_view", "rqt_logger_level"),
+    *("rqt_msg", "rqt_plot", "rqt_publisher", "rqt_reconfigure", "rqt_service_caller", "rqt_top"),
+    "rqt_topic",
+)
+#: Programs on the PATH of a ROS 2 installation that are bundled nodes: the name and its package.
+BUNDLED_PROGRAMS: Final[dict[str, str]] = {
+    "rqt": "rqt_gui",
+    **{name: name for name in (*_RQT, "xacro")},
+}
+
+#: For the name of each ROS 2 package: its executables, and their modules in `zbot_nodes`.
+BUNDLED_NODES: Final[dict[str, dict[str, str]]] = {
+    "action_tutorials_cpp": _FIBONACCI,
+    "action_tutorials_py": _FIBONACCI,
+    "controller_manager": {
+        "ros2_control_node": "control.controller_manager",
+        "spawner": "control.spawner",
+        "spawner.py": "control.spawner",
+        "unspawner": "control.unspawner",
+    },
+    "demo_nodes_cpp": {**_DEMO_NODES, "parameter_blackboard": "parameter_blackboard"},
+    "demo_nodes_py": _DEMO_NODES,
+    "joy": {"joy_node": "driving.joy_node"},
+    "joy_linux": {"joy_linux_node": "driving.joy_linux_node"},
+    "lifecycle": _LIFECYCLE,
+    "lifecycle_py": _LIFECYCLE,
+    "diagnostic_aggregator": {"aggregator_node": "diagnostics.aggregator_node"},
+    "image_transport": {"republish": "images.republish"},
+    "joint_state_publisher": {"joint_state_publisher": "description.joint_state_publisher"},
+    "joint_state_publisher_gui": {
+        "joint_state_publisher_gui": "description.joint_state_publisher_gui"
+    },
+    "nav2_lifecycle_manager": {"lifecycle_manager": "navigation.lifecycle_manager"},
+    "nav2_map_server": {
+        "map_saver_cli": "navigation.map_saver_cli",
+        "map_saver_server": "navigation.map_saver_server",
+        "map_server": "navigation.map_server",
+    },
+    "robot_state_publisher": {"robot_state_publisher": "description.robot_state_publisher"},
+    "teleop_twist_joy": {"teleop_node": "driving.teleop_twist_joy"},
+    **{name: {name: "page.rqt"} for name in _RQT},
+    "rqt_gui": {"rqt_gui": "page.rqt", "rqt": "page.rqt"},
+    "tf2_ros": {
+        "static_transform_publisher": "static_transform_publisher",
+        "tf2_echo": "tf2_echo",
+        "tf2_monitor": "frames.tf2_monitor",
+    },
+    "tf2_tools": {"view_frames": "frames.view_frames"},
+    "topic_tools": {
+        name: f"topics.{name}" for name in ("delay", "drop", "mux", "relay", "throttle")
+    },
+    "turtlesim": {
+        "draw_square": "draw_square",
+        "mimic": "mimic",
+        "turtle_teleop_key": "turtle_teleop_key",
+        "turtlesim_node": "turtlesim_node",
+    },
+    "twist_mux": {"twist_mux": "driving.twist_mux"},
+    "urdf_launch": {},  # only launch files
+    "xacro": {"xacro": "description.xacro_program"},
+}

@@ -1,0 +1,78 @@
+"""Finder of the Python packages in the workspace, for programs whose workspace was sourced.
+
+`source install/setup.bash`, `zbot run`, `zbot launch` and `zbot test` set ZBOT_WORKSPACE. Then
+programs and their child processes can import the Python packages of the workspace from the sources.
+"""
+
+from __future__ import annotations
+
+import functools
+import os
+import sys
+from importlib.machinery import ModuleSpec, PathFinder
+from typing import TYPE_CHECKING
+
+from zbot.package.workspace import VARIABLE, Roots, package_folders, search_roots
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from pathlib import Path
+    from types import ModuleType
+
+#: Files beside a Python package that are not installed with it.
+_NOT_INSTALLED = {"setup", "conftest"}
+
+
+class WorkspaceFinder:
+    """Finder of top-level Python packages and modules in the workspace's packages."""
+
+    #: Whether to search without ZBOT_WORKSPACE too, then in the workspace of the current folder.
+    searches_always = False
+
+    @classmethod
+    def find_spec(
+        cls, fullname: str, path: Sequence[str] | None = None, target: ModuleType | None = None
+    ) -> ModuleSpec | None:
+        """Return the spec of a module of the workspace. Python itself finds its submodules."""
+        if path is not None or not (cls.searches_always or os.environ.get(VARIABLE)):
+            return None
+        if fullname in _NOT_INSTALLED or fullname in sys.stdlib_module_names:
+            return None
+        spec = PathFinder.find_spec(fullname, _paths(search_roots()), target)
+        if not _is_module(spec) or _is_module(PathFinder.find_spec(fullname, None, target)):
+            return None
+        return spec
+
+
+def install(*, searches_always: bool = False) -> None:
+    """Put the finder before Python's own. A second call does not add a second finder.
+
+    A package's folder has the name of the Python package in it. In the folder around it, Python's
+    own finder takes the outer folder for a package without modules.
+
+    Args:
+        searches_always: Whether to search the workspace of the current folder from now on, even if
+            no workspace was sourced.
+    """
+    WorkspaceFinder.searches_always |= searches_always
+    if WorkspaceFinder not in sys.meta_path:
+        place = sys.meta_path.index(PathFinder) if PathFinder in sys.meta_path else 0
+        sys.meta_path.insert(place, WorkspaceFinder)
+
+
+def _is_module(spec: ModuleSpec | None) -> bool:
+    # A folder without `__init__.py`, such as `launch`, is no Python package.
+    return spec is not None and spec.origin is not None
+
+
+def import_paths(folder: Path) -> list[str]:
+    """Return the folders in which Python finds the modules of a package."""
+    inner = folder / "src"
+    has_inner = inner.is_dir() and any(inner.glob("*/__init__.py"))
+    return [str(inner), str(folder)] if has_inner else [str(folder)]
+
+
+@functools.lru_cache(maxsize=4)
+def _paths(roots: Roots) -> list[str]:
+    found = (path for folder in package_folders(roots=roots) for path in import_paths(folder))
+    return list(dict.fromkeys(found))

@@ -1,0 +1,2 @@
+# Written by python -m zbot.interfaces.stubs; do not edit.
+from robot_localization import srv as srv

@@ -1,0 +1,54 @@
+"""Mesh of a domain: the sessions that are linked to each other, and not only to the router.
+
+Each link takes memory and work in two sessions, so a mesh of 60 sessions uses a CPU for itself.
+A domain's first sessions are in its mesh: their messages take the shortest way, and arrive while
+the router is replaced. Later sessions are clients of the router (docs/design/meeting-point.md).
+"""
+
+from __future__ import annotations
+
+import contextlib
+from typing import IO
+
+from zbot.transport import background_process, membership
+
+PLACES = 12  #: sessions of one user in the mesh of a domain
+
+
+class Mesh:
+    """The mesh of one domain on this machine.
+
+    Args:
+        domain: 0 to 232.
+    """
+
+    def __init__(self, domain: int) -> None:
+        self._domain = domain
+        self._place: IO[str] | None = None
+
+    def enter(self) -> bool:
+        """Take a place until `leave`, or until this process ends. Return `False` if all are taken.
+
+        If the files of the places cannot be written, the answer is always `True`.
+        """
+        try:
+            membership.folder().mkdir(parents=True, exist_ok=True)
+            return any(self._take(number) for number in range(PLACES))
+        except OSError:  # e.g. the folder is read-only
+            return True
+
+    def _take(self, number: int) -> bool:
+        path = background_process.lock_path(f"mesh-{self._domain}-{number}")
+        with contextlib.ExitStack() as files:
+            file = files.enter_context(path.open("a", encoding="utf-8"))
+            if background_process.lock(file):
+                self._place = file
+                files.pop_all()  # the file stays open, because closing it gives the place back
+                return True
+        return False
+
+    def leave(self) -> None:
+        """Give the place back. Do nothing if this session has none."""
+        if self._place is not None:
+            self._place.close()
+            self._place = None

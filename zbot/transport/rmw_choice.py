@@ -1,0 +1,72 @@
+"""Choice of the middleware whose dialect a program speaks: zbot's own, or ROS 2's."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING
+
+from zbot.transport.errors import RmwError
+from zbot.wire.dialect import CLASSROOM, NATIVE, ZBOT_IDENTIFIER
+
+if TYPE_CHECKING:
+    from zbot.transport.config import SessionConfig
+    from zbot.wire.dialect import Dialect
+
+RMW_VARIABLE = "RMW_IMPLEMENTATION"
+RMW_ZENOH = "rmw_zenoh_cpp"
+#: Names of the middlewares that a program can choose.
+IDENTIFIERS = (ZBOT_IDENTIFIER, RMW_ZENOH)
+
+
+def dialect_of_rmw(
+    given: str | None, *, in_class: bool, file: SessionConfig | None = None
+) -> Dialect:
+    """Return the dialect that a context speaks.
+
+    It is that of `given`, else that of `$RMW_IMPLEMENTATION`, else that of the configuration file.
+    Other middlewares of ROS 2 are ignored in the variable, because a user of ROS 2 may have set
+    them for other programs.
+
+    Args:
+        given: Name of a middleware.
+        in_class: Whether the machine is in a class.
+        file: The Zenoh configuration file, if it was read. Its
+            `metadata` may have the field `rmw_implementation`.
+
+    Raises:
+        RmwError: `given` or the file names an unknown middleware.
+        ConfigError: The file is not a valid Zenoh configuration.
+    """
+    found = given or _of_variable() or (file and _of_file(file))
+    name = known(found) if found else ZBOT_IDENTIFIER
+    if name == RMW_ZENOH:
+        from zbot.wire.rmw_zenoh import RMW_ZENOH as DIALECT  # noqa: PLC0415 - rarely needed
+
+        return DIALECT
+    return CLASSROOM if in_class else NATIVE
+
+
+def known(name: str) -> str:
+    """Return the name of a middleware that zbot speaks.
+
+    Raises:
+        RmwError: zbot does not speak it.
+    """
+    if name not in IDENTIFIERS:
+        raise RmwError(name, IDENTIFIERS)
+    return name
+
+
+def _of_variable() -> str | None:
+    name = os.environ.get(RMW_VARIABLE)
+    return name if name in IDENTIFIERS else None
+
+
+def _of_file(file: SessionConfig) -> str | None:
+    if "rmw_implementation" not in file.text or file.is_packaged:
+        return None
+    from zbot.transport.config import setting  # noqa: PLC0415 - few files say it
+
+    metadata = setting(file.build({}), "metadata")
+    name = metadata.get("rmw_implementation") if isinstance(metadata, dict) else None
+    return None if name is None else str(name)

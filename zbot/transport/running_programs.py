@@ -1,0 +1,192 @@
+"""Registry of this user's running programs: a file for each open session, with what it has joined.
+
+A program reads the membership file when it starts. If the machine joins or leaves a class later,
+the program does not notice, and it is invisible for the class. The registry finds such programs.
+Each file is locked while its session is open, so the files of killed programs are recognised.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import socket
+import time
+from dataclasses import asdict, dataclass, field, fields
+from typing import TYPE_CHECKING, Any
+
+from zbot.json_reader import read_json_object
+from zbot.names import is_hidden
+from zbot.transport import background_process, environment, membership
+from zbot.transport.process_facts import command_line
+
+if TYPE_CHECKING:
+    from pathlib import Path
+    from typing import IO
+
+    from zbot.transport.membership import Membership
+
+_FOLDER = "programs"
+_LOCK_TIMEOUT_S = 0.2  # another program may hold the lock for a moment to read the file
+_PAUSE_S = 0.005
+_YOUNG_S = 5.0  # a file of this age may not be locked yet
+_MOST_LISTED = 5
+
+
+@dataclass(frozen=True)
+class RunningProgram:
+    """A program with an open session."""
+
+    pid: int
+    host: str
+    command: str
+    domain: int
+    is_tool: bool  #: whether it is a command, which may work in any domain
+    in_class: bool
+    class_name: str
+    login: str  #: see `membership.login`
+    hidden_by: str  #: setting that hides the program's nodes from what the machine has joined
+    nodes: list[str] = field(default_factory=list)  #: full names
+
+    @property
+    def visible_nodes(self) -> list[str]:
+        """The full names of the nodes that lists show."""
+        return [name for name in self.nodes if not is_hidden(name)]
+
+    def reason(self, joined: Membership | None) -> str:
+        """Return why a class or hub does not see the program's nodes. Empty if it sees them."""
+        if self.login != membership.login(joined) or self.in_class != (
+            joined is not None and joined.in_class
+        ):
+            left = f'class "{self.class_name}"' if self.in_class else "no class"
+            return f"it started when this machine was in {left}"
+        if joined is not None and self.hidden_by:
+            return self.hidden_by
+        is_student = joined is not None and joined.role == "student"
+        if is_student and not self.is_tool and joined is not None and self.domain != joined.number:
+            return f"it uses domain {self.domain}"
+        return ""
+
+
+class Registration:
+    """File of one program in the registry.
+
+    Args:
+        domain: The domain of the program's session.
+        is_tool: Whether the program is a command, which may work in any domain.
+    """
+
+    def __init__(self, domain: int, *, is_tool: bool) -> None:
+        joined = membership.load()
+        hidden = [one.setting for one in environment.differences() if one.hides]
+        self._program = RunningProgram(
+            pid=os.getpid(),
+            host=socket.gethostname(),
+            command=command_line(),
+            domain=domain,
+            is_tool=is_tool,
+            in_class=joined is not None and joined.in_class,
+            class_name=joined.class_name if joined is not None else "",
+            login=membership.login(joined),
+            hidden_by=", ".join(hidden),
+        )
+        self._path = _folder() / f"{os.getpid()}-{os.urandom(4).hex()}.json"
+        self._file: IO[str] | None = None
+        with contextlib.suppress(OSError):  # the folder is read-only
+            self._file = _locked_file(self._path)
+            self._write()
+
+    def add(self, node: str) -> None:
+        """Add a node's full name."""
+        self._program.nodes.append(node)
+        self._write()
+
+    def remove(self, node: str) -> None:
+        """Remove a node's full name."""
+        with contextlib.suppress(ValueError):
+            self._program.nodes.remove(node)
+        self._write()
+
+    def _write(self) -> None:
+        if self._file is not None:
+            with contextlib.suppress(OSError):  # the disk is full
+                self._file.seek(0)
+                self._file.truncate()
+                self._file.write(json.dumps(asdict(self._program)))
+                self._file.flush()
+
+    def close(self) -> None:
+        """Remove the file."""
+        file, self._file = self._file, None
+        if file is not None:
+            with contextlib.suppress(OSError):
+                file.close()
+                self._path.unlink(missing_ok=True)
+
+
+def _folder() -> Path:
+    return membership.folder() / _FOLDER
+
+
+def _locked_file(path: Path) -> IO[str]:
+    # `make_private_folder` would import modules that take 8 ms.
+    path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
+    descriptor = os.open(path, os.O_RDWR | os.O_CREAT | os.O_EXCL, 0o600)
+    file = os.fdopen(descriptor, "w+", encoding="utf-8")
+    deadline = time.monotonic() + _LOCK_TIMEOUT_S
+    while not background_process.lock(file) and time.monotonic() < deadline:
+        time.sleep(_PAUSE_S)
+    return file
+
+
+def running() -> list[RunningProgram]:
+    """Return this user's running programs on this machine, without this process."""
+    try:
+        paths = sorted(_folder().glob("*.json"))
+    except OSError:
+        return []
+    found = [_read(path) for path in paths]
+    here = socket.gethostname()
+    return [one for one in found if one and one.host == here and one.pid != os.getpid()]
+
+
+def _read(path: Path) -> RunningProgram | None:
+    """Return the program of a file. If the program has ended, remove the file."""
+    try:
+        with path.open("r+", encoding="utf-8") as file:
+            is_over = background_process.lock(file)
+            document: dict[str, Any] = read_json_object(file.read()) if not is_over else {}
+        if is_over and time.time() - path.stat().st_mtime > _YOUNG_S:
+            path.unlink()
+        known = {one.name for one in fields(RunningProgram)}
+        return (
+            None if is_over else RunningProgram(**{k: document[k] for k in known & set(document)})
+        )
+    except (OSError, ValueError, TypeError):
+        return None  # the program ends or writes now
+
+
+def outside() -> list[RunningProgram]:
+    """Return the programs with nodes that what this machine has joined does not see."""
+    joined = membership.load()
+    return [one for one in running() if one.nodes and one.reason(joined)]
+
+
+def outside_text() -> str:
+    """Return a sentence about the programs of `outside()` that says what to do, or nothing."""
+    programs, joined = outside(), membership.load()
+    if not programs:
+        return ""
+    count = sum(len(one.nodes) for one in programs)
+    place = f"outside {environment.place(joined)}" if joined else "in a class that was left"
+    listed = [_described(one, joined) for one in programs]
+    more = f"; and {len(listed) - _MOST_LISTED} more" if len(listed) > _MOST_LISTED else ""
+    return (
+        f"{count} node{'' if count == 1 else 's'} of this machine run{'s' * (count == 1)} {place}: "
+        f"{'; '.join(listed[:_MOST_LISTED])}{more}. End them and start them again"
+    )
+
+
+def _described(program: RunningProgram, joined: Membership | None) -> str:
+    names = ", ".join(program.visible_nodes[:_MOST_LISTED]) or program.command
+    return f"{names} (process {program.pid}: {program.reason(joined)})"

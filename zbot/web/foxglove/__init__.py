@@ -1,0 +1,1 @@
+"""Server for Foxglove and Lichtblick, with the package `foxglove-sdk`."""

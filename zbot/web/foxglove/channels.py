@@ -1,0 +1,116 @@
+"""Channels of the server for Foxglove: a channel for each topic, with its schema."""
+
+from __future__ import annotations
+
+import threading
+from typing import TYPE_CHECKING, Any
+
+from zbot.bag.definition import ENCODING, definition_text
+from zbot.bag.qos_profiles import profile_to_subscribe
+from zbot.errors import NotInitializedError, ZbotError
+from zbot.log import get_logger
+from zbot.names import is_hidden
+
+if TYPE_CHECKING:
+    from zbot.graph.snapshot import Snapshot
+    from zbot.node.subscription import Subscription
+    from zbot.web.system import System
+
+_DEPTH = 100
+
+
+class _Topic:
+    """Topic that clients can subscribe to."""
+
+    def __init__(self, channel: Any, type_name: str) -> None:
+        self.channel = channel
+        self.type_name = type_name
+        self.clients: set[int] = set()
+        self.subscription: Subscription[Any] | None = None
+
+
+class Channels:
+    """Channels of all topics. A topic is subscribed to while a client shows it.
+
+    Args:
+        system: The running system.
+        context: The SDK's context, to which the server belongs.
+    """
+
+    def __init__(self, system: System, context: Any) -> None:
+        self._system = system
+        self._context = context
+        self._lock = threading.RLock()
+        self._topics: dict[str, _Topic] = {}
+        self._unknown: dict[str, str] = {}  #: types that could not be found, and their topics
+
+    def update(self, graph: Snapshot) -> None:
+        """Offer the topics of a graph. It may ask other machines for types, which takes a while."""
+        found = {name: types[0] for name, types in graph.topics() if not is_hidden(name)}
+        with self._lock:
+            gone = [name for name, one in self._topics.items() if found.get(name) != one.type_name]
+        for name in gone:
+            self._remove(name)
+        for name, type_name in found.items():
+            if name not in self._topics and self._unknown.get(name) != type_name:
+                self._add(name, type_name)
+
+    def subscribe(self, topic: str, client: int) -> None:
+        """Note that a client shows a topic."""
+        with self._lock:
+            one = self._topics.get(topic)
+            if one is None:
+                return
+            one.clients.add(client)
+            if one.subscription is None:
+                one.subscription = self._subscription(topic, one)
+
+    def unsubscribe(self, topic: str, client: int) -> None:
+        """Note that a client does not show a topic any more."""
+        with self._lock:
+            one = self._topics.get(topic)
+            if one is None:
+                return
+            one.clients.discard(client)
+            if not one.clients:
+                self._end(one)
+
+    def _add(self, name: str, type_name: str) -> None:
+        from foxglove import Channel, Schema  # noqa: PLC0415 - an extra
+
+        try:
+            self._system.interface(type_name)
+            text = definition_text(type_name)
+        except ZbotError as error:
+            self._unknown[name] = type_name
+            get_logger("zbot.foxglove").warning(f"{name} is not shown: {error}")
+            return
+        schema = Schema(name=type_name, encoding=ENCODING, data=text.encode())
+        channel = Channel(name, schema=schema, message_encoding="cdr", context=self._context)
+        with self._lock:
+            self._topics[name] = _Topic(channel, type_name)
+
+    def _remove(self, name: str) -> None:
+        with self._lock:
+            one = self._topics.pop(name)
+            self._end(one)
+        one.channel.close()
+
+    def _subscription(self, topic: str, one: _Topic) -> Subscription[Any] | None:
+        publishers = self._system.snapshot().publishers(topic)
+        profile = profile_to_subscribe([end.qos for end in publishers], _DEPTH)
+
+        def send(data: bytes) -> None:
+            one.channel.log(data)
+
+        try:
+            return self._system.node.create_subscription(
+                self._system.interface(one.type_name), topic, send, profile, raw=True
+            )
+        except NotInitializedError:
+            return None  # the program ends
+
+    def _end(self, one: _Topic) -> None:
+        subscription, one.subscription = one.subscription, None
+        if subscription is not None and self._system.context.ok():
+            self._system.node.destroy_subscription(subscription)

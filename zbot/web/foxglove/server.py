@@ -1,0 +1,183 @@
+"""Server for Foxglove and Lichtblick, which shows the topics and nodes of a domain live."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import secrets
+import threading
+import traceback
+from typing import TYPE_CHECKING, Any
+from urllib.parse import urlencode
+
+from zbot.errors import ZbotError
+from zbot.log import get_logger
+from zbot.names import fully_qualified, is_hidden
+from zbot.web.foxglove.channels import Channels
+from zbot.web.foxglove.guard import FOXGLOVE_ORIGIN, Guard, free_loopback_address
+from zbot.web.foxglove.listener import Listener
+from zbot.web.foxglove.parameters import Parameters
+from zbot.web.foxglove.services import Services
+from zbot.web.page_address import address, is_loopback, origin_of
+from zbot.web.system import System
+from zbot.wire.tokens import EntityKind
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator, Sequence
+
+    from zbot.graph.snapshot import Snapshot
+
+_LOOK_S = 0.3
+_TRIED_PORTS = 20
+
+
+class NoFoxgloveExtraError(ZbotError, ImportError):
+    """The package `foxglove-sdk` is not installed."""
+
+    def __init__(self) -> None:
+        super().__init__('Foxglove needs foxglove-sdk: pip install "zbot[foxglove]"')
+
+
+class NoPortError(ZbotError, OSError):
+    """The server cannot listen."""
+
+    def __init__(self, host: str, port: int, reason: str) -> None:
+        self.host, self.port = host, port
+        super().__init__(f"cannot listen on {host}, port {port}: {reason}")
+
+
+def check_extra() -> None:
+    """Raise `NoFoxgloveExtraError` if the package `foxglove-sdk` is not installed."""
+    try:
+        import foxglove  # noqa: F401, PLC0415 - an extra
+    except ImportError:
+        raise NoFoxgloveExtraError from None
+
+
+def serve(
+    host: str,
+    port: int,
+    *,
+    read_only: bool,
+    origins: Sequence[str],
+    on_ready: Callable[[str, str], None],
+) -> None:
+    """Serve until Ctrl-C.
+
+    Args:
+        host: The address to listen on. If it is not a loopback address, clients need a token.
+        port: The port. If it is taken, the next free port is used. 0 means any.
+        read_only: Whether clients can only look.
+        origins: Addresses of further web applications that may connect.
+        on_ready: Called with the address of the websocket, and with that of the web application.
+
+    Raises:
+        NoFoxgloveExtraError: The package `foxglove-sdk` is not installed.
+        NoPortError: The server cannot listen.
+        OriginError: An origin is not the address of a page.
+    """
+    check_extra()
+    allowed = [origin_of(one) for one in origins]
+    with System(read_only=read_only) as system, _sdk_server(system) as inner:
+        token = None if is_loopback(host) else secrets.token_urlsafe(16)
+        guard = Guard(host, inner, token, allowed)
+
+        def ready(own_port: int) -> None:
+            websocket = address(host, own_port, "/", token, scheme="ws")
+            query = urlencode({"ds": "foxglove-websocket", "ds.url": websocket})
+            on_ready(websocket, f"{FOXGLOVE_ORIGIN}/~/view?{query}")
+
+        asyncio.run(_listen(guard, host, port, ready))
+
+
+@contextlib.contextmanager
+def _sdk_server(system: System) -> Iterator[tuple[str, int]]:
+    """Run the SDK's server behind the guard, and yield its address."""
+    import foxglove  # noqa: PLC0415 - an extra
+    from foxglove.websocket import Capability  # noqa: PLC0415 - as above
+
+    foxglove.set_log_level("CRITICAL")  # it reports each client that closes its window
+    context = foxglove.Context()
+    channels, parameters = Channels(system, context), Parameters(system)
+    capabilities = [Capability.ConnectionGraph, Capability.Parameters]
+    if not system.read_only:
+        capabilities += [Capability.ClientPublish, Capability.Services]
+    host = free_loopback_address()
+    server = foxglove.start_server(
+        name=f"zbot, domain {system.domain_id}",
+        host=host,
+        port=0,
+        capabilities=capabilities,
+        server_listener=Listener(system, channels, parameters),
+        supported_encodings=["cdr", "json"],
+        context=context,
+    )
+    services = None if system.read_only else Services(system, server)
+    is_over = threading.Event()
+
+    def follow() -> None:
+        seen = -1
+        while not is_over.is_set():
+            if system.revision != seen:
+                seen = system.revision
+                try:
+                    graph = system.snapshot()
+                    channels.update(graph)
+                    if services is not None:
+                        services.update(graph)
+                    server.publish_connection_graph(_connection_graph(graph))
+                except Exception as error:  # noqa: BLE001 - the next change is shown again
+                    lines = traceback.format_exception(error)
+                    text = str(error) if isinstance(error, ZbotError) else "".join(lines)
+                    get_logger("zbot.foxglove").error(text)
+            is_over.wait(_LOOK_S)
+
+    follower = threading.Thread(target=follow, name="zbot foxglove", daemon=True)
+    follower.start()
+    try:
+        yield host, server.port
+    finally:
+        is_over.set()
+        follower.join()
+        server.stop()
+
+
+async def _listen(guard: Guard, host: str, port: int, ready: Callable[[int], None]) -> None:
+    server = await _started(guard, host, port)
+    try:
+        ready(server.sockets[0].getsockname()[1])
+        await asyncio.Event().wait()
+    finally:
+        # `async with` and `serve_forever` would wait for the clients, which may stay for ever.
+        server.close()
+
+
+async def _started(guard: Guard, host: str, port: int) -> asyncio.Server:
+    last = port + _TRIED_PORTS if port else port
+    while True:
+        try:
+            return await asyncio.start_server(guard.serve, host, port)
+        except OSError as error:
+            if port >= last:
+                raise NoPortError(host, port, error.strerror or str(error)) from error
+            port += 1
+
+
+def _connection_graph(graph: Snapshot) -> Any:
+    from foxglove import ConnectionGraph  # noqa: PLC0415 - an extra
+
+    made = ConnectionGraph()
+    for name, _ in graph.topics():
+        if not is_hidden(name):
+            made.set_published_topic(name, _nodes(graph.publishers(name)))
+            made.set_subscribed_topic(name, _nodes(graph.subscriptions(name)))
+    for name, _ in graph.services():
+        providers = _nodes(graph.on(name, EntityKind.SERVICE))
+        if providers and not is_hidden(name):
+            made.set_advertised_service(name, providers)
+    return made
+
+
+def _nodes(ends: Sequence[Any]) -> list[str]:
+    names = {fully_qualified(end.namespace, end.node) for end in ends if not is_hidden(end.node)}
+    return sorted(names)

@@ -1,0 +1,86 @@
+"""Services of the domain, which clients of the server for Foxglove can call."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from zbot.bag.definition import ENCODING, definition_text
+from zbot.errors import ZbotError
+from zbot.names import is_hidden
+from zbot.wire.serialization import deserialize_message, serialize_message
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping
+
+    from zbot.graph.snapshot import Snapshot
+    from zbot.web.system import System
+
+_OF_EVERY_NODE = ("rcl_interfaces/", "type_description_interfaces/")
+_PATIENCE_S = 10.0
+
+
+class Services:
+    """Services that the server offers. Services of every node, e.g. for parameters, are left out.
+
+    Args:
+        system: The running system.
+        server: The SDK's server.
+    """
+
+    def __init__(self, system: System, server: Any) -> None:
+        self._system = system
+        self._server = server
+        self._offered: dict[str, str] = {}
+
+    def update(self, graph: Snapshot) -> None:
+        """Offer the services of a graph. It may ask other machines for types."""
+        found = _wanted(graph)
+        gone = [name for name, kind in self._offered.items() if found.get(name) != kind]
+        if gone:
+            self._server.remove_services(gone)
+        for name in gone:
+            del self._offered[name]
+        for name, kind in found.items():
+            if name not in self._offered:
+                self._offer(name, kind)
+
+    def _offer(self, name: str, kind: str) -> None:
+        from foxglove import Service, ServiceSchema  # noqa: PLC0415 - an extra
+
+        self._offered[name] = kind
+        try:
+            service: Any = self._system.interface(kind)
+            schema = ServiceSchema(
+                name=kind,
+                request=_schema(f"{kind}_Request"),
+                response=_schema(f"{kind}_Response"),
+            )
+        except ZbotError:
+            return  # its type is not known
+        handler = self._handler(name, kind, service)
+        self._server.add_services([Service(name, schema=schema, handler=handler)])
+
+    def _handler(self, name: str, kind: str, service: Any) -> Callable[[Any], bytes]:
+        def call(request: Any) -> bytes:
+            message = deserialize_message(request.payload, service.Request)
+            with self._system.client(name, kind) as reference:
+                return serialize_message(reference.entity.call(message, timeout_sec=_PATIENCE_S))
+
+        return call
+
+
+def _wanted(graph: Snapshot) -> Mapping[str, str]:
+    return {
+        name: types[0]
+        for name, types in graph.services()
+        if not is_hidden(name) and not types[0].startswith(_OF_EVERY_NODE)
+    }
+
+
+def _schema(type_name: str) -> Any:
+    from foxglove import MessageSchema, Schema  # noqa: PLC0415 - an extra
+
+    data = definition_text(type_name).encode()
+    return MessageSchema(
+        encoding="cdr", schema=Schema(name=type_name, encoding=ENCODING, data=data)
+    )

@@ -1,0 +1,59 @@
+"""Addresses of the page."""
+
+from __future__ import annotations
+
+import ipaddress
+from urllib.parse import urlencode, urlsplit
+
+from zbot.errors import ZbotError
+
+#: Parameter of the query that contains the token.
+TOKEN_PARAMETER = "token"  # noqa: S105 - a name, not a token
+#: Paths of the websockets for rosbridge. Programs for ROS 2's rosbridge_server use `/`.
+ROSBRIDGE_PATHS = ("/", "/rosbridge")
+
+
+class OriginError(ZbotError, ValueError):
+    """A text is not the address of a page that a web server serves."""
+
+    def __init__(self, text: str) -> None:
+        self.text = text
+        super().__init__(
+            f"{text!r} is not the address of a page on a web server, e.g. http://localhost:8000"
+        )
+
+
+def is_loopback(host: str) -> bool:
+    """Return whether only this machine can reach a host name or address."""
+    if host.lower() == "localhost":
+        return True
+    try:
+        return ipaddress.ip_address(host).is_loopback
+    except ValueError:
+        return False
+
+
+def address(host: str, port: int, path: str, token: str | None, *, scheme: str = "http") -> str:
+    """Return the address for the user's browser, or with the scheme `ws` for a web program."""
+    name = f"[{host}]" if ":" in host else host
+    query = f"?{urlencode({TOKEN_PARAMETER: token})}" if token else ""
+    return f"{scheme}://{name}:{port}{path}{query}"
+
+
+def origin_of(address: str) -> str:
+    """Return the origin in an address of a page, e.g. `http://localhost:8000`.
+
+    Raises:
+        OriginError: The text is not an address of a page on a web server.
+    """
+    try:
+        parts = urlsplit(address)
+        port = parts.port
+    except ValueError:
+        raise OriginError(address) from None
+    if parts.scheme not in {"http", "https"} or not parts.hostname or parts.username is not None:
+        raise OriginError(address)
+    # Browsers leave out the scheme's own port.
+    is_usual = port in {None, {"http": 80, "https": 443}[parts.scheme]}
+    name = f"[{parts.hostname}]" if ":" in parts.hostname else parts.hostname
+    return f"{parts.scheme}://{name}" if is_usual else f"{parts.scheme}://{name}:{port}"

@@ -1,0 +1,1 @@
+"""Web programs' way into the system: WebSockets that speak the rosbridge v2 protocol."""

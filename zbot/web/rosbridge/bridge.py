@@ -1,0 +1,166 @@
+"""Node and executor that all clients of rosbridge share."""
+
+from __future__ import annotations
+
+import traceback
+from concurrent.futures import ThreadPoolExecutor
+from typing import TYPE_CHECKING, Any
+
+from zbot.errors import ExternalShutdownException, ZbotError
+from zbot.executor.single_threaded_executor import SingleThreadedExecutor
+from zbot.log import get_logger
+from zbot.node.node import Node
+from zbot.web.rosbridge.client_message import RosbridgeError
+from zbot.web.rosbridge.service_operations import ClientFailedError
+from zbot.web.rosbridge.session import Session
+from zbot.web.shared_entities import SharedEntities
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from zbot.graph.snapshot import Snapshot
+    from zbot.web.system import System
+
+NODE_NAME = "rosbridge_websocket"
+#: Maximum number of clients at the same time.
+MAX_CLIENTS = 100
+_THREADS = 16
+
+
+class Bridge:
+    """Node and executor of all clients.
+
+    Any thread may call the methods, except `open_session` and `close_session`.
+
+    Args:
+        system: The running system. The node ends with the context of the system.
+
+    Attributes:
+        node: The node that publishes, subscribes, calls and serves for the clients.
+        shared: Publishers, service clients and action clients that all rosbridge clients share.
+        threads: Threads that carry out messages and encode what is sent.
+        waiting_threads: Threads that wait for answers of nodes, e.g. for parameters. A node that
+            does not answer delays only these threads.
+        is_read_only: Whether clients can only read.
+    """
+
+    def __init__(self, system: System) -> None:
+        self.system = system
+        self.is_read_only = system.read_only
+        self.shared = SharedEntities()
+        self.threads = ThreadPoolExecutor(_THREADS, "zbot rosbridge")
+        self.waiting_threads = ThreadPoolExecutor(_THREADS, "zbot rosapi")
+        self.node = Node(
+            NODE_NAME,
+            context=system.context,
+            use_global_arguments=False,
+            enable_rosout=False,
+            start_parameter_services=False,
+        )
+        self._clients = 0
+        self._executor = SingleThreadedExecutor(context=system.context)
+        self._executor.add_node(self.node)
+        system.context.start_thread("zbot rosbridge", self._spin, self._executor.wake)
+
+    def _spin(self) -> None:
+        while self.node.context.ok():
+            try:
+                self._executor.spin()
+            except ExternalShutdownException:
+                return
+            except ClientFailedError:
+                continue  # the caller of the service has received the error
+            except Exception as error:  # noqa: BLE001 - a faulty callback must not stop all clients
+                self.report(error)
+
+    @staticmethod
+    def report(error: Exception) -> None:
+        """Log an error of the server itself, with its traceback."""
+        get_logger("zbot.web").error("".join(traceback.format_exception(error)))
+
+    def sentence(self, error: Exception) -> str:
+        """Return what a client is told about an error. An error of the server itself is logged."""
+        if isinstance(error, ZbotError):
+            return str(error)
+        self.report(error)
+        return f"the server failed: {error!r}"
+
+    def close(self) -> None:
+        """Start no more work. The end of the system's context ends the node."""
+        for threads in (self.threads, self.waiting_threads):
+            threads.shutdown(wait=False, cancel_futures=True)
+
+    def open_session(
+        self,
+        wake: Callable[[], None],
+        call_later: Callable[[float, Callable[[], None]], None],
+    ) -> Session:
+        """Return the session of a new client. Only the thread of the server may call this method.
+
+        See `Session` for the arguments.
+
+        Raises:
+            RosbridgeError: There are 100 clients.
+        """
+        if self._clients >= MAX_CLIENTS:
+            raise RosbridgeError(
+                f"there are {MAX_CLIENTS} clients already: close one of them first"
+            )
+        self._clients += 1
+        return Session(self, wake, call_later)
+
+    def close_session(self, session: Session) -> None:
+        """End a session. Only the thread of the server may call this method."""
+        self._clients -= 1
+        if self.node.context.ok():
+            self.threads.submit(self._close, session)
+
+    def _close(self, session: Session) -> None:
+        try:
+            session.close()
+        except Exception as error:  # noqa: BLE001 - nobody else would see it in this thread
+            self.report(error)
+
+    def graph(self) -> Snapshot:
+        """Return the graph as it is now."""
+        return self.system.snapshot()
+
+    def now(self) -> Any:
+        """Return the current time as a message."""
+        return self.node.get_clock().now().to_msg()
+
+    def interface(self, kind: str, name: str) -> Any:
+        """Return the class of a type.
+
+        Args:
+            kind: `msg`, `srv` or `action`.
+            name: The name, e.g. `std_msgs/msg/String`, or as in ROS 1 `std_msgs/String`.
+
+        Raises:
+            RosbridgeError: The name is not the name of a type of this kind.
+            UnknownTypeError: No definition of the type was found.
+        """
+        return self.system.interface(full_type(kind, name))
+
+
+def full_type(kind: str, name: str) -> str:
+    """Return the full name of a type. See `Bridge.interface`.
+
+    Raises:
+        RosbridgeError: The name is not the name of a type of this kind.
+    """
+    parts = name.split("/")
+    if len(parts) == 2:
+        parts.insert(1, kind)
+    is_name = len(parts) == 3 and parts[1] == kind and all(map(_is_word, parts))
+    if not is_name:
+        example = {"msg": "std_msgs/msg/String", "srv": "std_srvs/srv/SetBool"}
+        shown = example.get(kind, "example_interfaces/action/Fibonacci")
+        raise RosbridgeError(
+            f"{name!r} is not the name of a type of the kind {kind}: write e.g. {shown}"
+        )
+    return "/".join(parts)
+
+
+def _is_word(text: str) -> bool:
+    return text.isascii() and text.isidentifier()

@@ -1,0 +1,103 @@
+"""WebSocket of the server where clients of rosbridge connect."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+from typing import TYPE_CHECKING
+
+from starlette.websockets import WebSocketDisconnect
+
+from zbot.web.rosbridge.client_message import RosbridgeError
+
+if TYPE_CHECKING:
+    from collections.abc import Awaitable, Callable
+
+    from starlette.websockets import WebSocket
+
+    from zbot.web.rosbridge.bridge import Bridge
+    from zbot.web.rosbridge.session import Session
+
+_TRY_AGAIN_LATER = 1013
+_POLICY_VIOLATION = 1008
+
+
+def endpoint(bridge: Bridge) -> Callable[[WebSocket], Awaitable[None]]:
+    """Return the function (ASGI) that serves a client until it leaves."""
+
+    async def serve(socket: WebSocket) -> None:
+        await socket.accept()
+        loop = asyncio.get_running_loop()
+        has_news = asyncio.Event()
+
+        def run(function: Callable[..., object], *arguments: object) -> None:
+            with contextlib.suppress(RuntimeError):  # the server has closed its loop: it ends
+                loop.call_soon_threadsafe(function, *arguments)
+
+        def wake() -> None:
+            run(has_news.set)
+
+        def call_later(delay_s: float, function: Callable[[], None]) -> None:
+            run(loop.call_later, delay_s, function)
+
+        try:
+            session = bridge.open_session(wake, call_later)
+        except RosbridgeError as error:
+            await socket.close(_TRY_AGAIN_LATER, str(error))
+            return
+        receiving = asyncio.create_task(_receive(socket, session))
+        sending = asyncio.create_task(_send(socket, session, has_news))
+        try:
+            await asyncio.wait({receiving, sending}, return_when=asyncio.FIRST_COMPLETED)
+        finally:
+            for task in (receiving, sending):
+                task.cancel()
+            outcomes = await asyncio.gather(receiving, sending, return_exceptions=True)
+            bridge.close_session(session)
+            for outcome in outcomes:
+                if isinstance(outcome, Exception):
+                    bridge.report(outcome)
+
+    return serve
+
+
+async def _receive(socket: WebSocket, session: Session) -> None:
+    loop = asyncio.get_running_loop()
+    while True:
+        event = await socket.receive()
+        if event["type"] == "websocket.disconnect":
+            return
+        data = event.get("text")
+        if data is None:
+            data = event.get("bytes") or b""
+        # In a thread, as a message may need a definition from another machine. The next message
+        # is read after that, so a client that sends too fast has to wait.
+        await loop.run_in_executor(session.bridge.threads, session.take, data)
+
+
+async def _send(socket: WebSocket, session: Session, has_news: asyncio.Event) -> None:
+    loop = asyncio.get_running_loop()
+    delay_s: float | None = None
+    try:
+        while not session.outbox.is_overrun:
+            if delay_s != 0:
+                await _wait(has_news, delay_s)
+            has_news.clear()
+            batch = await loop.run_in_executor(session.bridge.threads, session.outbox.take)
+            for frame in batch.frames:
+                # This waits while the client reads too slowly.
+                if isinstance(frame, str):
+                    await socket.send_text(frame)
+                else:
+                    await socket.send_bytes(frame)
+            delay_s = batch.delay_s
+        await socket.close(_POLICY_VIOLATION, "too many responses wait, as you read too slowly")
+    except WebSocketDisconnect:
+        return  # the client has left meanwhile
+
+
+async def _wait(event: asyncio.Event, timeout_s: float | None) -> None:
+    try:
+        await asyncio.wait_for(event.wait(), timeout_s)
+    except asyncio.TimeoutError:
+        return

@@ -1,0 +1,340 @@
+"""Services that describe the system to web programs. Their names begin with `/rosapi/`.
+
+They are answered here, and only to clients of rosbridge. If a node of the domain serves such a name
+itself, as ROS 2's package rosapi does, the clients call that node.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import threading
+import time
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+from zbot.bag.definition import definition_text
+from zbot.errors import ZbotError
+from zbot.graph.snapshot import full_names
+from zbot.interfaces import get_service
+from zbot.interfaces.plain_value import json_value
+from zbot.json_reader import JsonError, read_json
+from zbot.names import is_hidden
+from zbot.parameters.parameter import Parameter, parameter_type, parameter_value_to_python
+from zbot.web.rosbridge.client_message import RosbridgeError
+from zbot.web.rosbridge.type_details import type_details
+from zbot.wire.tokens import EntityKind
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from zbot.executor.task import Future
+    from zbot.graph.snapshot import Snapshot
+    from zbot.web.rosbridge.bridge import Bridge
+    from zbot.web.shared_entities import EntityReference
+
+    Procedure: TypeAlias = Callable[[Bridge, dict[str, Any]], dict[str, Any]]
+
+_MAX_WORD = 1000
+_PATIENCE_S = 5.0
+_SET = "rcl_interfaces/srv/SetParameters"
+_GET = "rcl_interfaces/srv/GetParameters"
+_LIST = "rcl_interfaces/srv/ListParameters"
+
+
+def arguments(args: Any) -> dict[str, Any]:
+    """Return the arguments of a call by name.
+
+    Raises:
+        RosbridgeError: They are not an object.
+    """
+    if args is None or args == []:
+        return {}
+    if not isinstance(args, dict):
+        raise RosbridgeError("the field 'args' must be an object")
+    return args
+
+
+def _word(args: dict[str, Any], name: str, default: str | None = None) -> str:
+    value = args.get(name, default)
+    if not isinstance(value, str) or len(value) > _MAX_WORD:
+        raise RosbridgeError(f"the argument {name!r} must be a string")
+    return value
+
+
+def _shown(names_and_types: list[tuple[str, list[str]]]) -> list[tuple[str, str]]:
+    return [(name, types[0]) for name, types in names_and_types if not is_hidden(name)]
+
+
+def _with_type(names_and_types: list[tuple[str, list[str]]], wanted: str) -> list[str]:
+    return [name for name, one in _shown(names_and_types) if _short(one) == _short(wanted)]
+
+
+def _short(type_name: str) -> str:
+    """Return `std_msgs/String` for `std_msgs/msg/String`, as web programs may use both."""
+    return f"{type_name.partition('/')[0]}/{type_name.rpartition('/')[2]}"
+
+
+def _topics(bridge: Bridge, _args: dict[str, Any]) -> dict[str, Any]:
+    found = _shown(bridge.graph().topics())
+    return {"topics": [name for name, _ in found], "types": [one for _, one in found]}
+
+
+def _topics_for_type(bridge: Bridge, args: dict[str, Any]) -> dict[str, Any]:
+    return {"topics": _with_type(bridge.graph().topics(), _word(args, "type"))}
+
+
+def _topics_and_raw_types(bridge: Bridge, args: dict[str, Any]) -> dict[str, Any]:
+    found = _topics(bridge, args)
+    return {**found, "typedefs_full_text": [_full_text(bridge, one) for one in found["types"]]}
+
+
+def _full_text(bridge: Bridge, type_name: str) -> str:
+    try:
+        bridge.interface("msg", type_name)  # it may have to come from another machine
+        return definition_text(type_name)
+    except ZbotError as error:
+        return f"# {error}"
+
+
+def _services(bridge: Bridge, _args: dict[str, Any]) -> dict[str, Any]:
+    return {"services": [name for name, _ in _shown(bridge.graph().services())]}
+
+
+def _services_for_type(bridge: Bridge, args: dict[str, Any]) -> dict[str, Any]:
+    return {"services": _with_type(bridge.graph().services(), _word(args, "type"))}
+
+
+def _nodes(bridge: Bridge, _args: dict[str, Any]) -> dict[str, Any]:
+    names = sorted(set(full_names(bridge.graph().nodes)))
+    return {"nodes": [name for name in names if not is_hidden(name)]}
+
+
+def _node_details(bridge: Bridge, args: dict[str, Any]) -> dict[str, Any]:
+    node, graph = _node_name(_word(args, "node")), bridge.graph()
+
+    def names(kind: EntityKind) -> list[str]:
+        return [name for name, _ in graph.names_and_types(kind, node=node)]
+
+    return {
+        "subscribing": names(EntityKind.SUBSCRIPTION),
+        "publishing": names(EntityKind.PUBLISHER),
+        "services": names(EntityKind.SERVICE),
+    }
+
+
+def _node_name(name: str) -> str:
+    return name if name.startswith("/") else f"/{name}"
+
+
+def _action_servers(bridge: Bridge, _args: dict[str, Any]) -> dict[str, Any]:
+    found = bridge.graph().actions(EntityKind.SERVICE)
+    return {"action_servers": [name for name, _ in found]}
+
+
+def _topic_type(bridge: Bridge, args: dict[str, Any]) -> dict[str, Any]:
+    return {"type": _type_of(bridge.graph().topics(), _word(args, "topic"))}
+
+
+def _service_type(bridge: Bridge, args: dict[str, Any]) -> dict[str, Any]:
+    return {"type": _type_of(bridge.graph().services(), _word(args, "service"))}
+
+
+def _action_type(bridge: Bridge, args: dict[str, Any]) -> dict[str, Any]:
+    return {"type": _type_of(bridge.graph().actions(EntityKind.SERVICE), _word(args, "action"))}
+
+
+def _type_of(names_and_types: list[tuple[str, list[str]]], name: str) -> str:
+    types = dict(names_and_types).get(_node_name(name), [""])
+    return types[0]
+
+
+def _ends(graph: Snapshot, name: str, kind: EntityKind) -> list[str]:
+    return sorted(set(full_names(graph.on(_node_name(name), kind))))
+
+
+def _publishers(bridge: Bridge, args: dict[str, Any]) -> dict[str, Any]:
+    return {"publishers": _ends(bridge.graph(), _word(args, "topic"), EntityKind.PUBLISHER)}
+
+
+def _subscribers(bridge: Bridge, args: dict[str, Any]) -> dict[str, Any]:
+    return {"subscribers": _ends(bridge.graph(), _word(args, "topic"), EntityKind.SUBSCRIPTION)}
+
+
+def _service_providers(bridge: Bridge, args: dict[str, Any]) -> dict[str, Any]:
+    return {"providers": _ends(bridge.graph(), _word(args, "service"), EntityKind.SERVICE)}
+
+
+def _service_node(bridge: Bridge, args: dict[str, Any]) -> dict[str, Any]:
+    nodes = _ends(bridge.graph(), _word(args, "service"), EntityKind.SERVICE)
+    return {"node": nodes[0] if nodes else ""}
+
+
+def _message_details(bridge: Bridge, args: dict[str, Any]) -> dict[str, Any]:
+    return {"typedefs": type_details(bridge.interface("msg", _word(args, "type")))}
+
+
+def _part_details(kind: str, part: str) -> Procedure:
+    def procedure(bridge: Bridge, args: dict[str, Any]) -> dict[str, Any]:
+        whole = bridge.interface(kind, _word(args, "type"))
+        return {"typedefs": type_details(getattr(whole, part))}
+
+    return procedure
+
+
+def _get_param(bridge: Bridge, args: dict[str, Any]) -> dict[str, Any]:
+    name, default = _word(args, "name"), _word(args, "default_value", "")
+    value = _value(bridge, name)
+    if value is not None:
+        return {"value": json.dumps(json_value(value)), "successful": True, "reason": ""}
+    is_given = default != ""
+    reason = "" if is_given else f"the parameter {name} is not set"
+    return {"value": default or "null", "successful": is_given, "reason": reason}
+
+
+def _has_param(bridge: Bridge, args: dict[str, Any]) -> dict[str, Any]:
+    return {"exists": _value(bridge, _word(args, "name")) is not None}
+
+
+def _set_param(bridge: Bridge, args: dict[str, Any]) -> dict[str, Any]:
+    name = _word(args, "name")
+    parameter = parameter_from_json(_split(name)[1], _word(args, "value"))
+    if type(parameter.value) is int and isinstance(_value(bridge, name), float):
+        # JavaScript writes 1.0 as 1, so the parameter's own type decides.
+        parameter = Parameter(parameter.name, value=float(parameter.value))
+    return _set(bridge, name, parameter)
+
+
+def parameter_from_json(name: str, text: str) -> Parameter[Any]:
+    """Return a parameter with a value in JSON.
+
+    Raises:
+        RosbridgeError: The text is not JSON, or a parameter cannot have the value.
+    """
+    try:
+        return Parameter(name, value=read_json(text))
+    except JsonError as error:
+        raise RosbridgeError(f"the argument 'value' must be JSON: {error.reason}") from error
+    except ZbotError as error:
+        raise RosbridgeError(str(error)) from error
+
+
+def _delete_param(bridge: Bridge, args: dict[str, Any]) -> dict[str, Any]:
+    name = _word(args, "name")
+    return _set(bridge, name, Parameter(_split(name)[1]))
+
+
+def _set(bridge: Bridge, name: str, parameter: Parameter[Any]) -> dict[str, Any]:
+    if bridge.is_read_only:
+        raise RosbridgeError("setting parameters is not possible: zbot web runs with --read-only")
+    response = _ask(bridge, name, "set_parameters", _SET, parameters=[parameter.to_parameter_msg()])
+    if len(response.results) != 1:
+        raise RosbridgeError(f"{name}: the node's answer does not fit the request")
+    result = response.results[0]
+    return {"successful": result.successful, "reason": result.reason}
+
+
+def _value(bridge: Bridge, name: str) -> Any:
+    """Return a parameter's value. Return `None` if it is not set."""
+    response = _ask(bridge, name, "get_parameters", _GET, names=[_split(name)[1]])
+    if len(response.values) != 1:
+        return None
+    parameter_type(response.values[0].type)
+    return parameter_value_to_python(response.values[0])
+
+
+def _split(name: str) -> tuple[str, str]:
+    node, colon, parameter = name.partition(":")
+    if not colon or not node or not parameter:
+        raise RosbridgeError(
+            f"{name!r} is not the name of a parameter: write it as /node:parameter"
+        )
+    return _node_name(node), parameter
+
+
+def _ask(bridge: Bridge, name: str, service: str, type_name: str, **fields: Any) -> Any:
+    node = _split(name)[0]
+    with _client(bridge, f"{node}/{service}", type_name) as reference:
+        try:
+            client = reference.entity
+            return client.call(client.srv_type.Request(**fields), _PATIENCE_S)
+        except TimeoutError:
+            raise RosbridgeError(f"{node} did not answer within {_PATIENCE_S:g} s") from None
+
+
+def _client(bridge: Bridge, service: str, type_name: str) -> EntityReference[Any]:
+    full = bridge.node.resolve_service_name(service)
+    service_type: Any = get_service(type_name)
+    return bridge.shared.get(
+        ("client", full, type_name),
+        lambda: bridge.node.create_client(service_type, full),
+        bridge.node.destroy_client,
+    )
+
+
+def _get_param_names(bridge: Bridge, _args: dict[str, Any]) -> dict[str, Any]:
+    """Ask all nodes at the same time. A node that does not answer in time is left out."""
+    services = [service for service, types in bridge.graph().services() if _LIST in types]
+    found: list[str] = []
+    with contextlib.ExitStack() as stack:
+        clients = [stack.enter_context(_client(bridge, one, _LIST)).entity for one in services]
+        futures = [client.call_async(client.srv_type.Request()) for client in clients]
+        _wait(futures)
+        for service, future in zip(services, futures, strict=True):
+            if future.done() and future.exception() is None:
+                node, names = service.rpartition("/")[0], future.result().result.names
+                found += [f"{node}:{name}" for name in sorted(names)]
+    return {"names": found}
+
+
+def _wait(futures: list[Future[Any]]) -> None:
+    until_s = time.monotonic() + _PATIENCE_S
+    for future in futures:
+        is_over = threading.Event()
+        future.add_waker(is_over.set)
+        is_over.wait(max(0.0, until_s - time.monotonic()))
+
+
+def _get_time(bridge: Bridge, _args: dict[str, Any]) -> dict[str, Any]:
+    now = bridge.now()
+    # roslibpy reads ROS 1's names of the fields.
+    return {"time": {**json_value(now), "secs": now.sec, "nsecs": now.nanosec}}
+
+
+def _get_ros_version(_bridge: Bridge, _args: dict[str, Any]) -> dict[str, Any]:
+    return {"version": 2, "distro": "zbot"}
+
+
+#: The services by their full names.
+PROCEDURES: dict[str, Procedure] = {
+    f"/rosapi/{name}": procedure
+    for name, procedure in {
+        "topics": _topics,
+        "topics_for_type": _topics_for_type,
+        "topics_and_raw_types": _topics_and_raw_types,
+        "services": _services,
+        "services_for_type": _services_for_type,
+        "nodes": _nodes,
+        "node_details": _node_details,
+        "action_servers": _action_servers,
+        "topic_type": _topic_type,
+        "service_type": _service_type,
+        "action_type": _action_type,
+        "publishers": _publishers,
+        "subscribers": _subscribers,
+        "service_providers": _service_providers,
+        "service_node": _service_node,
+        "message_details": _message_details,
+        "service_request_details": _part_details("srv", "Request"),
+        "service_response_details": _part_details("srv", "Response"),
+        "action_goal_details": _part_details("action", "Goal"),
+        "action_result_details": _part_details("action", "Result"),
+        "action_feedback_details": _part_details("action", "Feedback"),
+        "get_param": _get_param,
+        "has_param": _has_param,
+        "set_param": _set_param,
+        "delete_param": _delete_param,
+        "get_param_names": _get_param_names,
+        "get_time": _get_time,
+        "get_ros_version": _get_ros_version,
+    }.items()
+}

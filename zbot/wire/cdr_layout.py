@@ -1,0 +1,142 @@
+"""Alignment and sizes of values in CDR, as far as they are known before a message comes.
+
+The position of a number is a multiple of the number's size. Positions are counted from the end of
+the header. After a text, the position depends on the message.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+from zbot.interfaces import get_interface, message_spec_of
+from zbot.wire.messagepack import ITEM_SIZE
+
+if TYPE_CHECKING:
+    from zbot.interfaces.spec import FieldType, MessageSpec
+
+#: bytes that Fast CDR writes for one wide character
+UNIT_SIZE = 4
+COUNT_SIZE = 4
+
+# The source of a larger type calls a function for each message inside it. Without this limit, the
+# source of a type that contains others many times would be very long, and slow to compile.
+_MAX_FIELDS = 250
+_MAX_LOOPS = 8  # Python allows 20 nested blocks
+
+
+class Alignment(NamedTuple):
+    """What is known about a position: `position % modulus == rest`. `modulus` is 1, 2, 4 or 8."""
+
+    modulus: int = 1
+    rest: int = 0
+
+    def padding(self, size: int) -> int | None:
+        """Return the padding before a number of `size` bytes. Return None if it is not known."""
+        return -self.rest % size if self.modulus >= size else None
+
+    def after(self, size: int) -> Alignment:
+        """Return what is known `size` bytes later."""
+        return Alignment(self.modulus, (self.rest + size) % self.modulus)
+
+    def after_items(self, size: int) -> Alignment:
+        """Return what is known after any number of items of `size` bytes."""
+        modulus = min(self.modulus, size)
+        return Alignment(modulus, self.rest % modulus)
+
+    def aligned(self, size: int) -> Alignment:
+        """Return what is known after the padding for a number of `size` bytes."""
+        padding = self.padding(size)
+        return Alignment(size, 0) if padding is None else self.after(padding)
+
+    def common(self, other: Alignment) -> Alignment:
+        """Return what is known if either of two alignments is true."""
+        modulus = min(self.modulus, other.modulus)
+        while (self.rest - other.rest) % modulus:
+            modulus //= 2
+        return Alignment(modulus, self.rest % modulus)
+
+
+#: Alignment at the beginning of a message
+START = Alignment(8, 0)
+
+
+class TypeLayout:
+    """Alignment and sizes of the types inside one message type."""
+
+    def __init__(self) -> None:
+        self._ends: dict[tuple[str, Alignment], Alignment] = {}
+        self._sizes: dict[str, tuple[int, int, int]] = {}
+
+    def is_inline(self, spec: MessageSpec) -> bool:
+        """Return whether a type's source contains the source of the messages inside it."""
+        _, fields, loops = self._measure(spec)
+        return fields <= _MAX_FIELDS and loops <= _MAX_LOOPS
+
+    def least_size(self, kind: FieldType) -> int:
+        """Return the smallest number of bytes of one value of a field's base type."""
+        if kind.is_message:
+            return self._measure(spec_named(kind.base))[0]
+        return ITEM_SIZE.get(kind.typecode, COUNT_SIZE if kind.is_string else 1)
+
+    def loop_start(self, kind: FieldType, known: Alignment) -> Alignment:
+        """Return what is known before each item of a field and after the last.
+
+        `known` is the alignment before the first item.
+        """
+        while True:
+            common = known.common(self._after_value(kind, known))
+            if common == known:
+                return known
+            known = common
+
+    def _after_message(self, spec: MessageSpec, known: Alignment) -> Alignment:
+        key = spec.name, known
+        if key not in self._ends:
+            end = known
+            for field in spec.fields:
+                end = self._after_field(field.type, end)
+            self._ends[key] = end if spec.fields else known.after(1)
+        return self._ends[key]
+
+    def _after_field(self, kind: FieldType, known: Alignment) -> Alignment:
+        if kind.kind == "scalar":
+            return self._after_value(kind, known)
+        if kind.kind == "sequence":
+            known = known.aligned(COUNT_SIZE).after(COUNT_SIZE)
+        if not kind.typecode:
+            return self.loop_start(kind, known)
+        size = ITEM_SIZE[kind.typecode]
+        if kind.kind == "array":
+            return known.aligned(size).after(size * kind.size)
+        return known.common(known.aligned(size)).after_items(size)
+
+    def _after_value(self, kind: FieldType, known: Alignment) -> Alignment:
+        if kind.is_message:
+            return self._after_message(spec_named(kind.base), known)
+        if kind.base == "string":
+            return Alignment()
+        if kind.base == "wstring":
+            return Alignment(UNIT_SIZE, 0)
+        size = ITEM_SIZE.get(kind.typecode, 1)
+        return known.aligned(size).after(size)
+
+    def _measure(self, spec: MessageSpec) -> tuple[int, int, int]:
+        """Return the least size of a message, its fields at all levels, and the depth of loops."""
+        measured = self._sizes.get(spec.name)
+        if measured is None:
+            size, count, loops = 0, 0, 0
+            for field in spec.fields:
+                kind = field.type
+                inner = self._measure(spec_named(kind.base)) if kind.is_message else (0, 0, 0)
+                factor = {"scalar": 1, "array": kind.size, "sequence": 0}[kind.kind]
+                size += factor * self.least_size(kind)
+                size += COUNT_SIZE if kind.kind == "sequence" else 0
+                count += 1 + inner[1]
+                loops = max(loops, inner[2] + (kind.kind != "scalar"))
+            measured = self._sizes[spec.name] = (max(size, 1), count, loops)
+        return measured
+
+
+def spec_named(name: str) -> MessageSpec:
+    """Return the spec of a message type inside another."""
+    return message_spec_of(get_interface(name))

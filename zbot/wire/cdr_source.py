@@ -1,0 +1,78 @@
+"""Python source of a function, written line by line, with runs of values for `struct`.
+
+A run is a group of neighbours whose distances are known. One `struct.Struct` packs or unpacks it.
+"""
+
+from __future__ import annotations
+
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
+
+from zbot.interfaces import get_interface
+from zbot.wire.cdr_layout import Alignment, TypeLayout
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from zbot.interfaces.spec import FieldType
+
+
+class Source:
+    """Lines of a function and the run that is not yet in them."""
+
+    def __init__(self, known: Alignment) -> None:
+        self.names: dict[str, Any] = {}  #: values of the names in the source
+        self.called: dict[str, type[Any]] = {}  #: classes with a function of their own
+        self.lines: list[str] = []
+        self.layout = TypeLayout()
+        self.known = known  #: alignment after the run
+        self.format = ""
+        self.run_size = 0
+        self._indentation = 1
+        self._numbers = 0
+
+    def add(self, line: str) -> None:
+        """Add a line."""
+        self.lines.append("    " * self._indentation + line)
+
+    @contextmanager
+    def block(self, header: str) -> Iterator[None]:
+        """Add a line. The lines that are added in the context belong to its block."""
+        self.add(header)
+        self._indentation += 1
+        yield
+        self._indentation -= 1
+
+    def fresh(self, prefix: str) -> str:
+        """Return a name that the source does not have yet."""
+        self._numbers += 1
+        return f"{prefix}{self._numbers}"
+
+    def constant(self, prefix: str, value: Any) -> str:
+        """Return a new name for a value."""
+        name = self.fresh(prefix)
+        self.names[name] = value
+        return name
+
+    def function_for(self, verb: str, kind: FieldType) -> str:
+        """Return the name of the function of a message type inside this one."""
+        name = f"{verb}_{kind.base.replace('/', '_')}"
+        self.called[name] = get_interface(kind.base)
+        return name
+
+    def pad_run(self, padding: int, code: str, size: int) -> None:
+        """Put padding and a format code of `size` bytes at the end of the run."""
+        self.format += "x" * padding + code
+        self.run_size += padding + size
+        self.known = self.known.after(padding + size)
+
+    def take_run(self) -> tuple[str, int]:
+        """Return the format and the size of the run, and begin a new run."""
+        run = self.format, self.run_size
+        self.format, self.run_size = "", 0
+        return run
+
+
+def element(kind: FieldType) -> FieldType:
+    """Return the type of an array's elements."""
+    return kind._replace(kind="scalar", size=0)

@@ -1,0 +1,121 @@
+"""Transcoder of messages from CDR to MessagePack and back, with generated code for each type.
+
+No message object is made. A message that the generated code cannot convert, e.g. because a field is
+missing, is decoded and encoded by the type's codecs. They fill in defaults, or tell what is wrong.
+"""
+
+from __future__ import annotations
+
+import struct
+from array import array
+from collections.abc import Callable
+from typing import Any
+
+from zbot.interfaces import message_spec_of
+from zbot.wire import cdr_values, transcoder_values, value_check
+from zbot.wire.cdr import cdr_codec_for
+from zbot.wire.codec import codec_for
+from zbot.wire.messagepack import bin_header, ext_header, pack
+from zbot.wire.transcoder_source import MapReaderSource, MapWriterSource
+from zbot.wire.value_check import Fault
+
+__all__ = ["to_cdr", "to_messagepack"]
+
+_ERRORS = (
+    Fault,
+    struct.error,
+    AttributeError,
+    LookupError,
+    TypeError,
+    ValueError,
+    ArithmeticError,
+    MemoryError,
+    BufferError,
+)
+_COMMON_NAMES: dict[str, Any] = {
+    **vars(value_check),
+    **vars(cdr_values),
+    **vars(transcoder_values),
+    "ERRORS": _ERRORS,
+    "HEADER": b"\x00\x01\x00\x00",
+    "array": array,
+    "pack": pack,
+    "bin_header": bin_header,
+    "ext_header": ext_header,
+}
+
+
+Converter = Callable[[bytes], bytes]
+
+_converters: dict[tuple[type, str], Converter] = {}
+_functions: dict[tuple[type, type[Any], bool], Callable[..., Any]] = {}
+
+
+def to_messagepack(message_class: type[Any]) -> Converter:
+    """Return a function that converts a class's messages from CDR to MessagePack.
+
+    The function may be called from any thread. It raises `CodecError` if the bytes are not a
+    message of the type.
+
+    Raises:
+        NotAMessageTypeError: The class is not a message class.
+    """
+    key = message_class, "messagepack"
+    if key not in _converters:
+        decode, encode = cdr_codec_for(message_class).decode, codec_for(message_class).encode
+        fast = _function(message_class, MapReaderSource)
+        _converters[key] = _transcoder(fast, lambda data: encode(decode(data)), b"\x00\x01")
+    return _converters[key]
+
+
+def to_cdr(message_class: type[Any]) -> Converter:
+    """Return a function that converts a class's messages from MessagePack to CDR, little-endian.
+
+    The function may be called from any thread. It raises `CodecError` if the bytes are not a
+    message of the type.
+
+    Raises:
+        NotAMessageTypeError: The class is not a message class.
+    """
+    key = message_class, "cdr"
+    if key not in _converters:
+        decode, encode = codec_for(message_class).decode, cdr_codec_for(message_class).encode
+        fast = _function(message_class, MapWriterSource)
+        _converters[key] = _transcoder(fast, lambda data: encode(decode(data)))
+    return _converters[key]
+
+
+def _transcoder(fast: Converter, careful: Converter, begin: bytes = b"") -> Converter:
+    """Return a function that tries `fast` first. `fast` can convert bytes that start with `begin`.
+
+    A numeric array in MessagePack has little-endian order, and CDR may have either order.
+    """
+
+    def transcode(data: bytes) -> bytes:
+        if data.startswith(begin):
+            try:
+                return fast(data)
+            except _ERRORS:
+                pass  # the codecs below raise the error
+        return careful(data)
+
+    return transcode
+
+
+def _function(
+    message_class: type[Any],
+    source_class: type[MapReaderSource | MapWriterSource],
+    *,
+    nested: bool = False,
+) -> Callable[..., Any]:
+    key = message_class, source_class, nested
+    if key not in _functions:
+        source = source_class(message_class, nested=nested)
+        called = {
+            name: _function(cls, source_class, nested=True) for name, cls in source.called.items()
+        }
+        names = _COMMON_NAMES | source.names | called
+        filename = f"<transcoder of {message_spec_of(message_class).name}>"
+        exec(compile(source.function_text, filename, "exec"), names)  # noqa: S102 - our own text
+        _functions[key] = names["convert"]
+    return _functions[key]

@@ -1,0 +1,167 @@
+"""Reader of YAML, with limits and with one error. All of zbot reads YAML through this module.
+
+A text of some kilobytes can crash libyaml (thousands of brackets), or describe more values than the
+memory holds (aliases of aliases). So the events of a text are checked before any value is made.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+from zbot.errors import ZbotError
+
+_MAX_CHARACTERS = 10_000_000
+_MAX_LEVELS = 100
+_MAX_NODES = 1_000_000  #: values of a text in which each alias is replaced by its value
+# `int` needs very long for such texts. The part `:` means numbers to the base 60.
+_LONG_NUMBER = re.compile(r"[-+]?[0-9][0-9_:.]{400,}\Z")
+#: What PyYAML raises for scalars such as `2024-13-01`, `!!bool x`, `!!int ""`.
+_SCALAR_ERRORS = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError)
+
+
+class YamlError(ZbotError, ValueError):
+    """A text is not YAML that zbot accepts.
+
+    Attributes:
+        problem: What is wrong.
+        line: Line number from 0, or None if the error is about the whole text.
+        column: Column from 0.
+    """
+
+    def __init__(self, problem: str, line: int | None = None, column: int = 0) -> None:
+        self.problem, self.line, self.column = problem, line, column
+        where = "" if line is None else f"line {line + 1}, column {column + 1}: "
+        super().__init__(f"{where}{problem}")
+
+
+def read_yaml(text: str, loader: Any = None) -> Any:
+    """Return the value of the only document in a text. Return None if the text is empty.
+
+    Args:
+        text: The YAML.
+        loader: PyYAML's loader class. Without it, the safe loader is used.
+
+    Raises:
+        YamlError: The text is not YAML, contains several documents, is nested deeper than 100
+            levels or is too large, or a value does not fit its tag.
+    """
+    import yaml  # noqa: PLC0415 - takes 15 ms, and most commands read no YAML
+
+    try:
+        _check(text, _fast_loader())
+    except YamlError:
+        _check(text, yaml.SafeLoader)  # its sentences are better, and `loader` may accept more
+    try:
+        return yaml.load(text, Loader=loader or yaml.SafeLoader)  # noqa: S506 - a safe loader
+    except yaml.YAMLError as error:
+        raise _yaml_error(error) from error
+    except RecursionError:
+        raise YamlError(f"it is nested deeper than {_MAX_LEVELS} levels") from None
+    except _SCALAR_ERRORS as error:
+        raise YamlError(f"a value does not fit its type: {error}") from error
+
+
+def compose_yaml(text: str) -> Any:
+    """Return PyYAML's node of the only document in a text. Return None if the text is empty.
+
+    Raises:
+        YamlError: As for `read_yaml`.
+    """
+    import yaml  # noqa: PLC0415 - as above
+
+    _check(text, _fast_loader())
+    try:
+        return yaml.compose(text, Loader=_fast_loader())
+    except yaml.YAMLError as error:
+        raise _yaml_error(error) from error
+
+
+def construct_yaml(node: Any) -> Any:
+    """Return the value of a node of `compose_yaml`.
+
+    Raises:
+        YamlError: The tag is unknown, or the value does not fit its tag.
+    """
+    from yaml import YAMLError  # noqa: PLC0415 - as above
+    from yaml.constructor import SafeConstructor  # noqa: PLC0415 - as above
+
+    try:
+        return SafeConstructor().construct_document(node)
+    except YAMLError as error:
+        raise _yaml_error(error) from error
+    except _SCALAR_ERRORS as error:
+        raise YamlError(f"a value does not fit its type: {error}") from error
+
+
+def _check(text: str, loader: Any) -> None:
+    """Check the limits of a text, before values are made."""
+    import yaml  # noqa: PLC0415 - as above
+
+    if len(text) > _MAX_CHARACTERS:
+        raise YamlError(f"it has more than {_MAX_CHARACTERS} characters")
+    sizes = _Sizes()
+    try:
+        for event in yaml.parse(text, Loader=loader):
+            sizes.add(event)
+    except yaml.YAMLError as error:
+        raise _yaml_error(error) from error
+    except UnicodeEncodeError:
+        raise YamlError("it has characters that UTF-8 cannot hold") from None
+
+
+class _Sizes:
+    """Numbers of values in the open collections of a text."""
+
+    def __init__(self) -> None:
+        self._open: list[tuple[str | None, int]] = [(None, 0)]
+        self._anchors: dict[str, int] = {}
+
+    def add(self, event: Any) -> None:
+        kind = type(event).__name__
+        if kind == "AliasEvent":
+            if event.anchor not in self._anchors:
+                raise _error_at(event, f"the alias *{event.anchor} is inside its own value")
+            self._count(event, self._anchors[event.anchor])
+        elif kind == "ScalarEvent":
+            if _LONG_NUMBER.match(event.value):
+                raise _error_at(event, "a number has more than 400 characters")
+            self._close(event, event.anchor, 1)
+        elif kind in {"SequenceStartEvent", "MappingStartEvent"}:
+            if len(self._open) > _MAX_LEVELS:
+                raise _error_at(event, f"it is nested deeper than {_MAX_LEVELS} levels")
+            self._anchors.pop(event.anchor, None)
+            self._open.append((event.anchor, 1))
+        elif kind in {"SequenceEndEvent", "MappingEndEvent"}:
+            anchor, size = self._open.pop()
+            self._close(event, anchor, size)
+
+    def _close(self, event: Any, anchor: str | None, size: int) -> None:
+        if anchor is not None:
+            self._anchors[anchor] = size
+        self._count(event, size)
+
+    def _count(self, event: Any, size: int) -> None:
+        anchor, before = self._open[-1]
+        if before + size > _MAX_NODES:
+            raise _error_at(event, f"it has more than {_MAX_NODES} values")
+        self._open[-1] = (anchor, before + size)
+
+
+def _fast_loader() -> Any:
+    import yaml  # noqa: PLC0415 - as above
+
+    # libyaml is ten times faster. A PyYAML that was built without libyaml does not have it.
+    return getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+
+
+def _error_at(event: Any, problem: str) -> YamlError:
+    mark = event.start_mark
+    return YamlError(problem, mark.line, mark.column)
+
+
+def _yaml_error(error: Any) -> YamlError:
+    mark, problem = getattr(error, "problem_mark", None), getattr(error, "problem", None)
+    if mark is None or problem is None:
+        return YamlError(problem or " ".join(str(error).split()))
+    return YamlError(str(problem), mark.line, mark.column)

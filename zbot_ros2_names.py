@@ -1,0 +1,99 @@
+"""Finder of ROS 2's names, which makes `import rclpy` work in every program without `import zbot`.
+
+Python imports this module when it starts, because `zbot_ros2_names.pth` is installed with zbot.
+The module must be small and must import nothing: it also runs before programs that do not use zbot.
+
+The finder is the first on `sys.meta_path`, because Python's own finder accepts any folder named
+`launch`, and most packages have one. A real ROS 2 is used instead if it is installed. At the first
+import of another ROS 2 name, the finder loads `zbot.compat` and is then not needed any more. If
+ZBOT_WORKSPACE is set, as after `source install/setup.bash`, any name that Python does not find may
+be a package of the workspace.
+
+Editors take the folders to search from `sys.path`. So two folders with types are added to it: the
+stubs of message classes, and zbot's packages such as `rclpy`. Python itself does not search them.
+
+pytest must not warn that it cannot rewrite the assertions of this module: PYTEST_DONT_REWRITE.
+"""
+
+import sys
+
+#: ROS 2's packages of which zbot has Python code or message types. A test compares them.
+NAMES = frozenset({
+    "actionlib_msgs", "action_tutorials_interfaces", "ament_index_python", "cv_bridge", "launch",
+    "launch_pytest", "launch_ros", "launch_testing", "launch_testing_ros", "launch_xml",
+    "launch_yaml", "message_filters", "rclpy", "robot_localization", "ros2action", "ros2cli",
+    "ros2node", "ros2param", "ros2service", "ros2topic", "rosbag2_py", "rosidl_adapter",
+    "rosidl_parser", "rosidl_pycommon", "rosidl_runtime_py", "sensor_msgs_py", "std_srvs",
+    "tf2_geometry_msgs", "tf2_py", "tf2_ros", "tf2_sensor_msgs", "tf_transformations", "turtlesim",
+})  # fmt: skip
+#: Ends of the names of packages with messages, also of students' own packages.
+_SUFFIXES = ("_msgs", "_interfaces", "_srvs")
+#: Modules that Python looks for at each start. Few machines have them.
+_OF_SITE = ("sitecustomize", "usercustomize")
+#: The last slash makes these paths different from the path that `zbot.compat` searches.
+_TYPES = ("/zbot/stubs/", "/zbot/compat/packages/")
+
+
+class _Finder:
+    """Finder that loads zbot when a program imports a name of ROS 2 that is not installed."""
+
+    @staticmethod
+    def find_spec(fullname, path=None, target=None):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN205 - `typing` would be imported
+        """Return the spec that zbot's own finders have for a top-level package."""
+        if path is not None or not (is_known(fullname) or _is_sourced(fullname)):
+            return None
+        installed = _other_spec(fullname, target)  # type: ignore[no-untyped-call]
+        if installed is not None and installed.origin is not None:
+            return installed
+        import zbot.compat  # noqa: F401, PLC0415 - only for programs that use ROS 2's names
+
+        remove()  # zbot's finders, which are asked now, may ask all finders themselves
+        return _other_spec(fullname, target)  # type: ignore[no-untyped-call]
+
+
+class _Nothing:
+    """Finder of a folder on `sys.path` that finds no module in it."""
+
+    @staticmethod
+    def find_spec(fullname, target=None):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN205 - as above
+        """Return None: the folder is for editors."""
+        del fullname, target
+
+
+def _other_spec(name, target):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202 - as above
+    for finder in sys.meta_path:
+        spec = None if finder is _Finder else finder.find_spec(name, None, target)
+        if spec is not None:
+            return spec
+    return None
+
+
+def is_known(name: str) -> bool:
+    """Return whether zbot may have a top-level package of this name."""
+    return name in NAMES or name.endswith(_SUFFIXES)
+
+
+def _is_sourced(name: str) -> bool:
+    """Return whether the name may be a package of a workspace that was sourced."""
+    if name in sys.stdlib_module_names or name[:1] == "_" or name in _OF_SITE:
+        return False
+    import os  # noqa: PLC0415 - Python has loaded it, except with -S
+
+    return bool(os.environ.get("ZBOT_WORKSPACE"))
+
+
+def remove() -> None:
+    """Remove the finder from `sys.meta_path`. `zbot.compat` has finders of its own."""
+    if _Finder in sys.meta_path:
+        sys.meta_path.remove(_Finder)
+
+
+def _install() -> None:
+    home = __file__.rpartition("zbot_ros2_names")[0][:-1]
+    for folder in _TYPES:
+        sys.path_importer_cache[home + folder] = _Nothing
+        sys.path.append(home + folder)
+    sys.meta_path.insert(0, _Finder)
+
+
+_install()
