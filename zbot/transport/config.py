@@ -20,6 +20,13 @@ MEETING_PORT = 7450  #: meeting port of domain 0 on 127.0.0.1 (of domain n: 7450
 # messages beside six busy processes. With 20 ms, one burst was lost. DDS waits 100 ms by default
 # too. A subscriber that stands still makes its publisher wait once, and not at each message.
 DROP_WAIT_US = 100_000
+# A link takes 5 ms, and more than a second on a busy machine. Zenoh may give up in a moment in
+# which the link is half open for ever: it sends, and reads nothing (docs/design/zenoh-faults.md).
+# With Zenoh's own limit of 10 s, close() would wait for so long for a program on the port that
+# accepts a link and never answers.
+OPEN_TIMEOUT_MS = 5000
+#: Only one of two peers dials the other, which halves the work when many programs start.
+ONE_DIALS = {"peer": {"to_router": "always", "to_peer": "greater-zid"}}
 HUB_PORT = 7447  #: Zenoh's router port, on which hubs listen
 
 _PACKAGED = "the packaged zenoh.json5"

@@ -12,7 +12,7 @@ from typing import Any
 import zenoh
 
 from zbot.transport import config
-from zbot.transport.config import DROP_WAIT_US, SessionConfig
+from zbot.transport.config import DROP_WAIT_US, ONE_DIALS, OPEN_TIMEOUT_MS, SessionConfig
 from zbot.transport.errors import ConfigError, RouterAttemptsError
 
 ROUTER_ENDPOINT = "tcp/localhost:7447"
@@ -22,9 +22,6 @@ _OVERRIDE = "ZENOH_CONFIG_OVERRIDE"
 _ATTEMPTS = "ZENOH_ROUTER_CHECK_ATTEMPTS"
 _MAX_DIGITS = 9
 
-# close() waits this long for a program that accepts a link and never answers. With less time, Zenoh
-# can leave links that never read (docs/design/zenoh-faults.md).
-_OPEN_TIMEOUT_MS = 5_000
 # The values of rmw_zenoh's own configuration files, which are equal in all distributions. Only
 # sessions have other timeouts: with ROS 2's lease of 60 s, a program that is blocked by a standing
 # subscriber could not end.
@@ -46,13 +43,11 @@ _SESSION: dict[str, Any] = {
     "connect/timeout_ms": -1,
     "listen/endpoints": ["tcp/localhost:0"],
     "scouting/gossip/autoconnect": {"router": [], "peer": ["router", "peer"]},
-    "scouting/gossip/autoconnect_strategy": {
-        "peer": {"to_router": "always", "to_peer": "greater-zid"}
-    },
+    "scouting/gossip/autoconnect_strategy": ONE_DIALS,
     "scouting/gossip/target": {"router": ["router", "peer"], "peer": ["router"]},
     "transport/link/tx/queue/congestion_control/block/wait_before_close": 60_000_000,
     "transport/link/tx/queue/congestion_control/drop/wait_before_drop": DROP_WAIT_US,
-    "transport/unicast/open_timeout": _OPEN_TIMEOUT_MS,
+    "transport/unicast/open_timeout": OPEN_TIMEOUT_MS,
 }
 _ROUTER: dict[str, Any] = {
     **_COMMON,

@@ -15,6 +15,8 @@ from zbot.transport import membership, router_process
 from zbot.transport.config import (
     DROP_WAIT_US,
     MEETING_PORT,
+    ONE_DIALS,
+    OPEN_TIMEOUT_MS,
     DiscoveryRange,
     SessionConfig,
     hub_port,
@@ -41,10 +43,6 @@ _RELINK_PAUSE_S = 0.2  # longer than the pause between two tries to connect
 _RECONNECTION_PAUSE_S = 0.4  # nodes try every 0.1 s, and on a busy machine they are late
 _FOUND_PAUSE_S = 0.25  # enough for all machines to answer multicast and then send their tokens
 _WATCH_S = 0.3  # to see whether the router process does anything
-# A link takes 5 ms, and more than a second on a busy machine. Zenoh may give up in a moment in
-# which the link is half open for ever: it sends, and reads nothing. With Zenoh's own limit of 10 s,
-# close() would wait for so long for a program on the port that accepts a link and never answers.
-_OPEN_TIMEOUT_MS = 5000
 _HUB_CLIENT_OPEN_TIMEOUT_MS = 500
 _CLIENT_OPEN_TIMEOUT_MS = 300  # a router accepts a client within 5 ms if the machine is not busy
 _BUSY_OPEN_TIMEOUT_MS = 2000
@@ -59,10 +57,6 @@ _RETRY_MEETING = {"period_init_ms": 20, "period_max_ms": 100, "period_increase_f
 _RETRY_HUB = _RETRY | {"period_max_ms": 2000}
 
 
-# Only one of two peers dials the other, which halves the work when many programs start.
-_ONE_DIALS = {"peer": {"to_router": "always", "to_peer": "greater-zid"}}
-
-
 def _common(facts: dict[str, Any]) -> dict[str, Any]:
     return {
         "metadata": facts,
@@ -71,7 +65,7 @@ def _common(facts: dict[str, Any]) -> dict[str, Any]:
         "connect/timeout_ms": -1,
         "connect/exit_on_failure": False,
         "connect/retry": _RETRY,
-        "transport/unicast/open_timeout": _OPEN_TIMEOUT_MS,
+        "transport/unicast/open_timeout": OPEN_TIMEOUT_MS,
         # Microseconds that a put may wait for a blocked reader before the reader's link is closed.
         "transport/link/tx/queue/congestion_control/block/wait_before_close": 60_000_000,
         # Only puts use shared memory. Zenoh takes 16 MB for a session's first message in shared
@@ -315,7 +309,7 @@ class MeetingPoint:
             "listen/endpoints": ["tcp/[::]:0"] if self.reaches_out else [f"tcp/{LOOPBACK}:0"],
             "connect/endpoints": [self.endpoint],
             "transport/link/tx/queue/congestion_control/drop/wait_before_drop": DROP_WAIT_US,
-            "scouting/gossip/autoconnect_strategy": _ONE_DIALS,
+            "scouting/gossip/autoconnect_strategy": ONE_DIALS,
             **_common(self._facts),
             "connect/retry": _RETRY_MEETING,
             **self._multicast(),

@@ -138,4 +138,6 @@ def test_the_command_says_that_the_server_ended(start: Callable[..., Program], s
     ended = zbot_command("action", "send_goal", name, kind, "{order: 3}", "--feedback")
     assert ended.code == 1
     assert "Traceback" not in ended.err
-    assert "the server ended before it answered" in ended.err
+    # The command may learn that the server ended before it asks for the result, or after that.
+    reasons = ("the server ended before it answered", "no server is running")
+    assert any(reason in ended.err for reason in reasons)
