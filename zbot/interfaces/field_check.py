@@ -1,4 +1,8 @@
-"""Checks of a field's values, arrays and sequences. They are the slow path of generated classes."""
+"""Checks of a field's values, arrays and sequences.
+
+A generated class first makes a quick test of its own. It calls these checks only for a value that
+fails this test.
+"""
 
 from __future__ import annotations
 
@@ -77,7 +81,7 @@ class _NumberSequenceCheck:
             try:
                 numbers = array(self.typecode, values)
             except OverflowError:
-                pass  # the check of each element below finds the wrong element
+                pass  # the loop below finds the element that is too large
             else:
                 if self.typecode != "f" or _infinities(numbers) == _infinities(values):
                     return numbers
@@ -112,7 +116,7 @@ class _NumberSequenceCheck:
 
 
 class _FixedNumbersCheck(_NumberSequenceCheck):
-    """Check of fixed-size number arrays. With numpy, they are ndarrays of the exact dtype."""
+    """Check of fixed-size number arrays. If numpy is installed, they are ndarrays of one dtype."""
 
     def __call__(self, label: str, value: Any) -> Any:
         size = self.field_type.size

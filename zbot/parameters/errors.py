@@ -117,7 +117,7 @@ class UnknownCallbackError(ZbotError, ValueError, RuntimeError):
 
 
 class InvalidQosOverridesError(ZbotError):
-    """The program's own callback rejected a QoS profile with overrides."""
+    """The program checks QoS profiles after the overrides, and rejected one of them."""
 
     def __init__(self, what: str, reason: str) -> None:
         self.what, self.reason = what, reason

@@ -1,7 +1,7 @@
 """Exit function of the process. It closes all contexts before Python kills the other threads.
 
 Zenoh aborts the process if Python kills a thread inside Zenoh. The function first waits for the
-program's own threads, because a thread that spins continues after the main thread's end.
+program's own threads. A thread may still run `spin()` when the main thread is at its end.
 """
 
 from __future__ import annotations
@@ -68,8 +68,8 @@ class Executor(Protocol):
 open_contexts: WeakSet[OpenContext] = WeakSet()
 
 
-#: Called when the contexts are closed, before Python waits for threads that still run. The argument
-#: is whether a signal ended the wait for them.
+#: Called when the contexts are closed. Python itself waits for threads only after that. The
+#: argument is true if a signal interrupted `wait_for_threads`.
 when_closed: list[Callable[[bool], None]] = []
 
 
@@ -107,8 +107,8 @@ def register() -> None:
 def wait_for_threads() -> None:
     """Wait for the threads that the program started, as Python does at its end.
 
-    While Python 3.12 or later itself waits, a thread cannot start threads, nor open a node. While
-    this function waits, a thread can do both. A signal's exception ends this function at once.
+    While this function waits, a thread can start other threads and open nodes. When Python 3.12 or
+    later waits for threads, they can do neither. A signal's exception ends this function at once.
     """
     for thread in _program_threads():
         thread.join()
@@ -165,9 +165,9 @@ def _calls_zbot() -> bool:
 
     After the sessions were closed, such a function raises an error at once.
     """
-    # Python 3.11 and older hold a lock during this call. A garbage collection lets other threads
-    # run. If one of them ends, it waits for this lock and lets no thread run. The two threads would
-    # wait for each other for ever, so there must be no collection.
+    # In Python 3.11 and older, `_current_frames` holds a lock L. A garbage collection during the
+    # call lets other threads run. A thread that ends takes Python's main lock and then waits for L.
+    # This thread has L and waits for the main lock. So there must be no collection.
     was_enabled = gc.isenabled()
     gc.disable()
     try:

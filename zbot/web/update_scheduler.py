@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-# The browser asks when its screen refreshes. An update may start at most this many seconds early.
+# The browser asks for changes each time it refreshes the screen. An update may start at most this
+# many seconds early.
 _EARLY_S = 0.003
 
 

@@ -65,7 +65,8 @@ def dds(
 ) -> None:
     """Connect this domain with ROS 2 over DDS.
 
-    It runs until Ctrl-C, and carries all names except the names that every node has.
+    It runs until Ctrl-C. It connects all topics, services and actions, except those that every node
+    has, e.g. `/rosout`.
     """
     from zbot.bridge.bridge import run_dds  # noqa: PLC0415 - not needed by `--help`
 
@@ -88,7 +89,8 @@ def rmw_zenoh(
 ) -> None:
     """Connect this domain with ROS 2 over Zenoh.
 
-    It runs until Ctrl-C, and carries all names except the names that every node has.
+    It runs until Ctrl-C. It connects all topics, services and actions, except those that every node
+    has, e.g. `/rosout`.
     """
     from dataclasses import replace  # noqa: PLC0415 - not needed by `--help`
 

@@ -229,7 +229,8 @@ def _ros2_router() -> Finding:
 
 def _clock() -> Finding:
     started, steady = time.time(), time.monotonic()
-    with socket.socket() as probe:  # connecting takes some time, in which the clock may jump
+    # To connect takes some time. A wrong clock may jump during this time.
+    with socket.socket() as probe:
         probe.connect_ex(("127.0.0.1", 9))
     step = (time.time() - started) - (time.monotonic() - steady)
     if abs(step) > _LARGEST_CLOCK_STEP_S:
@@ -319,8 +320,9 @@ def _bridges(graph: Snapshot) -> Iterator[Finding]:
             yield Finding("bridge", text)
         else:
             advice = (
-                "is the robot on, and is --ros-domain the robot's domain? Only on one machine: is "
-                "ROS_AUTOMATIC_DISCOVERY_RANGE the same? Of two bridges, only one carries"
+                "is the robot on, and is --ros-domain the robot's domain? If the robot's program "
+                "runs on this machine, is its ROS_AUTOMATIC_DISCOVERY_RANGE the same? If there are "
+                "two bridges, only one of them passes messages on"
             )
             yield Finding("bridge", text, advice, is_warning=True)
 

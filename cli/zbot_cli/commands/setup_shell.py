@@ -21,7 +21,7 @@ COMMANDS = {
     "rqt_graph": "zbot web graph",
     "rqt": "zbot web",
     "rviz2": "zbot rviz2",
-    # Of ROS 1: lessons show them beside those of ROS 2.
+    # These are commands of ROS 1. Some lessons show them beside the commands of ROS 2.
     "rosnode": "zbot node",
     "rostopic": "zbot topic",
 }
@@ -51,16 +51,19 @@ def setup_shell(
 ) -> None:
     """Print functions with which `ros2`, `colcon` and `rqt_graph` run zbot.
 
-    A real ros2 on this machine is run instead. Without SHELL, print how to install the functions.
+    If this machine has a real ros2, `ros2` still runs the real one. Without SHELL, print how to
+    install the functions.
     """
     if shell is None:
-        print("To type ros2, colcon and rqt_graph for zbot, type the line of your shell:\n")
+        print("The words ros2, colcon and rqt_graph can run zbot. Type the line of your shell:\n")
         for line in _INSTALL.values():
             print(f"    {line}")
         print("\nThen open a new terminal.")
         return
     if shell not in _LINES:
         raise typer.BadParameter(f"no functions for {shell!r}; choose from {', '.join(_LINES)}")
-    print("# Functions of `zbot setup-shell`: a real ros2 on this machine is run instead of zbot.")
+    print(
+        "# Functions of `zbot setup-shell`. A real ros2 on this machine still runs, and not zbot."
+    )
     for name, words in COMMANDS.items():
         print(_LINES[shell].format(name=name, words=words))

@@ -23,7 +23,7 @@ from zbot_cli.output.listing import new_app
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-app = new_app("Run tests and launch tests", has_verbs=False)
+app = new_app("Run a package's tests, also those of launch files", has_verbs=False)
 
 _FUNCTION = "generate_test_description"
 _PLUGIN = "zbot.compat.pytest_plugin"
@@ -67,7 +67,7 @@ def run_tests(
     """Run tests.
 
     A file with generate_test_description() is launched. Its test cases run during the launch.
-    All other tests are run by pytest. With options after --, pytest also runs the launch files.
+    All other tests are run by pytest. With options after --, pytest runs these files too.
     """
     given = list(words or ())
     # The options of pytest begin at the first word with a dash, because typer removes the `--`.

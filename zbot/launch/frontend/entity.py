@@ -50,7 +50,7 @@ class Entity:
 
     @property
     def children(self) -> list[Entity]:
-        """The entities inside this entity. After this call they all count as read."""
+        """The entities inside this entity. This call marks all of them as used."""
         self._all_used = True
         return self._children
 
@@ -104,8 +104,8 @@ class Entity:
         Args:
             name: The name of the attribute, or the tag name of the children.
             data_type: `str`, `int`, `float`, `bool`, or a list whose items have one of these types,
-                e.g. `List[int]`. None means the type that YAML reads. `List[Entity]` returns
-                children.
+                e.g. `List[int]`. With None, the text is read as YAML, and the value has the type
+                that YAML gives it. `List[Entity]` returns children.
             optional: Whether to return None if the attribute is missing.
             can_be_str: Whether a string with substitutions is accepted for any type.
 

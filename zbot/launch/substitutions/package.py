@@ -28,7 +28,7 @@ class FindPackagePrefix(Substitution):
         return self.find(perform(context, self.package))
 
     def find(self, package_name: str) -> str:
-        """Return the folder of a package. No launch is needed.
+        """Return the folder of a package. Any program may call this, also without a launch.
 
         Raises:
             PackageNotFoundError: The package does not exist.
@@ -47,7 +47,7 @@ class FindPackageShare(FindPackagePrefix):
     """The share folder of a package, which contains `launch`, `config` and similar folders."""
 
     def find(self, package_name: str) -> str:
-        """Return the folder of a package. No launch is needed.
+        """Return the folder of a package. Any program may call this, also without a launch.
 
         Raises:
             PackageNotFoundError: The package does not exist.

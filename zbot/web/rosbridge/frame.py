@@ -30,8 +30,8 @@ def frames(
         fields: The message. For `cbor` and `cbor-raw` it may contain bytes and typed arrays,
             otherwise only what JSON has.
         compression: One of `COMPRESSIONS`. `cbor` and `cbor-raw` are never in fragments.
-        fragment_size: The most characters of the message in one frame. A message has at most
-            10,000 fragments, so those of a very long message may be longer.
+        fragment_size: The largest number of characters of the message in one frame. A message has
+            at most 10,000 fragments, so the fragments of a very long message may be longer.
     """
     if compression in {"cbor", "cbor-raw"}:
         return [cbor.encode(fields)]
@@ -52,7 +52,10 @@ def dump(fields: dict[str, Any]) -> str:
 
 
 def png(text: str) -> str:
-    """Return the base64 of a PNG picture whose colours are the bytes of a text, then newlines."""
+    """Return a PNG picture in base64. Its pixels are the bytes of a text, filled up with newlines.
+
+    This is the form in which rosbridge compresses messages.
+    """
     from PIL import Image  # noqa: PLC0415 - few clients want PNG
 
     octets = text.encode()

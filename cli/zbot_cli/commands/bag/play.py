@@ -35,14 +35,14 @@ _BAR_SEPARATION_LINES = 2
 
 
 class MessageOrder(str, Enum):
-    """Times of `--message-order`."""
+    """Values of `--message-order`: the time by which messages are sorted."""
 
     RECEIVED = "received"
     SENT = "sent"
 
 
 class RequestSource(str, Enum):
-    """Events of `--service-requests-source`."""
+    """Values of `--service-requests-source`: whose recorded events contain the requests."""
 
     SERVICE = "service_introspection"
     CLIENT = "client_introspection"
@@ -301,7 +301,7 @@ def burst(
         int, typer.Option("--read-ahead-queue-size", min=1, help="Messages to read in advance")
     ] = 1000,
 ) -> None:
-    """Publish messages at once, then pause."""
+    """Publish messages one after the other without pauses, then pause the playback."""
     from zbot.bag.play_options import PlayOptions  # noqa: PLC0415 - needed only to play
     from zbot.bag.qos_profiles import read_overrides  # noqa: PLC0415 - as above
     from zbot_cli.commands.bag import playback  # noqa: PLC0415 - as above

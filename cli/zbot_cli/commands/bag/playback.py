@@ -44,7 +44,8 @@ class Playback:
     log_level: str = "info"
     bar_hz: float = 0
     bar_separation_lines: int = 0
-    burst_count: int | None = None  #: messages to publish at once. 0 means all, None means no burst
+    #: Messages to publish without pauses at the start. 0 means all, and `None` means no such burst.
+    burst_count: int | None = None
 
     def run(self) -> None:
         """Play until the end or Ctrl-C.
@@ -52,7 +53,8 @@ class Playback:
         Raises:
             BagReadError: A part of a bag is damaged.
         """
-        # The reading thread then delays a message by half a millisecond and not by five.
+        # Python's lock may stay with the reading thread for so long, and then a message is late.
+        # Python's own value is 5 ms.
         sys.setswitchinterval(0.0005)
         with hidden_node("play", NODE_NAME) as node, contextlib.ExitStack() as stack:
             set_log_level(node, self.log_level)

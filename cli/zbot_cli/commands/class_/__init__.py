@@ -53,7 +53,7 @@ def start(
     ] = None,
     as_json: AsJson = False,
 ) -> None:
-    """Start a class, or show its code."""
+    """Start a class of students, or show the code with which students join."""
     from zbot.classroom import teacher  # noqa: PLC0415 - not needed by `--help`
     from zbot.classroom.invitation import invitation_to  # noqa: PLC0415 - as above
     from zbot.classroom.register import clean_name, load_roster  # noqa: PLC0415 - as above
