@@ -377,7 +377,7 @@ qos_profile_system_default = QoSProfile(
 #: For sensors: the newest values matter, and a lost value does not matter.
 qos_profile_sensor_data = QoSProfile(depth=5, reliability=ReliabilityPolicy.BEST_EFFORT)
 qos_profile_services_default = QoSProfile(depth=10)
-#: For parameters: the profile of services, but with a longer queue for many requests at once.
+#: For parameters: the profile of services, but with a longer queue for many simultaneous requests.
 qos_profile_parameters = QoSProfile(depth=1000)
 qos_profile_parameter_events = QoSProfile(depth=1000)
 qos_profile_action_status_default = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)

@@ -132,7 +132,7 @@ def _spin(node: Node, executor: Executor | None, run: Callable[[Executor], None]
         if added and before is not None and not before.is_shutdown:
             before.add_node(node)
         elif added:
-            executor.pause_node(node)  # a program often spins the same node again at once
+            executor.pause_node(node)  # a program often spins the same node again immediately
 
 
 def _executor_of(node: Node) -> Executor:

@@ -75,7 +75,7 @@ class _Goal:
 
 
 class _ActionFuture(Future[T]):
-    """A future that the executor completes. Its done callbacks run at once in the same thread."""
+    """A future that the executor completes. The same thread runs its done callbacks immediately."""
 
     def __init__(self, node: Node) -> None:
         super().__init__()

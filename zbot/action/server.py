@@ -57,7 +57,7 @@ class CancelResponse(Enum):
 
 
 def default_handle_accepted_callback(goal_handle: ServerGoalHandle[Any, Any, Any]) -> None:
-    """Execute the goal at once."""
+    """Execute the goal immediately."""
     goal_handle.execute()
 
 
@@ -210,7 +210,7 @@ class ActionServer(ActionEndpoint[GoalT, ResultT, FeedbackT]):
     def register_handle_accepted_callback(
         self, handle_accepted_callback: Callable[[Any], Any] | None
     ) -> None:
-        """Replace the callback that gets accepted goals. `None` executes the goals at once."""
+        """Replace the callback that gets accepted goals. `None` executes the goals immediately."""
         self._handle_accepted_callback = (
             handle_accepted_callback or default_handle_accepted_callback
         )

@@ -134,7 +134,8 @@ class ServerGoalHandle(ActionGeneric[GoalT, ResultT, FeedbackT]):
         """End the goal as SUCCEEDED.
 
         Args:
-            response: The result, which is sent at once. If left out, the callback's result is sent.
+            response: The result, which is sent immediately. If left out, the callback's result is
+                sent.
 
         Raises:
             GoalTransitionError: The goal is not being executed.

@@ -100,7 +100,7 @@ def create_action_service(
     qos_profile: QoSProfile,
     callback_group: CallbackGroup,
 ) -> ActionService:
-    """Return a new service of a node. If `callback` does not wait, the response is sent at once."""
+    """Return a new service of a node. It responds immediately, unless `callback` waits."""
     handle = node.handle
     service = ActionService(
         handle.context,

@@ -111,7 +111,7 @@ class _Background:
 
 
 class BackgroundPlayback(_Background):
-    """Playback of a bag. It begins at once. Any thread may call its methods.
+    """Playback of a bag. It begins immediately. Any thread may call its methods.
 
     Args:
         path: The bag.
@@ -144,7 +144,7 @@ class BackgroundPlayback(_Background):
 
 
 class BackgroundRecording(_Background):
-    """Recording of topics. It begins at once. Any thread may call its methods.
+    """Recording of topics. It begins immediately. Any thread may call its methods.
 
     Args:
         path: Folder of the new bag.

@@ -114,7 +114,7 @@ class McapWriter:
 
 
 class _File:
-    """File without a buffer: a write raises its error at once, and `cut` removes its record."""
+    """File without a buffer: a write raises its error immediately, and `cut` removes its record."""
 
     def __init__(self, path: Path) -> None:
         self._raw = path.open("xb", buffering=0)

@@ -128,7 +128,7 @@ class Player:
     def burst(
         self, storage_options: StorageOptions, play_options: PlayOptions, num_messages: int
     ) -> None:
-        """Play the first messages at once, and then pause. 0 means all. Errors are as in `play`."""
+        """Play the first messages without pauses, then pause. 0 means all. It raises as `play`."""
         play_options.start_paused = True
         self._play(storage_options, play_options, burst=num_messages)
 

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from zbot.bridge.side import Side
 
 
-# The graph of zbot is complete at once. DDS usually needs a second to find another bridge.
+# The graph of zbot is complete immediately. DDS usually needs a second to find another bridge.
 _DISCOVERY_S = 3.0
 # ROS 2's variable with changes to the configuration of rmw_zenoh.
 _OVERRIDE = "ZENOH_CONFIG_OVERRIDE"

@@ -234,7 +234,7 @@ class Classroom:
             return {"error": f"no student has number {number}"}
         before = self._robots.drivers
         self._robots.give(robot, number)
-        # This comes before the hub closes for a moment, so that the robot stops at once.
+        # This comes before the hub closes for a moment, so that the robot stops immediately.
         self._robots.publish(self._serving.session)
         if self._robots.drivers != before:
             self._apply()

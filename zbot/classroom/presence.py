@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 _ERROR_LEVEL = 40  # ERROR in rcl_interfaces/msg/Log (FATAL is 50)
 _QUEUE = 64
 _MAX_TEXT = 300
-_NOTICES_TIMEOUT_S = 1.5  # the class answers at once, and a slow network needs more
+_NOTICES_TIMEOUT_S = 1.5  # the class answers immediately, and a slow network needs more
 _QUERY_TIMEOUT_S = 0.5
 _MAX_LOG_BYTES = 64 * 1024
 

@@ -34,7 +34,7 @@ _REFUSED = {errno.ECONNREFUSED, getattr(errno, "WSAECONNREFUSED", errno.ECONNREF
 
 
 def first_reachable(candidates: Sequence[Address], timeout_s: float = _TIMEOUT_S) -> Address:
-    """Try all addresses at once, and return the first that accepts a TCP connection.
+    """Try all addresses in parallel, and return the first that accepts a TCP connection.
 
     If all addresses fail, the error is about the address where the probe came nearest to a
     connection.

@@ -40,7 +40,7 @@ class RunningNodes:
         with self._lock:
             self._names = names
         # If this were a callback, Zenoh would call it while it holds the lock of the hub, and
-        # thousands of tokens at once would stop the hub. A thread that reads a queue does not stop
+        # thousands of tokens together would stop the hub. A thread that reads a queue does not stop
         # it. `history` means that tokens which exist already are reported too.
         self._subscriber = serving.session.liveliness().declare_subscriber(
             _NODE_TOKENS, large_queue(), history=True

@@ -46,7 +46,7 @@ class CallbackGroup:
 
 
 class ReentrantCallbackGroup(CallbackGroup):
-    """Group whose callbacks may run at any time, even several times at once."""
+    """Group whose callbacks may run at any time, even several times in parallel."""
 
     def can_execute(self, entity: Any) -> bool:  # noqa: ARG002 - rclpy's signature
         """Return True."""

@@ -266,7 +266,7 @@ class Clock:
         return TimeChangeHandle(self, callback)
 
     def sleep_until(self, until: Time, context: SleepContext | None = None) -> bool:
-        """Sleep until a time of this clock. The call ends at once if that time is past.
+        """Sleep until a time of this clock. The call ends immediately if that time is past.
 
         On simulated time the sleep never ends if no node publishes `/clock`.
 

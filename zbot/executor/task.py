@@ -114,7 +114,7 @@ class Future(Generic[T]):
         self._complete(_FINISHED, exception=exception, replace=True)
 
     def add_done_callback(self, callback: Callable[[Self], Any]) -> None:
-        """Call `callback(self)` when the future is over. If it is over already, call it at once."""
+        """Call `callback(self)` when the future is over, or immediately if it is over already."""
         with self._lock:
             if not self.is_over:
                 self._callbacks.append(callback)

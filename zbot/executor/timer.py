@@ -299,7 +299,7 @@ class Rate:
     def sleep(self) -> None:
         """Sleep until the next multiple of the period, or until the rate is destroyed.
 
-        If that time is past, the call ends at once.
+        If that time is past, the call ends immediately.
 
         Raises:
             RateInterruptedError: The context was shut down.

@@ -1,7 +1,7 @@
 """Graph of a domain, with nodes, publishers, subscriptions, servers and clients.
 
-The graph consists of Zenoh liveliness tokens (docs/wire.md). All sessions see each change at once,
-and Zenoh removes the tokens of a process that ends for any reason.
+The graph consists of Zenoh liveliness tokens (docs/wire.md). All sessions see each change
+immediately, and Zenoh removes the tokens of a process that ends for any reason.
 """
 
 from __future__ import annotations
@@ -222,7 +222,7 @@ class Graph:
         return self.snapshot() if self._watching else Snapshot(tuple(self._query_tokens()))
 
     def announce(self, token: Token) -> Announcement:
-        """Declare a token of this context. This graph contains the token at once."""
+        """Declare a token of this context. This graph contains the token immediately."""
         return Announcement(self, self._session, token)
 
     def note(self, token: Token, *, appeared: bool) -> None:

@@ -57,6 +57,6 @@ class TimerEvent(Event):
 
 
 class SecondInterrupt(Event):
-    """A second Ctrl-C. Processes that still run get the next signal at once."""
+    """A second Ctrl-C. Processes that still run get the next signal immediately."""
 
     name = "zbot.launch.SecondInterrupt"

@@ -34,7 +34,7 @@ class OutputLines:
         self._rest = dict.fromkeys(_STREAMS, "")
 
     def feed(self, fd: int, data: bytes) -> None:
-        """Add output of stdout (1) or stderr (2). Complete lines are written at once."""
+        """Add output of stdout (1) or stderr (2). Complete lines are written immediately."""
         text = self._rest[fd] + self._decoders[fd].decode(data)
         *lines, self._rest[fd] = text.split("\n")
         for line in lines:

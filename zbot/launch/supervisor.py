@@ -248,7 +248,7 @@ class Supervisor:
             waited = f"'{seconds:g}' seconds after receiving"
             if self._escalate_now.is_set():
                 self._escalate_now.clear()
-                waited = "at once after receiving"
+                waited = "immediately after receiving"
             text = f"process[{self.label}] failed to terminate {waited} '{number.name}'"
             self._context.writer.error(self.label, f"{text}, escalating to '{following}'")
         self._send(_SIGKILL, is_logged=True)

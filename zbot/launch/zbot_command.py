@@ -99,7 +99,7 @@ def _write(path: Path, words: Sequence[str]) -> None:
         line = " ".join(f'"{word}"' for word in words)
         path.write_text(f"@{line} %*\n", encoding="utf-8")
         return
-    # The file gets its name when it is complete, because another launch may start it at once.
+    # The file gets its name when it is complete, because another launch may start it immediately.
     draft = path.with_name(f"{path.name}.{os.getpid()}")
     draft.write_text(f'#!/bin/sh\nexec {shlex.join(words)} "$@"\n', encoding="utf-8")
     draft.chmod(draft.stat().st_mode | stat.S_IXUSR | stat.S_IXGRP | stat.S_IXOTH)

@@ -195,7 +195,7 @@ class _DeadlineHandler(EventHandler):
         self._total = 0
         steady = Clock(clock_type=ClockType.STEADY_TIME)
         self._timer = Timer(None, callback_group, period.nanoseconds, steady, ready_queue)
-        # This call is the last, because the executor may use the handler at once.
+        # This call is the last, because the executor may use the handler immediately.
         super().__init__(callback, callback_group, ready_queue)
 
     @property

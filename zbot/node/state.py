@@ -143,7 +143,7 @@ class NodeState:
             entity.destroy()
 
     def destroy_when_not_in_use(self) -> None:
-        """Destroy the node at once. The name of this method is rclpy's."""
+        """Destroy the node immediately. The name of this method is rclpy's."""
         for node in self.context.nodes:
             if node.handle is self:
                 node.destroy_node()

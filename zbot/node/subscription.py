@@ -139,8 +139,8 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         self._sources: dict[bytes, _Source] = {}
         self.received_count = 0  #: messages that the callback got or `take_message` took
         self._keep_all = token.qos.history is HistoryPolicy.KEEP_ALL
-        # The largest number of samples to take at once, and the size of a keep-all channel. Without
-        # a limit, the loop in `take` would never end if a publisher never pauses.
+        # The largest number of samples to take in one call, and the size of a keep-all channel.
+        # Without a limit, the loop in `take` would never end if a publisher never pauses.
         self._channel_size = _KEEP_ALL_QUEUE
         if self._keep_all and has_sequences(msg_type):
             self._channel_size = _KEEP_ALL_QUEUE_OF_SEQUENCES

@@ -192,7 +192,7 @@ _BY_PROGRAM: Final = {
     **dict.fromkeys(("gazebo", "gzserver", "gzclient", "gz", "ign", "webots", "stage"), _SIMULATOR),
     **dict.fromkeys(("MicroXRCEAgent", "micro_ros_agent"), _MICRO),
 }
-#: Programs that end when they have done their work. What waits for their end goes on at once.
+#: Programs that end when they have done their work. What waits for their end goes on immediately.
 _SHORT: Final = frozenset({"create", "spawn_entity.py", "spawn_entity", "remove"})
 
 

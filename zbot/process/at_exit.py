@@ -108,7 +108,8 @@ def wait_for_threads() -> None:
     """Wait for the threads that the program started, as Python does at its end.
 
     While this function waits, a thread can start other threads and open nodes. When Python 3.12 or
-    later waits for threads, they can do neither. A signal's exception ends this function at once.
+    later waits for threads, they can do neither. A signal's exception ends this function
+    immediately.
     """
     for thread in _program_threads():
         thread.join()
@@ -163,7 +164,7 @@ def _close_contexts() -> None:
 def _calls_zbot() -> bool:
     """Return whether another thread is inside a function of zbot, and so perhaps inside Zenoh.
 
-    After the sessions were closed, such a function raises an error at once.
+    After the sessions were closed, such a function raises an error immediately.
     """
     # In Python 3.11 and older, `_current_frames` holds a lock L. A garbage collection during the
     # call lets other threads run. A thread that ends takes Python's main lock and then waits for L.

@@ -3,7 +3,7 @@
 A put with congestion control `BLOCK` waits for at most a minute while a keep-all subscriber reads
 nothing (see `wait_before_close`). During the put no signal handler runs in its thread, and Zenoh
 cannot close the session. So when the process ends, this module shuts down the sockets of the
-session's links. Then Zenoh sees that the other side is lost, and the put returns at once.
+session's links. Then Zenoh sees that the other side is lost, and the put returns immediately.
 docs/design/blocked-puts.md compares this with other ways.
 """
 
@@ -107,7 +107,7 @@ def cancel_all(sessions: Iterable[zenoh.Session]) -> None:
     """Cut the links of sessions, so that all blocked puts return. Any thread may call this.
 
     Messages that are on their way are lost. The call takes at most 1.2 s if a put is blocked, and
-    at most 0.2 s if puts run without being blocked. It returns at once if no put runs.
+    at most 0.2 s if puts run without being blocked. It returns immediately if no put runs.
     """
     blocked = _blocked()
     if not blocked:

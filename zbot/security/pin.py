@@ -63,9 +63,9 @@ _SIZES = {
     "answer": range(SEAL_BYTES, SEAL_BYTES + _LARGEST_TEXT + 1),
 }
 _LONGEST_HUB = 300  #: characters (a host name has at most 253)
-_MAX_ATTEMPTS = 256  #: open attempts (thirty students who join at once need thirty attempts)
+_MAX_ATTEMPTS = 256  #: open attempts (thirty students who join together need thirty attempts)
 _ATTEMPT_S = 30.0  #: seconds for an attempt (the student types the PIN before the attempt)
-_FREE_GUESSES = 10  #: wrong PINs without a delay, because several students may mistype at once
+_FREE_GUESSES = 10  #: wrong PINs without a delay, because several students may mistype together
 _GUESS_S = 2.0  #: seconds for each wrong PIN after that (999,999 PINs take 23 days)
 
 

@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from zbot.wire.dialect import Dialect
 
 LOOPBACK = "127.0.0.1"
-#: A router answers within 10 ms, or within seconds when 40 nodes start at once on two cores.
+#: A router answers within 10 ms, or within seconds when 40 nodes start together on two cores.
 LINK_TIMEOUT_S = 5.0
 _TAKEN_TIMEOUT_S = 0.1
 _QUESTIONS = 3  # a router that has just started may not hear the first one

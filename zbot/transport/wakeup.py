@@ -3,8 +3,8 @@
 A sleeping thread takes 10 to 30 us to wake, which is a large part of a small message's time. So if
 a thread's last wait was short, it polls for a short time before it sleeps, and yields its core
 between the polls. Round trips take half the time then. If its last wait was longer, such as for the
-messages of a 1 kHz topic, the thread sleeps at once. While small messages come every 0.1 to 0.5 ms,
-or large messages every 3 ms, busy waiting uses a core that would be idle otherwise.
+messages of a 1 kHz topic, the thread sleeps immediately. While small messages come every 0.1 to
+0.5 ms, or large messages every 3 ms, busy waiting uses a core that would be idle otherwise.
 """
 
 from __future__ import annotations

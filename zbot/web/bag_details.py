@@ -216,7 +216,7 @@ class BagDetails:
         self.control.seek(self.name, float(event.args))
 
     async def draw(self, event: Any) -> None:
-        """Read the chosen curves from the bag, and draw them at once."""
+        """Read the chosen curves from the bag, and draw them immediately."""
         names = list(event.value or ())
         self.chart.set_visibility(bool(names))
         series = [await run_in_thread(self.read_curve, name) for name in names]

@@ -15,7 +15,8 @@ if TYPE_CHECKING:
     from zbot.web.panel import Page, Section
     from zbot.web.table import Column
 
-# The rate is high, to show changes of the graph at once. Without a change, an update does nothing.
+# The rate is high, to show changes of the graph immediately. Without a change, an update does
+# nothing.
 _LIST_HZ = 10.0
 
 

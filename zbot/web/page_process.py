@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 _CLOSE_TIMEOUT_S = 5.0
 _PATIENCE_S = 30.0
-# If several page processes start at once, only the process that can bind a certain port serves the
+# If several page processes start together, only the process that can bind a certain port serves the
 # page. The port's number is the domain's meeting port plus this number.
 _ABOVE_MEETING_PORT = 2000
 

@@ -61,7 +61,7 @@ class _PublishForm:
             self.said = ui.label().classes("zb-muted")
 
     def changed(self) -> None:
-        """Use the changed inputs, so that a repeated message changes at once."""
+        """Use the changed inputs, so that a repeated message changes immediately."""
         is_right = not self.view.problems
         self.once.set_enabled(is_right)
         self.repeat.set_enabled(is_right or self.repetition is not None)

@@ -157,7 +157,7 @@ class System:
 
     def _on_token(self, _token: Token, _appeared: bool) -> None:
         # This method must not take the lock. Another thread may hold it and declare an entity. When
-        # many tokens arrive at once, that declaration waits until this method has ended.
+        # many tokens arrive together, that declaration waits until this method has ended.
         self.revision += 1
         for feed in list(self._feeds.values()):
             if feed.is_wanted and feed.type_name is None:

@@ -192,7 +192,7 @@ def _end(name: str, process: Process | None, *, force: bool) -> None:
         raise NodeKillError(f"the process of {name} does not publish its pid; end it where it runs")
     if process.host != socket.gethostname():
         raise NodeKillError(f"{name} runs on {process.host} (pid {process.pid}); end it there")
-    # On Windows SIGTERM ends a process at once, as SIGKILL does elsewhere.
+    # On Windows SIGTERM ends a process immediately, as SIGKILL does elsewhere.
     number = signal.SIGTERM
     if sys.platform != "win32" and force:
         number = signal.SIGKILL

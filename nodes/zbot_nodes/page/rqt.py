@@ -61,7 +61,7 @@ def panel_path(program: str, words: Sequence[str]) -> str:
 
 
 def main() -> None:
-    """Run until Ctrl-C, or end at once if no page can be shown here."""
+    """Run until Ctrl-C, or end immediately if no page can be shown here."""
     path = panel_path(PurePath(sys.argv[0]).stem, remove_ros_args()[1:])
     with zbot.init():
         node = zbot.Node(f"rqt_gui_py_node_{os.getpid()}")

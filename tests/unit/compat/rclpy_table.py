@@ -41,7 +41,7 @@ library, and zbot does not use it.
 
 zbot differs from rclpy on purpose in these points:
 
-* A call of a service without a server fails at once with a `ServiceError`. A call also
+* A call of a service without a server fails immediately with a `ServiceError`. A call also
   fails if its server ends. In rclpy, the futures of these calls stay pending for ever.
 * When a node is destroyed, all its entities disappear from the graph at the same time. This is
   also true for action servers. In rclpy an action server stays until its own `destroy()`.

@@ -81,7 +81,7 @@ class RunningLaunch:
             self._state_changed.notify_all()
 
     def wait_until_ready(self, timeout_s: float = READY_TIMEOUT_S) -> None:
-        """Wait for `ReadyToTest`. A launch that does not need `ReadyToTest` is ready at once.
+        """Wait for `ReadyToTest`. A launch that does not need `ReadyToTest` is ready immediately.
 
         Raises:
             LaunchTestError: The launch did not reach `ReadyToTest` in time, or it ended first.

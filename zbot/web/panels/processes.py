@@ -101,7 +101,7 @@ class _Details:
             self.stop_button.props("unelevated dense").tooltip("Same as Ctrl-C in the terminal")
             self.kill_button = ui.button("Kill", on_click=with_errors_shown(self.kill), color=None)
             self.kill_button.props("outline dense").classes("zb-danger")
-            self.kill_button.tooltip("Ends the process at once")
+            self.kill_button.tooltip("Ends the process immediately")
         self.note = ui.label().classes("zb-muted")
         self.buttons.set_visibility(False)
         section.live(self.update, 5.0)

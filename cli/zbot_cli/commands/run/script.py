@@ -29,8 +29,8 @@ class NothingToRunError(ZbotError):
 def run_script(path: str) -> Any:
     """Run a file as `__main__`.
 
-    A file with only definitions, as in many lesson sheets, would end at once. So its `main()` is
-    called. If it has no `main()`, a node of its only node class is created and spun.
+    A file with only definitions, as in many lesson sheets, would end immediately. So its `main()`
+    is called. If it has no `main()`, a node of its only node class is created and spun.
 
     Raises:
         NothingToRunError: The file has neither a `main()` nor exactly one node class.
