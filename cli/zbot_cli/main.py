@@ -88,7 +88,7 @@ Usage: zbot [OPTIONS] COMMAND [ARGS]...
   Robots in Python: nodes, topics, services and actions in the words of ROS 2.
 
 Options:
-  --domain N     Domain for this command, also in a class
+  --domain N     Use this domain, also if the machine has joined a class
   --config FILE  Zenoh configuration for this command [env: ZBOT_CONFIG]
   --rmw          Speak ROS 2's rmw_zenoh_cpp; may follow COMMAND [env: RMW_IMPLEMENTATION]
   --debug        Show where an error comes from

@@ -83,8 +83,8 @@ class Recorder:
         max_cache_bytes: Messages that may wait for the disk, in bytes. 0 means no limit.
         is_paused: Whether to begin paused.
         uses_sim_time: Whether the node's time is simulated. Messages before `/clock` are dropped.
-        snapshots: Memory of the newest messages, which only `take_snapshot` writes. `None` means
-            that all messages are written.
+        snapshots: Memory of the newest messages. Only `take_snapshot` writes them to the bag.
+            `None` means that all messages are written to the bag.
     """
 
     def __init__(

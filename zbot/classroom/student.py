@@ -72,7 +72,8 @@ def join(
         target: Code or address, as the teacher gives it.
         name: The student's name.
         number: The student's number. If it is `None`, the class chooses a number.
-        is_new: Whether the student is not in the teacher's list, although a similar name is.
+        is_new: Whether the student is not in the teacher's list. Otherwise the class asks if the
+            list has a similar name.
         keystore: Folder of this machine's certificate. `None` means plain TCP.
         ask_pin: Takes the name of the class and returns its PIN, or `None` if it is unknown.
         ask_name: Takes the given name and a similar name in the teacher's list. Returns whether the
@@ -111,7 +112,7 @@ def join(
 def _admitted(
     request: AdmissionRequest, send: Callable[[AdmissionRequest], Membership], ask_name: AskName
 ) -> Membership:
-    """Send a request. If the class has a question, change the request and send it again."""
+    """Send a request to the teacher's hub. Change it and send it again if the hub asks for this."""
     deadline, known = time.monotonic() + _NOTICED_S, request.machine
     while True:
         try:
@@ -124,7 +125,8 @@ def _admitted(
                 name = refusal.known if is_meant else request.name
                 request = replace(request, name=name, is_new=True)
             elif refusal.kind == "copied" and request.machine == known:
-                # This may be the laptop itself, if the class has not noticed yet that it was away.
+                # The hub knows a laptop with the same id. It may be this laptop, if the hub has not
+                # noticed yet that the laptop was away.
                 if time.monotonic() > deadline:
                     request = replace(request, machine=secrets.token_hex(_MACHINE_BYTES))
                 time.sleep(_PAUSE_S)

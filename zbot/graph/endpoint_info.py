@@ -42,7 +42,8 @@ class TypeHash:
     version: int = -1
     value: bytes = bytes(_DIGEST_LENGTH)
 
-    _zbot_stands_for: ClassVar[str] = "string"  #: fields of this type take the text of a hash
+    #: A message field of the type `string` accepts a hash, and stores its text.
+    _zbot_stands_for: ClassVar[str] = "string"
     _TYPE_HASH_SIZE: ClassVar[int] = _DIGEST_LENGTH
 
     @classmethod

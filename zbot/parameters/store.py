@@ -71,7 +71,7 @@ class Declaration(NamedTuple):
 
 
 class ParameterStore:
-    """Parameters of a node, declared, set and undeclared by rclpy's rules.
+    """Parameters of a node. They are declared, set and undeclared by the rules of rclpy.
 
     `set` has these steps. The pre-set callbacks may replace the list of parameters. The
     descriptors and then the on-set callbacks may reject the list. The values are set. The event is

@@ -1,8 +1,8 @@
-"""Peering of a session: keeps the meeting port open and the session linked to all peers.
+"""Peering of a session: keeps a router on the domain's port, and links the session to all peers.
 
-The meeting router introduces the peers of a domain to each other once, and then Zenoh dials once.
-The two peers may be too busy to answer in time, for example on a laptop that starts twenty
-programs. Without this module, they would never be linked then.
+The router tells each two peers of a domain about each other once. Then one of them tries once to
+connect to the other. If one of them is too busy to answer in time, for example on a laptop that
+starts twenty programs, Zenoh does not try again. This module then tries again.
 """
 
 from __future__ import annotations
@@ -43,8 +43,9 @@ _CHECK_DELAY_S = 1.0
 _MAX_INTRODUCTIONS = 5
 _INTRODUCTION_TIMEOUT_S = 2.0  # an introduction usually takes 50 ms
 _INTRODUCTION_PAUSE_S = 0.02
-# The clients of a router look whether it is stopped: together eight times a second, because one of
-# them is enough to replace it. A peer does not look, because its messages do not pass the router.
+# The clients of a router check whether it is suspended. A single client can replace the router. So
+# each client checks rarely, and all clients together check eight times a second. A peer does not
+# check, because its messages do not go through the router.
 _WATCH_PAUSE_S = 1.0
 _WATCHES_PER_S = 8
 _LONGEST_WATCH_PAUSE_S = 10.0
@@ -205,10 +206,10 @@ class Peering:
     def wait_for_answers(self, timeout_s: float) -> bool:
         """Send a query to all peers that the router lists, and wait for their answers.
 
-        A client waits only for the router, which has all declarations that it passes on.
-        An answer arrives after all declarations that its sender made before. So after the last
-        answer, a published message reaches the subscribers that these sessions had. The wait takes
-        5 to 30 ms after a session was opened.
+        A client waits only for the router, because the router already has the declarations of all
+        peers. An answer arrives after all declarations that its sender made before. So after the
+        last answer, a published message reaches all subscriptions that the peers had when they
+        answered. The wait takes 5 to 30 ms after a session was opened.
         """
         deadline = time.monotonic() + timeout_s
         if not self.wait_for_router(timeout_s):
@@ -219,7 +220,7 @@ class Peering:
         while missing:
             left = deadline - time.monotonic()
             if not self._meeting.uses_port and time.monotonic() > silent_at:
-                answered |= self._peers()  # programs of others may have no admin space
+                answered |= self._peers()  # some programs without zbot have no admin space
                 missing -= answered
                 if not missing:
                     break
@@ -236,7 +237,7 @@ class Peering:
         return True
 
     def _mesh_at_router(self, deadline: float) -> set[str]:
-        """Return the ids of the peers that the meeting router lists. For a client, return none.
+        """Return the ids of the peers that the meeting router lists, or an empty set for a client.
 
         A list that does not contain this session is too old and is ignored.
         """
@@ -303,9 +304,9 @@ class Peering:
         return peers - self._peers() - {self._own()}
 
     def unreachable(self) -> set[str]:
-        """Return the peers of the router to which this session has no link.
+        """Return the peers that the router lists, but to which this session has no link.
 
-        A router of zbot introduces such peers to each other again, so there are none.
+        In a domain of zbot, this returns an empty set, because this module links such peers itself.
         """
         if self._meeting.uses_port:
             return set()

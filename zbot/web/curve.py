@@ -13,7 +13,8 @@ if TYPE_CHECKING:
 
     from zbot.web.watch import Watch
 
-#: Number of messages that are kept for a hidden page, e.g. 20 s of a topic with 1000 Hz.
+#: Number of messages that are kept while the page is in the background, e.g. 20 s of a topic with
+#: 1000 Hz.
 KEPT_MESSAGES = 20_000
 #: The largest number of curves for a topic, if the user gives no field.
 _MOST_FIELDS = 8
@@ -41,7 +42,7 @@ def split_curve(word: str, topics: Iterable[str]) -> tuple[str, str]:
 
     Args:
         word: `/turtle1/pose.x`, or `/turtle1/pose/x` as in rqt_plot. The first slash is optional.
-        topics: The present topics. They show where the topic ends in a name with slashes.
+        topics: The present topics. They show which part of `/turtle1/pose/x` is the topic.
 
     Raises:
         CurveError: The topic is missing.
@@ -69,7 +70,10 @@ def numeric_fields(message: Any) -> list[str]:
 def thinned(
     times: Sequence[float], values: Sequence[float], count: int
 ) -> list[tuple[float, float]]:
-    """Return at most `count` points, whose curve looks the same: both extremes of each part."""
+    """Return at most `count` points, whose curve looks the same.
+
+    The curve is cut into parts. The lowest and the highest point of each part are returned.
+    """
     size = max(-(-2 * len(times) // max(count, 2)), 1)
     points = []
     for start in range(0, len(times), size):

@@ -30,14 +30,22 @@ RosDomain = Annotated[
 ]
 Topics = Annotated[
     list[str] | None,
-    typer.Option("--topics", help="Carry only these topics: /scan '/camera/*' /cmd_vel:out"),
+    typer.Option(
+        "--topics",
+        help="Connect only these topics, e.g. /scan '/camera/*' /cmd_vel:out (:out is to ROS 2)",
+    ),
 ]
 Services = Annotated[
-    list[str] | None, typer.Option("--services", help="Carry only these services: '/arm/*:in'")
+    list[str] | None,
+    typer.Option(
+        "--services", help="Connect only these services, e.g. '/arm/*:in' (:in is to zbot)"
+    ),
 ]
-Actions = Annotated[list[str] | None, typer.Option("--actions", help="Carry only these actions")]
-Exclude = Annotated[list[str] | None, typer.Option("--exclude", help="Do not carry these names")]
-Parameters = Annotated[bool, typer.Option("--parameters", help="Carry the parameters of nodes too")]
+Actions = Annotated[list[str] | None, typer.Option("--actions", help="Connect only these actions")]
+Exclude = Annotated[list[str] | None, typer.Option("--exclude", help="Do not connect these names")]
+Parameters = Annotated[
+    bool, typer.Option("--parameters", help="Connect the parameters of nodes too")
+]
 Rate = Annotated[
     list[str] | None,
     typer.Option("--rate", help="Carry at most N messages per second: '/camera/*=5'"),

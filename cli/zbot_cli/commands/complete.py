@@ -71,9 +71,10 @@ def _candidates(done: Sequence[str], unfinished: str, nouns: Iterable[str]) -> I
 
 
 def _split(verb: Any, words: Sequence[str]) -> tuple[list[str], str]:
-    """Return the words that are no options and no values of options, and the option at the end.
+    """Return the arguments among the words, and the option whose value comes next.
 
-    The option is an empty string if the next word is not its value.
+    Options and their values are not arguments. The option is an empty string if the last word is
+    not an option, or an option without a value.
     """
     with_value = {
         name for one in verb.params if not getattr(one, "is_flag", True) for name in one.opts
@@ -335,7 +336,8 @@ def _shells(_: Sequence[str], __: str) -> Iterable[str]:
     return ("bash", "zsh", "fish", "powershell")
 
 
-#: Sources of candidates for the words after each verb. The last source also serves later words.
+#: For each verb, the functions that return candidates for its first argument, its second argument
+#: and so on. The last function also returns the candidates for all later arguments.
 _VALUES: dict[tuple[str, str], tuple[Any, ...]] = {
     ("action", "echo"): (_actions, _action_type),
     ("action", "find"): (_action_types,),

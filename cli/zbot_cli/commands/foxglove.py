@@ -22,7 +22,7 @@ def foxglove(
     ] = False,
     origin: Annotated[
         list[str] | None,
-        typer.Option("--origin", help="Web server of a Lichtblick that may connect; repeatable"),
+        typer.Option("--origin", help="Address of a web page that may connect; repeatable"),
     ] = None,
 ) -> None:
     """Show the running system in Foxglove or Lichtblick."""

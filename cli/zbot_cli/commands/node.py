@@ -171,7 +171,7 @@ def _processes(context: object) -> dict[str, Process]:
 
 
 def _check_own(name: str) -> None:
-    """Raise `NodeKillError` if the teacher has named a node of a student."""
+    """Raise `NodeKillError` if a teacher wants to end the node of a student."""
     from zbot.transport import config, membership  # noqa: PLC0415 - needed only by this verb
 
     joined, domain = membership.load(), config.domain_id()

@@ -67,7 +67,7 @@ def run_tests(
     """Run tests.
 
     A file with generate_test_description() is launched. Its test cases run during the launch.
-    All other tests are run by pytest. With options after --, pytest runs these files too.
+    pytest runs all other tests. With options after --, pytest runs the launched files too.
     """
     given = list(words or ())
     # The options of pytest begin at the first word with a dash, because typer removes the `--`.

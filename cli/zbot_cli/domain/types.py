@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from zbot import interfaces  # this package imports a module when one of its names is used
+from zbot import interfaces  # it imports its modules later, when one of its names is used
 from zbot.errors import ZbotError
 from zbot.interfaces.errors import UnknownInterfaceError, UnknownPackageError
 from zbot.interfaces.kinds import KINDS

@@ -1,4 +1,7 @@
-"""Coordinates of vertices, which are near their neighbours and do not overlap."""
+"""Coordinates of vertices, which are near their neighbours and do not overlap.
+
+A link that crosses a layer has a *dummy vertex* there: a point through which the link is drawn.
+"""
 
 from __future__ import annotations
 
@@ -16,14 +19,15 @@ _ITEM_GAP = 20.0
 _PASSING_GAP = 12.0  # between a dummy vertex and its neighbours
 _COMPONENT_GAP = 16.0
 _SWEEPS = 12
-# Weights of links between two items, an item and a dummy vertex, and two dummy vertices. The last
-# weight is the largest, so that long links are straight (Gansner, Koutsofios, North and Vo, 1993).
+# Weights of links: from item to item, from item to dummy vertex, from dummy vertex to dummy vertex.
+# The last weight is the largest, so that long links are straight (Gansner, Koutsofios, North and
+# Vo, 1993).
 _PULLS = (1.0, 2.0, 8.0)
 _STAYS = 1000.0  # the weight of a vertex's old position
 
 
 def gaps(graph: LayeredGraph, row: Sequence[int]) -> list[float]:
-    """Return the least distances between the middles of neighbours in a row."""
+    """Return the smallest allowed distances between the middles of neighbours in a row."""
     return [_gap(graph, one, other) for one, other in pairwise(row)]
 
 
@@ -72,13 +76,15 @@ def y_coordinates(graph: LayeredGraph, fixed: Mapping[int, float]) -> list[float
 
     Args:
         graph: The graph, with ordered rows.
-        fixed: The y of old vertices, which move only if there is not enough space.
+        fixed: The y of the vertices that are on the screen already. They move only if there is not
+            enough space.
     """
     y = _stacked(graph, fixed)
     rows = [(row, gaps(graph, row)) for row in graph.rows.values()]
     pulls = [_pulls(graph, vertex) for vertex in range(len(graph.layer))]
     for sweep in range(_SWEEPS):
-        # Most sweeps use one side, to spread positions across the graph. The last 4 use both.
+        # Most sweeps move a vertex only towards its neighbours in the layer before it, or only in
+        # the layer after it. So a move has an effect on all layers. The last 4 sweeps use both.
         sides = (_LEFT, _RIGHT) if sweep >= _SWEEPS - 4 else (sweep % 2,)
         for row, apart in rows if sweep % 2 == _LEFT else rows[::-1]:
             targets = [_target(vertex, pulls[vertex], sides, y, fixed) for vertex in row]

@@ -175,7 +175,7 @@ def play(
     ] = False,
     service_requests_source: Annotated[
         RequestSource,
-        typer.Option("--service-requests-source", help="Whose events have the requests"),
+        typer.Option("--service-requests-source", help="Where the requests come from"),
     ] = RequestSource.SERVICE,
     send_actions_as_client: Annotated[
         bool, typer.Option("--send-actions-as-client", help="Send the recorded goals to the server")

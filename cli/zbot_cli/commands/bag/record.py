@@ -159,7 +159,7 @@ def record(
         str, typer.Option("--compression-format", help="Format of --compression-mode: zstd")
     ] = "",
     storage_preset_profile: Annotated[
-        Preset, typer.Option("--storage-preset-profile", help="Form of the MCAP file")
+        Preset, typer.Option("--storage-preset-profile", help="How the MCAP file is written")
     ] = Preset.ZSTD,
     storage_config_file: Annotated[
         Path | None,

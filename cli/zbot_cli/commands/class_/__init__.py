@@ -45,7 +45,10 @@ def start(
     ] = None,
     robot: Annotated[
         list[str] | None,
-        typer.Option("--robot", help="Robot of ROS 2 in /class/NAME: dds, or NAME=dds:DOMAIN"),
+        typer.Option(
+            "--robot",
+            help="Robot of ROS 2, e.g. dds, or NAME=dds:DOMAIN for /class/NAME",
+        ),
     ] = None,
     rate: Annotated[
         list[str] | None,
