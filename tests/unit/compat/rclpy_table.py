@@ -47,9 +47,9 @@ zbot differs from rclpy on purpose in these points:
   also true for action servers. In rclpy an action server stays until its own `destroy()`.
 * `Rate.sleep()` works even if no executor spins in another thread.
 * A `MultiThreadedExecutor` has at least two threads if the program does not give a number.
-* Messages check every value that a program assigns, and `check_fields=False` changes nothing. With
-  `ROS_PYTHON_CHECK_FIELDS=0` in the environment, they check as in rclpy: only messages that are
-  made with `check_fields=True` check their values. If a message has a wrong value, `publish` still
+* Messages check every value that a program assigns, also with `check_fields=False`. If the variable
+  `ROS_PYTHON_CHECK_FIELDS` is 0, it is as in rclpy: a message checks values only if it is made
+  with `check_fields=True`. If a message has a wrong value, `publish` still
   raises a `CodecError`.
 
 """
