@@ -5,17 +5,8 @@ from __future__ import annotations
 import json
 from typing import Any
 
-import zenoh
-
 import zbot  # noqa: F401 - makes the messages importable
-from tests.torture.reader import Reader
-from zbot.classroom.address import Address
-from zbot.classroom.admission import AdmissionService
-from zbot.classroom.attendance import Attendance
-from zbot.classroom.enrolment import membership_from
-from zbot.classroom.hub_queries import document_of
-from zbot.classroom.register import Register
-from zbot.classroom.robots import driver_in
+from tests.torture.reader import Reader, json_bytes
 from zbot.errors import InvalidNameError
 from zbot.graph.endpoint_info import TypeHash
 from zbot.graph.snapshot import Snapshot, full_names, process_of
@@ -31,12 +22,9 @@ from zbot.interfaces.remote_definition import hash_among, specs_from, specs_from
 from zbot.json_reader import JsonError, read_json, read_json_object
 from zbot.libraries.image_array import CvBridge, CvBridgeError
 from zbot.libraries.point_cloud import read_points
-from zbot.log.teacher_notice import notice_text
 from zbot.names import validate_full_topic_name
 from zbot.parameters.errors import ParameterAnswerError
 from zbot.parameters.parameter import UnknownParameterTypeError
-from zbot.security.pin import PinClient, PinError, PinServer
-from zbot.security.secret import Secret
 from zbot.transport.admin_query import router_facts
 from zbot.web.image_encoder import ImageError, encode_jpeg, media_type
 from zbot.web.page_discovery import address_in
@@ -78,7 +66,6 @@ _TYPES: tuple[Any, ...] = (
     get_message("std_msgs/msg/UInt8MultiArray")(data=bytes(5000)),
     get_message("action_msgs/msg/GoalStatusArray")(),
 )
-_ADDRESS = Address("10.0.0.1", 7447)
 _UNKNOWN = (InterfaceSyntaxError, UnknownInterfaceError, UnknownPackageError)
 _BOX = "box_msgs/msg/Box"
 
@@ -196,47 +183,6 @@ def _scan(data: bytes) -> None:
     ring(reach)
 
 
-def _pin(data: bytes) -> None:
-    document = read_json_object(data)
-    server, client = _PIN_SERVER, PinClient(Secret("1"), "4b", "hub")
-    for step in (
-        lambda: server.challenge(document),
-        lambda: server.admit(document),
-        lambda: client.claim(document, {}),
-        lambda: client.opened(document),
-    ):
-        try:
-            step()
-        except PinError as error:
-            assert str(error)  # noqa: PT017 - each step has the same named error
-
-
-_PIN_SERVER = PinServer(Secret("1"), "4b", bool, lambda: 0.0, lambda _: None)
-_PIN_SERVER._guesses = 1e9
-
-
-def _admission(data: bytes) -> None:
-    service = AdmissionService(
-        "4b",
-        "",
-        Register(),
-        is_own_hub=bool,
-        credentials=lambda _: {},
-        changed=lambda _: None,
-    )
-    json.dumps(service.answer(document_of(zenoh.ZBytes(data))))
-
-
-def _attendance(data: bytes) -> None:
-    attendance = Attendance()
-    attendance._learn(5, document_of(zenoh.ZBytes(data)), 0, 1)
-    json.dumps(attendance.laptop(5).last_error)
-
-
-def _json(value: Any) -> bytes:
-    return json.dumps(value).encode()
-
-
 def _box_texts() -> bytes:
     texts = {
         _BOX: "Lid lid\nfloat64[3] size 1\nstring<=5 name 'a' # b\n",
@@ -255,7 +201,7 @@ def _response(name: str) -> bytes:
 
 
 _FACTS = {"host": "desk", "pid": 7, "started": 9, "version": "1", "command": "run"}
-_ANSWER = _json(
+_ANSWER = json_bytes(
     {"sessions": [{"peer": "a1", "whatami": "peer"}], "metadata": {"zbot": _FACTS}, "locators": []}
 )
 _ROS2_TOKEN = (
@@ -268,8 +214,6 @@ _TOKEN = (
     + b"a" * 64
     + b"/::,10:,:,:,,"
 )
-_HELLO = PinClient(Secret("1"), "4b", "hub")
-_CHALLENGE = _PIN_SERVER.challenge(_HELLO.hello())
 
 NETWORK_READERS = (
     Reader(
@@ -370,13 +314,6 @@ NETWORK_READERS = (
         _typed_seeds(codec_for),
     ),
     Reader(
-        "robot_driver",
-        ("zbot.classroom.robots",),
-        lambda data: driver_in(document_of(zenoh.ZBytes(data)), "robot"),
-        (),
-        (b'{"drivers": {"robot": 17}}', b'{"drivers": {"robot": true}}', b'{"drivers": [17]}'),
-    ),
-    Reader(
         "large_arrays",
         ("zbot.wire.large_arrays",),
         lambda data: extract_arrays(data, {pack("data"): "data"}),
@@ -410,8 +347,8 @@ NETWORK_READERS = (
         _description,
         (*_UNKNOWN, JsonError),
         (
-            _json(type_description("geometry_msgs/msg/PoseStamped")),
-            _json(type_description("std_srvs/srv/SetBool")),
+            json_bytes(type_description("geometry_msgs/msg/PoseStamped")),
+            json_bytes(type_description("std_srvs/srv/SetBool")),
         ),
     ),
     Reader(
@@ -489,79 +426,6 @@ NETWORK_READERS = (
                 )
             ),
         ),
-    ),
-    Reader(
-        "teacher_notice",
-        ("zbot.log.teacher_notice",),
-        notice_text,
-        (),
-        (b'{"text": "hello", "time": 5}',),
-    ),
-    Reader(
-        "hub_document",
-        ("zbot.classroom.hub_queries",),
-        lambda data: document_of(zenoh.ZBytes(data)),
-        (),
-        (b'{"op": "hello"}', b"[" * 9000),
-    ),
-    Reader(
-        "admission",
-        ("zbot.classroom.admission",),
-        _admission,
-        (),
-        (
-            b'{"op": "hello"}',
-            _json({"op": "enrol", **_HELLO.hello()}),
-            b'{"op": "release", "number": 5, "proof": "\xc3\xa9"}',
-        ),
-    ),
-    Reader(
-        "attendance",
-        ("zbot.classroom.attendance",),
-        _attendance,
-        (),
-        (
-            _json(
-                {
-                    "version": "1",
-                    "system": "Linux",
-                    "time_ns": 5,
-                    "last_error": {"node": "a", "text": "b"},
-                }
-            ),
-        ),
-    ),
-    Reader(
-        "class_membership",
-        ("zbot.classroom.enrolment",),
-        lambda data: membership_from(_ADDRESS, document_of(zenoh.ZBytes(data))),
-        (KeyError, TypeError, ValueError),
-        (
-            _json(
-                {
-                    "class": "4b",
-                    "number": 17,
-                    "name": "Ana",
-                    "claim": "a1",
-                    "hub_id": "f0",
-                    "user": "student17",
-                    "secret": "ab",
-                }
-            ),
-        ),
-    ),
-    Reader(
-        "pin",
-        ("zbot.security.pin",),
-        _pin,
-        (JsonError,),
-        (
-            _json(_HELLO.hello()),
-            _json(_CHALLENGE),
-            _json(_HELLO.claim(_CHALLENGE, {"a": 1})),
-            _json({"answer": "00", "tag": "00", "visit": "\ud800", "claim": "00", "proof": "a"}),
-        ),
-        limit_s=2.0,
     ),
     Reader(
         "page_announcement",

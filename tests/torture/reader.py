@@ -1,7 +1,8 @@
-"""Reader of foreign bytes or text, as the torture test sees it."""
+"""Reader of foreign bytes or text, as the torture test sees it, and its input as text or file."""
 
 from __future__ import annotations
 
+import json
 import shutil
 import tempfile
 from dataclasses import dataclass
@@ -31,3 +32,22 @@ def temporary_folder(prefix: str) -> Path:
     # `atexit` does not run in the processes of multiprocessing, and this does.
     Finalize(None, shutil.rmtree, (folder, True), exitpriority=0)
     return folder
+
+
+#: The folder of the files that readers read.
+FOLDER = temporary_folder("zbot-torture-")
+
+
+def file_with(name: str, data: bytes) -> Path:
+    path = FOLDER / name.partition(".")[0] / name
+    path.parent.mkdir(exist_ok=True)
+    path.write_bytes(data)
+    return path
+
+
+def text_of(data: bytes) -> str:
+    return data.decode(errors="surrogateescape")  # a terminal and a file may have any bytes
+
+
+def json_bytes(value: object) -> bytes:
+    return json.dumps(value).encode()

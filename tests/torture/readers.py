@@ -3,11 +3,20 @@
 from __future__ import annotations
 
 from tests.torture.bag_readers import BAG_READERS
+from tests.torture.class_readers import CLASS_READERS
 from tests.torture.network_readers import NETWORK_READERS
+from tests.torture.package_readers import PACKAGE_READERS
 from tests.torture.text_readers import TEXT_READERS
 from tests.torture.web_readers import WEB_READERS
 
-READERS = (*NETWORK_READERS, *TEXT_READERS, *BAG_READERS, *WEB_READERS)
+READERS = (
+    *NETWORK_READERS,
+    *TEXT_READERS,
+    *CLASS_READERS,
+    *PACKAGE_READERS,
+    *BAG_READERS,
+    *WEB_READERS,
+)
 
 #: Modules that call a parser, but have no reader in the list. The value is the reason.
 EXCEPTIONS = {

@@ -1,0 +1,236 @@
+"""Readers of what hubs and members of a class send, and of the files of a class."""
+
+from __future__ import annotations
+
+import json
+import os
+from dataclasses import asdict
+from typing import Any
+
+import zenoh
+
+from tests.torture.reader import FOLDER, Reader, file_with, json_bytes, text_of
+from zbot.classroom import class_record
+from zbot.classroom.address import Address, parse_address
+from zbot.classroom.admission import AdmissionService
+from zbot.classroom.attendance import Attendance
+from zbot.classroom.class_record import ClassRecord, RecordError, load_record
+from zbot.classroom.enrolment import membership_from
+from zbot.classroom.errors import AddressError, CodeError
+from zbot.classroom.expectation import ExpectationError, parse_expectations
+from zbot.classroom.hub_queries import document_of
+from zbot.classroom.join_code import decode
+from zbot.classroom.register import Register, RosterError, read_roster
+from zbot.classroom.robots import driver_in
+from zbot.json_reader import JsonError, read_json_object
+from zbot.log.teacher_notice import notice_text
+from zbot.security.certificate import facts
+from zbot.security.errors import CertificateError
+from zbot.security.pin import PinClient, PinError, PinServer
+from zbot.security.secret import Secret
+from zbot.transport import membership
+from zbot.transport.membership import Membership, MembershipError
+
+_ADDRESS = Address("10.0.0.1", 7447)
+
+
+def _pin(data: bytes) -> None:
+    document = read_json_object(data)
+    server, client = _PIN_SERVER, PinClient(Secret("1"), "4b", "hub")
+    for step in (
+        lambda: server.challenge(document),
+        lambda: server.admit(document),
+        lambda: client.claim(document, {}),
+        lambda: client.opened(document),
+    ):
+        try:
+            step()
+        except PinError as error:
+            assert str(error)  # noqa: PT017 - each step has the same named error
+
+
+_PIN_SERVER = PinServer(Secret("1"), "4b", bool, lambda: 0.0, lambda _: None)
+_PIN_SERVER._guesses = 1e9
+
+
+def _admission(data: bytes) -> None:
+    service = AdmissionService(
+        "4b",
+        "",
+        Register(),
+        is_own_hub=bool,
+        credentials=lambda _: {},
+        changed=lambda _: None,
+    )
+    json.dumps(service.answer(document_of(zenoh.ZBytes(data))))
+
+
+def _attendance(data: bytes) -> None:
+    attendance = Attendance()
+    attendance._learn(5, document_of(zenoh.ZBytes(data)), 0, 1)
+    json.dumps(attendance.laptop(5).last_error)
+
+
+def _saved(name: str, load: Any) -> Any:
+    def call(data: bytes) -> None:
+        before = os.environ.get("XDG_CONFIG_HOME")
+        os.environ["XDG_CONFIG_HOME"] = str(FOLDER)
+        try:
+            membership.folder().mkdir(exist_ok=True)
+            (membership.folder() / name).write_bytes(data)
+            load()
+        finally:
+            os.environ.pop("XDG_CONFIG_HOME")
+            if before is not None:
+                os.environ["XDG_CONFIG_HOME"] = before
+
+    return call
+
+
+def _record() -> bytes:
+    return json_bytes(asdict(ClassRecord("4b", "ab")))
+
+
+def _membership() -> bytes:
+    return json_bytes(asdict(Membership("student", "10.0.0.1", 7447, number=5)))
+
+
+_HELLO = PinClient(Secret("1"), "4b", "hub")
+_CHALLENGE = _PIN_SERVER.challenge(_HELLO.hello())
+
+CLASS_READERS = (
+    Reader(
+        "robot_driver",
+        ("zbot.classroom.robots",),
+        lambda data: driver_in(document_of(zenoh.ZBytes(data)), "robot"),
+        (),
+        (b'{"drivers": {"robot": 17}}', b'{"drivers": {"robot": true}}', b'{"drivers": [17]}'),
+    ),
+    Reader(
+        "teacher_notice",
+        ("zbot.log.teacher_notice",),
+        notice_text,
+        (),
+        (b'{"text": "hello", "time": 5}',),
+    ),
+    Reader(
+        "hub_document",
+        ("zbot.classroom.hub_queries",),
+        lambda data: document_of(zenoh.ZBytes(data)),
+        (),
+        (b'{"op": "hello"}', b"[" * 9000),
+    ),
+    Reader(
+        "admission",
+        ("zbot.classroom.admission",),
+        _admission,
+        (),
+        (
+            b'{"op": "hello"}',
+            json_bytes({"op": "enrol", **_HELLO.hello()}),
+            b'{"op": "release", "number": 5, "proof": "\xc3\xa9"}',
+        ),
+    ),
+    Reader(
+        "attendance",
+        ("zbot.classroom.attendance",),
+        _attendance,
+        (),
+        (
+            json_bytes(
+                {
+                    "version": "1",
+                    "system": "Linux",
+                    "time_ns": 5,
+                    "last_error": {"node": "a", "text": "b"},
+                }
+            ),
+        ),
+    ),
+    Reader(
+        "class_membership",
+        ("zbot.classroom.enrolment",),
+        lambda data: membership_from(_ADDRESS, document_of(zenoh.ZBytes(data))),
+        (KeyError, TypeError, ValueError),
+        (
+            json_bytes(
+                {
+                    "class": "4b",
+                    "number": 17,
+                    "name": "Ana",
+                    "claim": "a1",
+                    "hub_id": "f0",
+                    "user": "student17",
+                    "secret": "ab",
+                }
+            ),
+        ),
+    ),
+    Reader(
+        "pin",
+        ("zbot.security.pin",),
+        _pin,
+        (JsonError,),
+        (
+            json_bytes(_HELLO.hello()),
+            json_bytes(_CHALLENGE),
+            json_bytes(_HELLO.claim(_CHALLENGE, {"a": 1})),
+            json_bytes(
+                {"answer": "00", "tag": "00", "visit": "\ud800", "claim": "00", "proof": "a"}
+            ),
+        ),
+        limit_s=2.0,
+    ),
+    Reader(
+        "join_code",
+        ("zbot.classroom.join_code",),
+        lambda data: decode(text_of(data), ["10.0.0.5"]),
+        (CodeError,),
+        (b"0A1B", b"0A1B-2C3D", b"oil1"),
+    ),
+    Reader(
+        "hub_address",
+        ("zbot.classroom.address",),
+        lambda data: parse_address(text_of(data)),
+        (AddressError,),
+        (b"192.168.1.10:7447", b"[fe80::1]:7447", b"teacher.local"),
+    ),
+    Reader(
+        "expectation",
+        ("zbot.classroom.expectation",),
+        lambda data: parse_expectations(text_of(data)),
+        (ExpectationError,),
+        (
+            b"publishes std_msgs/String on /a at >= 1.5 Hz and runs /b",
+            b"serves example_interfaces/AddTwoInts on add; subscribes std_msgs/msg/String on b",
+        ),
+    ),
+    Reader(
+        "roster",
+        ("zbot.classroom.register",),
+        lambda data: read_roster(text_of(data)),
+        (RosterError,),
+        (b'number,name\n1,Ana\n2,"B"\n', b"5;Eve\n"),
+    ),
+    Reader(
+        "membership_file",
+        ("zbot.transport.membership",),
+        _saved(membership.FILE, membership.load),
+        (MembershipError,),
+        (_membership(), b"[]"),
+    ),
+    Reader(
+        "class_file",
+        ("zbot.classroom.class_record",),
+        _saved(class_record.record_path().name, load_record),
+        (RecordError,),
+        (_record(), b"{}"),
+    ),
+    Reader(
+        "certificate",
+        ("zbot.security.certificate",),
+        lambda data: facts(file_with("cert.pem", data)),
+        (CertificateError,),
+        (b"-----BEGIN CERTIFICATE-----\nMIIB\n-----END CERTIFICATE-----\n",),
+    ),
+)
