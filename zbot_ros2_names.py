@@ -4,20 +4,21 @@ Python imports this module when it starts, because `zbot_ros2_names.pth` is inst
 The module must be small and must import nothing: it also runs before programs that do not use zbot.
 
 The finder is the first on `sys.meta_path`, because Python's own finder accepts any folder named
-`launch`, and most packages have one. A real ROS 2 is used instead if it is installed. At the first
-import of another ROS 2 name, the finder loads `zbot.compat` and is then not needed any more. If
-ZBOT_WORKSPACE is set, as after `source install/setup.bash`, any name that Python does not find may
-be a package of the workspace.
+`launch`, and most packages have such a folder. If a real ROS 2 is installed, its packages are used.
+At the first import of a ROS 2 name that is not installed, the finder loads `zbot.compat`, which has
+finders of its own, and removes itself. If ZBOT_WORKSPACE is set, as after `source
+install/setup.bash`, any name that Python does not find may be a package of the workspace.
 
-Editors take the folders to search from `sys.path`. So two folders with types are added to it: the
-stubs of message classes, and zbot's packages such as `rclpy`. Python itself does not search them.
+Editors take the folders to search from `sys.path`. So two folders with types are added to
+`sys.path`: the stubs of message classes, and zbot's packages such as `rclpy`. Python itself does
+not search these folders.
 
-pytest must not warn that it cannot rewrite the assertions of this module: PYTEST_DONT_REWRITE.
+PYTEST_DONT_REWRITE tells pytest not to warn that it cannot rewrite the assertions of this module.
 """
 
 import sys
 
-#: ROS 2's packages of which zbot has Python code or message types. A test compares them.
+#: ROS 2's packages of which zbot has Python code or message types. A test checks this list.
 NAMES = frozenset({
     "actionlib_msgs", "action_tutorials_interfaces", "ament_index_python", "cv_bridge", "launch",
     "launch_pytest", "launch_ros", "launch_testing", "launch_testing_ros", "launch_xml",
@@ -47,12 +48,12 @@ class _Finder:
             return installed
         import zbot.compat  # noqa: F401, PLC0415 - only for programs that use ROS 2's names
 
-        remove()  # zbot's finders, which are asked now, may ask all finders themselves
+        remove()  # zbot's finders are asked now, and may themselves ask all finders
         return _other_spec(fullname, target)  # type: ignore[no-untyped-call]
 
 
 class _Nothing:
-    """Finder of a folder on `sys.path` that finds no module in it."""
+    """Finder for a folder on `sys.path`. It finds no module in the folder."""
 
     @staticmethod
     def find_spec(fullname, target=None):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN205 - as above

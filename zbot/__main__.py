@@ -7,10 +7,11 @@ import sys
 
 
 def main() -> None:
-    """Hand the words over to the command, which is a package of its own."""
+    """Run the package `zbot_cli`, which is the command, with the arguments of this process."""
     if len(sys.argv) > 1 and sys.argv[1].endswith(".py"):
         sys.argv.insert(1, "run")
-    # The library never imports the command, so that it can do without: this asks for it by name.
+    # The library does not import the command, because it must also work without the command. So the
+    # command is run by its name.
     runpy.run_module("zbot_cli", run_name="__main__", alter_sys=True)
 
 

@@ -34,7 +34,8 @@ if TYPE_CHECKING:
     from zbot.graph.snapshot import Token
     from zbot.transport.rmw_meeting import RmwMeeting
 
-# Longest waits of the first graph query and of the first message. They usually take 2 ms.
+# Longest waits before the first graph query and before the first message. Such a wait usually takes
+# 2 ms.
 _DISCOVERY_TIMEOUT_S = 2.0
 _PEERS_TIMEOUT_S = 0.5
 _JOIN_TIMEOUT_S = 2.0  # threads end within a millisecond after their session
@@ -66,10 +67,10 @@ class Context:
     Args:
         mode: `peer` for a process with nodes, or `client` for a tool. A client connects only to the
             domain's router, and gets the complete graph with its first query.
-        rmw: Middleware whose dialect the context speaks: `rmw_zbot_zenoh` for zbot's own, or
-            `rmw_zenoh_cpp` for ROS 2's. `None` means `$RMW_IMPLEMENTATION`, else the one in the
-            Zenoh configuration file, else zbot's own. Contexts of one process may speak different
-            dialects.
+        rmw: The middleware, which decides the format of keys and messages: `rmw_zbot_zenoh` for
+            zbot's own format, or `rmw_zenoh_cpp` for ROS 2's format. `None` means
+            `$RMW_IMPLEMENTATION`, else the middleware in the Zenoh configuration file, else
+            `rmw_zbot_zenoh`. Contexts of one process may have different middlewares.
     """
 
     def __init__(self, *, mode: Literal["peer", "client"] = "peer", rmw: str | None = None) -> None:
@@ -87,7 +88,8 @@ class Context:
         self._wakers: list[Callable[[], None]] = []
         self._on_shutdown: list[Callable[[], None]] = []
         self._threads: dict[threading.Thread, Callable[[], object]] = {}
-        # Weak: `close` must not wait for a receiver that Zenoh did not get because of a signal.
+        # The set is weak, because a signal's exception may come before Zenoh gets a receiver.
+        # `close` must not wait for such a receiver.
         self._receivers: WeakSet[threading.Event] = WeakSet()
         self._entity_ids = itertools.count()
         self._nodes: WeakSet[ContextNode] = WeakSet()
@@ -108,13 +110,14 @@ class Context:
         Args:
             args: The whole command line, including `--ros-args`. `None` means `sys.argv`.
             initialize_logging: Whether the log options of the arguments apply.
-            domain_id: 0 to 232. In a class, `None` means the student's number. Otherwise it means
-                `$ZBOT_DOMAIN_ID`, else `$ROS_DOMAIN_ID`, else 0.
+            domain_id: 0 to 232. In a classroom, `None` means the student's number. Otherwise it
+                means `$ZBOT_DOMAIN_ID`, else `$ROS_DOMAIN_ID`, else 0.
 
         Raises:
             ContextInitializedError: `init` was called before.
             ArgumentsError: The `--ros-args` are malformed.
-            UnicodeEncodeError: The `args` contain half a surrogate pair. rclpy raises it too.
+            UnicodeEncodeError: The `args` contain half a surrogate pair. rclpy raises this
+                error too.
             DomainIdError: The domain is out of range.
             RmwError: The context's middleware is not known.
         """
@@ -143,7 +146,7 @@ class Context:
 
     @property
     def is_tool(self) -> bool:
-        """Whether this is the context of a tool, which is a client of the router."""
+        """Whether this is the context of a tool, e.g. a command. A tool is the router's client."""
         return self._mode == "client"
 
     @property
@@ -158,7 +161,7 @@ class Context:
 
     @property
     def is_over(self) -> bool:
-        """Whether the context was shut down. Then it cannot be initialised again."""
+        """Whether the context was shut down. Such a context cannot be initialised again."""
         return self._state == "shut down"
 
     @property
@@ -223,7 +226,8 @@ class Context:
         """Check that the context is initialised and not shut down.
 
         Raises:
-            NotInitializedError: It is not. `what` is the subject of the error's sentence.
+            NotInitializedError: The context is not initialised, or it was shut down. `what` is the
+                subject of the error's sentence.
         """
         if self._state != "valid":
             signals.raise_not_initialized(what)
@@ -246,7 +250,7 @@ class Context:
 
         Args:
             node: The node.
-            name: Its full name.
+            name: The node's full name.
         """
         self._nodes.add(node)
         if self._registration is not None:
@@ -288,7 +292,7 @@ class Context:
         return session
 
     def share(self, payload: bytes) -> Any:
-        """Put a large payload into shared memory if the session uses it, and return the payload."""
+        """Return a large payload. Put it into shared memory if the session uses shared memory."""
         shares = self._meeting is not None and self._meeting.shares_memory
         return shared_memory.place(payload) if shares else payload
 
@@ -321,8 +325,8 @@ class Context:
         """Open a client's session if the domain has a router.
 
         Args:
-            wait: Whether to open the domain's router here if there is none. Nodes that start later
-                connect to it.
+            wait: Whether to start the domain's router if there is none. Nodes that start later
+                connect to this router.
 
         Returns:
             Whether the session is open.
@@ -380,13 +384,13 @@ class Context:
         if session is not None:
             self._asks_router = meeting.is_client
             self._set_session(session, meeting, watch=wait)
-        elif wait:  # without a router, this program finds what its own file and session reach
+        elif wait:  # without a router, use a node's session, which finds other nodes itself
             self._set_session(meeting.open_node_session(), meeting)
 
     def _set_session(
         self, session: zenoh.Session, meeting: MeetingPoint | RmwMeeting, *, watch: bool = True
     ) -> None:
-        # The order matters: `close` must find all that is open if a Ctrl-C comes in between.
+        # The order matters: if Ctrl-C comes in between, `close` must find everything that is open.
         self._session, self._meeting = session, meeting
         self.dialect = meeting.dialect or self.dialect
         at_exit.open_contexts.add(self)
@@ -477,7 +481,7 @@ _default_lock = threading.Lock()
 
 
 def get_default_context(*, shutting_down: bool = False) -> Context:
-    """Return the process's default context, or a new context if the last one was shut down.
+    """Return the process's default context. If it was shut down, a new context replaces it.
 
     Args:
         shutting_down: Whether to return the last context even if it was shut down.

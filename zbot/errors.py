@@ -19,7 +19,7 @@ class ZbotError(Exception):
 
 
 def close_matches(name: str, known: Iterable[str], count: int = 3) -> tuple[str, ...]:
-    """Return up to `count` of the `known` names that are similar to `name`, best first.
+    """Return at most `count` of the `known` names that are similar to `name`, best first.
 
     The result never contains the name itself.
     """
@@ -176,7 +176,7 @@ class InvalidQoSProfileError(ZbotError, ValueError):
 
 
 class QoSArgumentError(ZbotError, TypeError):
-    """A value is neither a QoS profile nor the depth of a queue."""
+    """A value is not a QoS profile and not the depth of a queue."""
 
     def __init__(self, value: object) -> None:
         self.value = value

@@ -1,4 +1,4 @@
-"""Reader of JSON from other programs and machines, with limits and with one error."""
+"""Reader of JSON from other programs and machines, with limits. It raises only `JsonError`."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from zbot.errors import ZbotError
 
 _MAX_BYTES = 16 * 1024 * 1024
 _MAX_LEVELS = 64
-_MAX_DIGITS = 400  # every number of a float64 is shorter
+_MAX_DIGITS = 400  # every number that fits in a float64 is shorter
 
 
 class JsonError(ZbotError, ValueError):
@@ -26,11 +26,11 @@ def read_json(text: str | bytes, max_bytes: int = _MAX_BYTES) -> Any:
 
     Args:
         text: The text. Bytes are UTF-8.
-        max_bytes: The largest number of bytes or characters.
+        max_bytes: The largest allowed number of bytes, or of characters if `text` is a `str`.
 
     Raises:
-        JsonError: The text is not valid, too long or nested deeper than 64 levels, a number is
-            infinite or has more than 400 digits, or a string cannot be written as UTF-8.
+        JsonError: The text is not valid, is too long or is nested deeper than 64 levels. Or a
+            number is infinite or has more than 400 digits. Or UTF-8 cannot encode a string.
     """
     if len(text) > max_bytes:
         raise JsonError(f"it is longer than {max_bytes} bytes")
@@ -61,7 +61,7 @@ def read_json_object(text: str | bytes, max_bytes: int = _MAX_BYTES) -> dict[str
 
 
 def _check(value: Any) -> None:
-    """Check depth and strings. A loop is used, because a function would need a deep stack."""
+    """Check depth and strings in a loop, because a recursive function would need a deep stack."""
     level = [value]
     for _ in range(_MAX_LEVELS + 1):
         deeper: list[Any] = []

@@ -17,7 +17,7 @@ def lazy_names(
 
     Args:
         package: Name of the package, such as `zbot`.
-        modules: For each module, such as `zbot.node.node`, its public names with spaces between.
+        modules: The public names of each module such as `zbot.node.node`. Spaces separate names.
         present: Public names that the package itself defines.
     """
     homes = {name: module for module, names in modules.items() for name in names.split()}

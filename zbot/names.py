@@ -96,7 +96,7 @@ def validate_topic_name(name: str, *, is_service: bool = False) -> Literal[True]
 
     Raises:
         InvalidTopicNameError: The name breaks the grammar.
-        InvalidServiceNameError: The same, but for a service (`is_service`).
+        InvalidServiceNameError: The same as above, if `is_service` is true.
         ArgumentTypeError: The name is not a string.
     """
     kind = "service name" if is_service else "topic name"
@@ -111,7 +111,7 @@ def validate_full_topic_name(name: str, *, is_service: bool = False) -> Literal[
 
     Raises:
         InvalidTopicNameError: The name breaks the grammar or has more than 247 characters.
-        InvalidServiceNameError: The same, but for a service (`is_service`).
+        InvalidServiceNameError: The same as above, if `is_service` is true.
         ArgumentTypeError: The name is not a string.
     """
     kind = "service name" if is_service else "topic name"
@@ -169,16 +169,17 @@ def split_fully_qualified(name: str) -> tuple[str, str]:
 
 
 def is_hidden(name: str) -> bool:
-    """Return whether a token of the name starts with `_`. Tools do not list such names."""
+    """Return whether a part of the name starts with `_`. Tools do not list such names."""
     return name.startswith("_") or "/_" in name
 
 
 def nearest(name: str, candidates: Iterable[str]) -> str | None:
     """Return the candidate that is most similar to a mistyped `name`, or None if none is similar.
 
-    At most 2 edits are allowed in long names, 1 in names of 3 to 5 characters, none in shorter. A
-    swap of two neighbours, as in `topci`, is one edit.
-    Names that differ only in their numbers (`/robot1/scan`, `/robot2/scan`) are not similar.
+    A similar name needs at most 1 edit if `name` has 3 to 5 characters, and at most 2 edits if it
+    has more. Slashes do not count. For shorter names, the result is None. A swap of two neighbours,
+    as in `topci`, is one edit. Names that differ only in their numbers (`/robot1/scan`,
+    `/robot2/scan`) are not similar.
     """
     limit = min(2, len(name.replace("/", "")) // 3)
     pattern = _NUMBERS.sub("0", name)

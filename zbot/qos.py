@@ -1,6 +1,6 @@
 """Quality of service (QoS) profiles: how messages are queued, delivered and monitored.
 
-In zbot all profiles are compatible. A profile says how its own endpoint treats messages.
+In zbot, all profiles are compatible. A profile says how its own endpoint treats messages.
 """
 
 # ruff: noqa: PLE0237  the policies are descriptors that keep their values in the slots
@@ -153,7 +153,7 @@ QoSReliabilityPolicy = ReliabilityPolicy
 QoSDurabilityPolicy = DurabilityPolicy
 QoSLivelinessPolicy = LivelinessPolicy
 
-#: Marker that asks for the strictest value that the topic's present endpoints allow.
+#: This value means the strictest value that the topic's present endpoints allow.
 DeadlineBestAvailable = Duration(nanoseconds=2**63 - 2)
 LivelinessLeaseDurationeBestAvailable = Duration(nanoseconds=2**63 - 2)  # spelt as in rclpy
 
@@ -167,7 +167,7 @@ def _default_if_none(value: _DefaultT | None, default: _DefaultT) -> _DefaultT:
 
 
 class _Policy(Generic[_PolicyT]):
-    """Descriptor of a policy whose value is an enum member. The member's number is accepted too."""
+    """Descriptor of a policy whose value is an enum member. It also accepts a member's number."""
 
     def __init__(self, policy: type[_PolicyT]) -> None:
         self._policy = policy
@@ -225,20 +225,20 @@ class QoSProfile:
     """A set of policies for a publisher, subscription, service or client.
 
     Args:
-        history: Messages that the queue keeps. It is `KEEP_LAST` if only `depth` is given.
+        history: Messages that the queue keeps. The default is `KEEP_LAST`, which needs `depth`.
         depth: Length of the queue with `KEEP_LAST`, in messages.
         reliability: `RELIABLE` by default.
-        durability: `VOLATILE` by default. `TRANSIENT_LOCAL` serves late subscribers.
+        durability: `VOLATILE` by default. `TRANSIENT_LOCAL` keeps messages for late subscribers.
         lifespan: Age after which a message is not delivered any more. Zero means no limit.
         deadline: Longest time between two messages. Zero means no limit.
-        liveliness: Policy that says who asserts that a publisher is alive.
+        liveliness: Whether zbot or the program asserts that a publisher is alive.
         liveliness_lease_duration: A publisher counts as dead after this time without an assertion.
             Zero means no limit.
         avoid_ros_namespace_conventions: It has no effect, because zbot adds no prefixes to names.
 
     Raises:
-        InvalidQoSProfileError: Neither history nor depth is given, `KEEP_LAST` has no depth, or
-            a number is out of range.
+        InvalidQoSProfileError: History and depth are both missing, `KEEP_LAST` has no depth, or a
+            number is out of range.
         ArgumentTypeError: An argument has the wrong type.
     """
 
@@ -472,7 +472,7 @@ _UNCERTAIN = ("SYSTEM_DEFAULT", "UNKNOWN")
 def qos_check_compatible(
     publisher_qos: QoSProfile, subscription_qos: QoSProfile
 ) -> tuple[QoSCompatibility, str]:
-    """Return whether DDS finds two profiles compatible, and the reasons. zbot delivers anyway."""
+    """Return whether two profiles are compatible in DDS, and the reasons. zbot always delivers."""
     errors, warned = [], []
     for policy, (offered, requested) in _MISMATCHES.items():
         ours, theirs = getattr(publisher_qos, policy).name, getattr(subscription_qos, policy).name

@@ -52,9 +52,10 @@ def init(
     Args:
         args: The command line with its `--ros-args`. `None` means `sys.argv`.
         context: The context to initialise. `None` means the default context.
-        domain_id: 0 to 232. In a class, `None` means the student's number. Otherwise it means
+        domain_id: 0 to 232. In a classroom, `None` means the student's number. Otherwise it means
             `$ZBOT_DOMAIN_ID`, else `$ROS_DOMAIN_ID`, else 0.
-        signal_handler_options: Signals to handle. `None`: all for the default context, else none.
+        signal_handler_options: The signals to handle. `None` means all signals for the default
+            context, and no signals for another context.
 
     Raises:
         ContextInitializedError: The context is already initialised.
@@ -82,8 +83,8 @@ def shutdown(*, context: Context | None = None, uninstall_handlers: bool | None 
 
     Args:
         context: The context to shut down. `None` means the default context.
-        uninstall_handlers: Whether to restore the former signal handlers. `None` means only for the
-            default context.
+        uninstall_handlers: Whether to restore the former signal handlers. `None` means true for the
+            default context, and false for another context.
 
     Raises:
         NotInitializedError: The given context is not initialised, or is already shut down.
@@ -136,7 +137,8 @@ def _spin(node: Node, executor: Executor | None, run: Callable[[Executor], None]
 
 
 def _executor_of(node: Node) -> Executor:
-    # Adding a node to the global executor would remove it from an executor that spins.
+    # A node stays in its executor if the executor spins. The global executor would remove the node
+    # from that executor.
     executor = node.executor
     if executor is not None and executor.is_spinning:
         return executor

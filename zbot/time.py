@@ -120,7 +120,7 @@ class Duration:
 
 
 class Time:
-    """A point in time of one clock type, not before the clock's zero."""
+    """A point in time of one clock type. It is not before the clock's zero."""
 
     def __init__(
         self,
@@ -262,7 +262,7 @@ def _from_message(type_name: str, msg: Any) -> int:
 
 
 def _to_message(name: str, nanoseconds: int) -> Any:
-    # Imported here because message classes belong to a layer above this one.
+    # Imported here, because the message classes belong to a layer above this module.
     message = getattr(importlib.import_module("builtin_interfaces.msg"), name)
     seconds, rest = divmod(nanoseconds, S_TO_NS)
     return message(sec=seconds, nanosec=rest)

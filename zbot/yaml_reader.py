@@ -1,4 +1,4 @@
-"""Reader of YAML, with limits and with one error. All of zbot reads YAML through this module.
+"""Reader of YAML, with limits. It raises only `YamlError`. All of zbot reads YAML with this module.
 
 A text of some kilobytes can crash libyaml (thousands of brackets), or describe more values than the
 memory holds (aliases of aliases). So the events of a text are checked before any value is made.
@@ -13,10 +13,10 @@ from zbot.errors import ZbotError
 
 _MAX_CHARACTERS = 10_000_000
 _MAX_LEVELS = 100
-_MAX_NODES = 1_000_000  #: values of a text in which each alias is replaced by its value
-# `int` needs very long for such texts. The part `:` means numbers to the base 60.
+_MAX_NODES = 1_000_000  #: number of values after each alias is replaced by its value
+# `int` takes very long for such texts. `:` occurs in numbers to the base 60, such as `1:30`.
 _LONG_NUMBER = re.compile(r"[-+]?[0-9][0-9_:.]{400,}\Z")
-#: What PyYAML raises for scalars such as `2024-13-01`, `!!bool x`, `!!int ""`.
+#: Exceptions of PyYAML for scalars such as `2024-13-01`, `!!bool x`, `!!int ""`.
 _SCALAR_ERRORS = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError)
 
 
@@ -51,7 +51,7 @@ def read_yaml(text: str, loader: Any = None) -> Any:
     try:
         _check(text, _fast_loader())
     except YamlError:
-        _check(text, yaml.SafeLoader)  # its sentences are better, and `loader` may accept more
+        _check(text, yaml.SafeLoader)  # its errors are clearer, and `loader` may accept more
     try:
         return yaml.load(text, Loader=loader or yaml.SafeLoader)  # noqa: S506 - a safe loader
     except yaml.YAMLError as error:

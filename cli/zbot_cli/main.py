@@ -1,6 +1,7 @@
-"""Entry point of the `zbot` command. It runs the noun, such as `topic`, and prints errors.
+"""Entry point of the `zbot` command: it runs a command line, and prints errors.
 
-It imports only the module of this noun, so that `zbot --help` is fast.
+In `zbot topic list`, the word `topic` is the noun, and `list` is the verb. Only the module of the
+noun is imported, so that commands start fast.
 """
 
 from __future__ import annotations
@@ -136,11 +137,11 @@ class _Options:
 
 
 def _use_domain(text: str) -> None:
-    """Set the domain of this command, and print what that means in a class."""
+    """Set the domain of this command. In a class, print a note if the domain is another one."""
     from zbot.transport import config, environment  # noqa: PLC0415 - few commands have the option
 
     os.environ[config.COMMAND_DOMAIN] = text
-    config.domain_id()  # before the command starts, so that it finds an invalid domain
+    config.domain_id()  # raises an error for an invalid domain, before the command starts
     for one in environment.differences():
         if one.setting.startswith("--domain"):
             print(one.text, file=sys.stderr)
@@ -159,9 +160,10 @@ def _use_rmw(word: str) -> None:
 
 
 def _take_rmw(words: list[str]) -> list[str]:
-    """Obey the option `--rmw` after the noun. Return the words without it.
+    """Obey the option `--rmw` after the noun. Return the words without the option.
 
-    Words after the first one of a user's own program belong to the program.
+    After `run`, `launch` and `test`, only the first word can be this option. Later words may belong
+    to the user's own program.
     """
     end = 2 if words[0] in _RUNS_PROGRAMS else len(words)
     taken = [word for word in words[1:end] if word.partition("=")[0] == "--rmw"]
@@ -188,7 +190,7 @@ def _run_noun(words: list[str]) -> int | Callable[[], NoReturn]:
         _exit_unknown_noun(words[0])
     if noun in _RUNS_PROGRAMS:
         _restore_streams()
-        # If the folder was deleted, this fails here and not in the middle of the program.
+        # This line raises an error before the program starts, if the current folder was deleted.
         os.getcwd()  # noqa: PTH109 - pathlib takes time to import
     if noun == "run":
         from zbot_cli.commands.run import run  # noqa: PLC0415 - does not import typer, which starts slowly
@@ -244,7 +246,8 @@ def _flush() -> None:
 
 
 def _silence_stdout() -> None:
-    # The reader (`| head`) has closed the pipe, and Python flushes once more at exit.
+    # The reader (`| head`) has closed the pipe. Python flushes once more at exit, so the output
+    # then goes to the null device.
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
@@ -253,7 +256,7 @@ def _set_up_streams() -> None:
         reconfigure: Any = getattr(stream, "reconfigure", None)
         if reconfigure is not None:
             reconfigure(line_buffering=True, errors="backslashreplace")
-    # Only a terminal obeys control characters. Pipes and files get all output unchanged.
+    # Control characters are escaped for a terminal only. Pipes and files get all output unchanged.
     sys.stdout, sys.stderr = map(_for_terminal, (sys.stdout, sys.stderr))
 
 
@@ -320,7 +323,7 @@ def run_command(words: list[str]) -> int | Callable[[], NoReturn]:
 
 
 def _name_workspace(error: Any) -> None:
-    """If an error is about a package that another workspace has, say which one."""
+    """If an error is about a package of another workspace, add this workspace to the hint."""
     package = getattr(error, "package", None)
     if not isinstance(package, str):
         return

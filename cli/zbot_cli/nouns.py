@@ -1,4 +1,4 @@
-"""Commands of the nouns (`topic` in `zbot topic list`). A noun's module has its verbs."""
+"""Commands of the nouns. In `zbot topic list`, the noun is `topic`, and its verb is `list`."""
 
 from __future__ import annotations
 
@@ -11,19 +11,19 @@ import typer.main
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-#: Modules with other names than their nouns, because `class` is a keyword of Python.
+#: Modules that cannot have the names of their nouns: `class` is a keyword, and `-` is not allowed.
 _MODULES = {"class": "class_", "setup-shell": "setup_shell"}
 
 
 def load(noun: str, words: Sequence[str] = ()) -> Any:
-    """Return the command of a noun. Only the noun's module is imported.
+    """Return the command of a noun. Import only the noun's module.
 
     The result is a click command. Its type is `Any` because typer contains a private copy of click.
 
     Args:
         noun: One of `zbot_cli.main.NOUNS`.
-        words: The words after the noun. If the first word is a verb, only this verb is made,
-            because typer needs some milliseconds for each verb.
+        words: The words after the noun. If the first word is a verb, the command gets only this
+            verb, because typer needs some milliseconds for each verb.
     """
     app = importlib.import_module(f"zbot_cli.commands.{_MODULES.get(noun, noun)}").app
     has_verbs = len(app.registered_commands) > 1
@@ -32,7 +32,7 @@ def load(noun: str, words: Sequence[str] = ()) -> Any:
     command: Any = typer.main.get_group(app) if has_verbs else typer.main.get_command(app)
     found = verbs(command)
     for verb in found.values():
-        # Help lists each verb with a phrase, which has no full stop.
+        # `--help` lists each verb with the first line of its help, without the full stop.
         verb.short_help = (verb.help or "").partition("\n")[0].rstrip(".")
     if not {"-h", "--help"}.isdisjoint(words):
         from zbot_cli.output.examples import epilog  # noqa: PLC0415 - needed only for help

@@ -18,7 +18,7 @@ from std_msgs.msg import String
 
 
 class LifecycleTalker(LifecycleNode):
-    """Has a publisher and a timer from its configuration to its cleanup."""
+    """Has a publisher and a timer between the transitions configure and cleanup."""
 
     def __init__(self) -> None:
         super().__init__("lc_talker")

@@ -13,7 +13,7 @@ LOW_C = 22.0
 
 
 class TemperatureMonitor(zbot.Node):
-    """Logs every reading, and warns about high ones."""
+    """Logs every reading, and warns about high readings."""
 
     def __init__(self) -> None:
         super().__init__("temperature_monitor")

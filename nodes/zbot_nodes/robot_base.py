@@ -52,7 +52,7 @@ class Base(zbot.Node):
         self.get_logger().info("Base ready: commands on /cmd_vel")
 
     def accept(self, msg: Twist) -> None:
-        """Take the velocity from a command, and limit it to what the motors can do."""
+        """Store the velocity of a command, limited to what the motors can do."""
         self.speed = max(-MAX_SPEED_M_S, min(MAX_SPEED_M_S, msg.linear.x))
         self.turn = max(-MAX_TURN_RAD_S, min(MAX_TURN_RAD_S, msg.angular.z))
         self.last_command = self.get_clock().now()

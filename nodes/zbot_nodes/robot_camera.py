@@ -18,7 +18,7 @@ from sensor_msgs.msg import CameraInfo, Image
 
 PERIOD_S = 1 / 15
 WIDTH, HEIGHT = 320, 240
-FOCAL_LENGTH_PX = 277.0  # 60 degrees from the left edge to the right one
+FOCAL_LENGTH_PX = 277.0  # 60 degrees from the left edge to the right edge of the image
 EYE_M = 0.3  # height above the floor: half of the height of a wall
 SKY, FLOOR = 255, 0  # brightness; walls have values in between
 

@@ -22,7 +22,7 @@ Reading from keyboard
 Use arrow keys to move the turtle.
 Use G|B|V|C|D|E|R|T keys to rotate to absolute orientations. 'F' to cancel a rotation.
 'Q' to quit."""
-#: Velocities, forward and turn, by the last of the characters that an arrow key gives.
+#: Velocities (forward, turn) of the arrow keys, by the last character that an arrow key sends.
 _ARROWS = {"A": (1.0, 0.0), "B": (-1.0, 0.0), "C": (0.0, -1.0), "D": (0.0, 1.0)}
 #: Headings in rad. On the keyboard, each key lies in the direction of its heading, seen from F.
 _HEADINGS = {

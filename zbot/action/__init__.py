@@ -12,7 +12,8 @@
     ActionServer(node, Fibonacci, "count", count)
 
 An action uses three services and two topics of ROS 2. Their names begin with `<action>/_action/`.
-The services are `send_goal`, `cancel_goal` and `get_result`. The topics are `feedback`, `status`.
+The services are `send_goal`, `cancel_goal` and `get_result`. The topics are `feedback` and
+`status`.
 """
 
 from zbot.action.client import ActionClient as ActionClient

@@ -43,7 +43,7 @@ GoalT = TypeVar("GoalT", bound=Goal)
 
 @dataclass(frozen=True)
 class CancelQuery:
-    """A cancel request. It selects all goals if both values are zero.
+    """A cancel request. The request selects all goals if both values are zero.
 
     Attributes:
         key: The id of a goal that the request selects. Zero means no goal.

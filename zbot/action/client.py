@@ -49,11 +49,13 @@ T = TypeVar("T")
 
 qos_profile_action_feedback = QoSProfile(depth=10)
 _SERVER_TIMEOUT_S = 3.0  # a goal waits this long for a server that starts (in rclpy: for ever)
-_STEP_S = 0.5  # the client waits for the graph in steps, because a shutdown does not end a wait
+# Time between two attempts to send a goal. A wait for the graph also consists of waits of this
+# length, because a shutdown does not end a wait.
+_STEP_S = 0.5
 
 
 class _Goal:
-    """A goal as its client stores it, until its result has come and its feedback is handled."""
+    """A goal that a client stores until the result has come and all feedback is handled."""
 
     def __init__(self, feedback_callback: Callable[[Any], Any] | None) -> None:
         self.feedback_callback = feedback_callback
@@ -62,9 +64,9 @@ class _Goal:
         self.is_over = False  #: whether the result has come
 
     def set_state(self, state: GoalState) -> None:
-        """Set the goal's state. If the state comes before the handle, the handle gets it later.
+        """Set the goal's state. If there is no handle yet, the handle gets the state later.
 
-        After the result, the goal keeps the result's state: an older state may come later.
+        After the result has come, the state does not change, because an older state may come later.
         """
         if self.is_over:
             return
@@ -89,16 +91,17 @@ class _ActionFuture(Future[T]):
 
 
 class ActionClient(ActionEndpoint[GoalT, ResultT, FeedbackT]):
-    """Sends goals. It has three clients and two subscriptions of a node, below one name.
+    """Sends goals. `ActionClient` has three service clients and two subscriptions of a node.
 
-    All methods may be called from any thread.
+    The names of the services and topics begin with the action's name. All methods may be called
+    from any thread.
 
     Args:
         node: The node that sends the goals.
         action_type: Action class.
         action_name: Relative, `~/private` or absolute name.
         callback_group: Group of the callbacks. If left out, the node's default group is used.
-        goal_service_qos_profile: For the service that takes goals.
+        goal_service_qos_profile: For the service that receives goals.
         result_service_qos_profile: For the service that returns results.
         cancel_service_qos_profile: For the service that cancels goals.
         feedback_sub_qos_profile: For the topic with the feedback.
@@ -131,7 +134,7 @@ class ActionClient(ActionEndpoint[GoalT, ResultT, FeedbackT]):
         self._lock = threading.RLock()  # re-entrant: a signal handler may take it
         self._goals: dict[bytes, _Goal] = {}
         impl, name = action_type.Impl, f"{self._action_name}/_action"
-        # This is made before the clients, so that no feedback of the first goal is lost.
+        # The subscription is made before the clients. So no feedback of the first goal is lost.
         self._feedback = FeedbackSubscription(
             node,
             impl.FeedbackMessage,
@@ -181,15 +184,15 @@ class ActionClient(ActionEndpoint[GoalT, ResultT, FeedbackT]):
         return len(self._node.context.graph.snapshot().publishers(self._status.topic_name)) == 1
 
     def wait_for_goal_service(self, timeout_sec: float) -> bool:
-        """Wait for the service that takes goals. Ignore the other parts of an action server."""
+        """Wait for the service that receives goals. Ignore the other parts of an action server."""
         return self._goal_client.wait_for_service(timeout_sec)
 
     def wait_for_server(self, timeout_sec: float | Duration | None = None) -> bool:
         """Wait for a server.
 
         Args:
-            timeout_sec: Seconds, or a `Duration`. `None` or a number below 0 waits until the
-                context is shut down.
+            timeout_sec: Seconds to wait, or a `Duration`. With `None` or a negative number, only
+                the context's shutdown limits the wait.
 
         Returns:
             Whether there is a server.
@@ -258,8 +261,8 @@ class ActionClient(ActionEndpoint[GoalT, ResultT, FeedbackT]):
     def _send_later(self, *arguments: Any) -> None:
         def send() -> None:
             if self._drop_timer(timer):
-                # If this error comes, another thread has destroyed the client. The future stays
-                # pending.
+                # The error means that another thread has destroyed the client. The future then
+                # stays pending.
                 with contextlib.suppress(InvalidHandleError):
                     self._send(*arguments)
 
@@ -345,7 +348,9 @@ class ActionClient(ActionEndpoint[GoalT, ResultT, FeedbackT]):
         feedback_callback: Callable[[Any], Any] | None = None,
         goal_uuid: UUID | None = None,
     ) -> Any:
-        """Send a goal and wait for its result. The goal has feedback only if another thread spins.
+        """Send a goal and wait for its result.
+
+        The feedback callback is called only if another thread spins the node.
 
         Args:
             goal: See `send_goal_async`.
@@ -440,8 +445,9 @@ class ActionClient(ActionEndpoint[GoalT, ResultT, FeedbackT]):
                 if goal is not None:
                     goal.set_state(GoalState(status.status))
         for key, goal in known.items():
-            # The server's list lacks this goal. If the goal has ended, the server has forgotten it.
-            # If an earlier list had the goal, this is another server, and the goal's is gone.
+            # The server's list does not have this goal. There are two reasons to forget the goal.
+            # The goal has ended, and the server has forgotten it. Or an earlier list had the goal:
+            # then this list comes from another server, and the goal's own server is gone.
             was_listed = goal.state is not GoalState.UNKNOWN
             if goal.is_over or goal.state.is_terminal or (was_listed and self._has_one_server()):
                 self._forget(key)

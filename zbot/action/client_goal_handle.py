@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 class ClientGoalHandle(ActionGeneric[GoalT, ResultT, FeedbackT]):
     """A goal that was sent. Its methods get the result, or cancel the goal.
 
-    `ActionClient` makes it. All methods may be called from any thread.
+    `ActionClient` makes the handle. All methods may be called from any thread.
 
     Args:
         action_client: The client that sent the goal.
@@ -89,7 +89,9 @@ class ClientGoalHandle(ActionGeneric[GoalT, ResultT, FeedbackT]):
         return self._action_client.get_result_async(self)
 
     def cancel_goal(self) -> CancelGoal.Response:
-        """Ask the server to cancel the goal. Return a response with the goals that it cancels.
+        """Ask the server to cancel the goal, and return the response.
+
+        The response has the goals that the server cancels.
 
         Raises:
             ServiceError: There is no server.

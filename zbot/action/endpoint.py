@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 class ActionEndpoint(ActionGeneric[GoalT, ResultT, FeedbackT]):
-    """A client or a server of an action. It ends at the end of a `with` block."""
+    """A client or a server of an action. The end of a `with` block destroys it."""
 
     _action_type: type[Any]
     _action_name: str
@@ -39,7 +39,7 @@ class ActionEndpoint(ActionGeneric[GoalT, ResultT, FeedbackT]):
         service_event_qos_profile: QoSProfile | int,
         introspection_state: ServiceIntrospectionState,
     ) -> None:
-        """Switch service introspection of the three services on or off (see `Service`)."""
+        """Configure the service events of the three services, as in `Service`."""
         for one in self._services:
             one.configure_introspection(clock, service_event_qos_profile, introspection_state)
 

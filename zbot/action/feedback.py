@@ -24,8 +24,8 @@ if TYPE_CHECKING:
 class FeedbackSubscription:
     """Queues the feedback of all goals of a client.
 
-    In contrast to other subscriptions, it queues messages in Zenoh's own thread. Zenoh delivers
-    results in the same thread, so the feedback of a goal is queued before its result comes.
+    In contrast to other subscriptions, Zenoh's own thread queues the messages. Zenoh delivers
+    results in the same thread, so the feedback of a goal is queued before the goal's result comes.
 
     Args:
         node: The node that subscribes.
@@ -72,7 +72,7 @@ class FeedbackSubscription:
         self._subscriber: Any = context.session.declare_subscriber(key, receive)
         self._liveliness = context.graph.announce(self.token)
         callback_group.add_entity(self)
-        handle.subscriptions.append(cast("Any", self))  # `self` has all that a node uses
+        handle.subscriptions.append(cast("Any", self))  # it has all attributes that a node uses
         handle.diagnostics.add(self.token, handle.logger_name)
         self.ready_queue.add(self)
 

@@ -72,10 +72,11 @@ def default_cancel_callback(cancel_request: Any) -> CancelResponse:  # noqa: ARG
 
 
 class ActionServer(ActionEndpoint[GoalT, ResultT, FeedbackT]):
-    """Executes goals. It has three services and two topics of a node, below one name.
+    """Executes goals. `ActionServer` has three services and two publishers of a node.
 
-    All callbacks may be coroutine functions. As in rclpy, goals are executed outside of callback
-    groups. So several threads, or coroutines, can execute many goals at the same time.
+    The names of the services and topics begin with the action's name. All callbacks may be
+    coroutine functions. As in rclpy, goals are executed outside of callback groups. So several
+    threads, or coroutines, can execute many goals at the same time.
 
     Args:
         node: The node of the server.
@@ -88,16 +89,17 @@ class ActionServer(ActionEndpoint[GoalT, ResultT, FeedbackT]):
         goal_callback: Takes the `Goal`, and returns a `GoalResponse`. If left out, the server
             accepts every goal.
         handle_accepted_callback: Takes the `ServerGoalHandle` of an accepted goal, after the
-            client got the response. It must call the handle's `execute()`, now or later.
+            client got the response. The callback must call the handle's `execute()`, or the
+            program must call it later.
         cancel_callback: Takes a `ServerGoalHandle`, and returns a `CancelResponse`. If left out,
             the server rejects every request.
-        goal_service_qos_profile: For the service that takes goals.
+        goal_service_qos_profile: For the service that receives goals.
         result_service_qos_profile: For the service that returns results.
         cancel_service_qos_profile: For the service that cancels goals.
         feedback_pub_qos_profile: For the topic with the feedback.
         status_pub_qos_profile: For the topic with the states of all goals.
         result_timeout: Seconds for which the server keeps a result after the goal's end, on the
-            node's clock. With a number below 0, it keeps results for ever.
+            node's clock. With a negative number, the server keeps results for ever.
 
     Raises:
         NotAnActionTypeError: The class is not an action type.
@@ -398,7 +400,10 @@ class ActionServer(ActionEndpoint[GoalT, ResultT, FeedbackT]):
         return NumberOfEntities(num_timers=1, num_services=len(self._services))
 
     def destroy(self) -> None:
-        """Destroy the server. Clients that wait for a result get an error. May be called twice."""
+        """Destroy the server. Clients that wait for a result get an error.
+
+        This method may be called twice.
+        """
         for service in self._services:
             self._node.destroy_service(service)
         with self.lock:

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 class ServerGoalHandle(ActionGeneric[GoalT, ResultT, FeedbackT]):
     """A goal that a server accepted. Its methods execute the goal, publish feedback, and end it.
 
-    `ActionServer` makes it. All methods may be called from any thread.
+    `ActionServer` makes the handle. All methods may be called from any thread.
 
     Args:
         action_server: The server that accepted the goal.
@@ -107,7 +107,7 @@ class ServerGoalHandle(ActionGeneric[GoalT, ResultT, FeedbackT]):
         Raises:
             GoalTransitionError: The goal is being executed already, or it has ended.
         """
-        # A goal that is being canceled is executed too, because the callback ends it.
+        # A goal that is being canceled is executed too, because the callback must end the goal.
         if not self.is_cancel_requested:
             self.update(GoalEvent.EXECUTE)
         self.is_started = True

@@ -55,7 +55,7 @@ class ActionService(Service[Any, Any]):
             super()._answer(request_id, query, response)
 
     def execute(self, taken: tuple[zenoh.Query, float]) -> Coroutine[Any, Any, None] | None:
-        """Respond, then call the reply's function. Its errors are not sent to the client."""
+        """Respond, then call the reply's function. The client gets no errors of this function."""
         outcome = super().execute(taken)
         return self._run_after_reply() if outcome is None else outcome
 
@@ -100,7 +100,7 @@ def create_action_service(
     qos_profile: QoSProfile,
     callback_group: CallbackGroup,
 ) -> ActionService:
-    """Return a new service of a node. It responds immediately, unless `callback` waits."""
+    """Return a new service of a node. The service responds immediately, unless `callback` waits."""
     handle = node.handle
     service = ActionService(
         handle.context,
@@ -118,9 +118,10 @@ def create_action_service(
 
 
 def run_until_await(coroutine: Coroutine[Any, Any, Any]) -> Any:
-    """Run a coroutine and return its result. If it has to wait, return the rest as a coroutine.
+    """Run a coroutine and return its result.
 
-    If the coroutine does not wait, it ends inside this function and needs no executor.
+    If the coroutine has to wait, return a new coroutine that runs the rest. A coroutine that does
+    not wait ends inside this function, and needs no executor.
     """
     try:
         awaited = coroutine.send(None)

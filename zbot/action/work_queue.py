@@ -41,7 +41,7 @@ class WorkQueue:
             return None
 
     def execute(self, function: Callable[[], Any]) -> Any:
-        """Call the function. If it returns a coroutine, return that for the executor."""
+        """Call the function and return its result. If this is a coroutine, the executor runs it."""
         return function()
 
     def destroy(self) -> None:

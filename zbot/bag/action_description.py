@@ -29,12 +29,12 @@ def action_text(
     sizes: dict[str, int] | None,
     calls: dict[str, tuple[int, int]] | None,
 ) -> str:
-    """Return the lines about actions. They are the last ones of `ros2 bag info`.
+    """Return the lines about actions. They are the last lines of `ros2 bag info`.
 
     Args:
-        actions: The topics of each action, by its name.
+        actions: The topics of each action, by the action's name.
         sizes: Bytes of the messages of each topic, for `--verbose`.
-        calls: Requests and responses of each service, for `--verbose`.
+        calls: Numbers of requests and responses of each service, for `--verbose`.
     """
     lines = [f"Actions:           {len(actions)}", "Action information: "]
     for name, topics in actions.items():
@@ -69,7 +69,7 @@ def _lines(
 
 
 def _type(topics: Sequence[TopicInformation]) -> str:
-    """Return the type of an action. It is known only if its feedback was recorded."""
+    """Return the type of an action. It is `unknown` if the feedback was not recorded."""
     names = (one.topic.type_name for one in topics)
     feedback = (one for one in names if one.endswith(_FEEDBACK_TYPE))
     return next((one.removesuffix(_FEEDBACK_TYPE) for one in feedback), "unknown")

@@ -1,4 +1,4 @@
-"""Recordings and playbacks in threads of their own, with a node and a context each."""
+"""Recordings and playbacks in the background. Each has its own thread, node and context."""
 
 from __future__ import annotations
 
@@ -29,12 +29,12 @@ if TYPE_CHECKING:
     from zbot.bag.selection import Selection
 
 _START_S = 20.0  #: longest wait for the node
-_STOP_S = 60.0  #: longest wait for the end; a bag may have much to write
+_STOP_S = 60.0  #: longest wait for the end; a recording may have much to write
 PLAYER_NAME, RECORDER_NAME = "rosbag2_player", "rosbag2_recorder"
 
 
 class _Background:
-    """Work in a thread. `error` says why it ended early."""
+    """Work in a thread. `error` says why the work ended early."""
 
     def __init__(self, name: str, domain_id: int | None, *, is_client: bool = False) -> None:
         self.error = ""
@@ -45,7 +45,7 @@ class _Background:
         self._thread = threading.Thread(target=self._run, name=name, daemon=True)
         self._thread.start()
         if not self._is_ready.wait(_START_S):
-            self._end()  # as soon as it can: nobody could stop it later
+            self._end()  # the caller gets no object with which to stop the work
             raise BagError(f"{name} has not started within {_START_S:g} s")
 
     @property
@@ -58,7 +58,7 @@ class _Background:
         self._thread.join(timeout_s)
 
     def stop(self) -> None:
-        """End the work, and wait for it. If it does not end within 60 s, `error` says so."""
+        """End the work, and wait for its end. After 60 s, stop waiting and set `error`."""
         self._end()
         self.join(_STOP_S)
         if self.is_running:
@@ -71,7 +71,7 @@ class _Background:
             pass  # the process ends
         except ZbotError as error:
             self.error = str(error)
-        except Exception as error:  # noqa: BLE001 - whoever started the thread sees it
+        except Exception as error:  # noqa: BLE001 - the caller reads `error`
             self.error = f"{self._thread.name} failed: {error!r}"
             get_logger("zbot.bag").error("".join(traceback.format_exception(error)))
         finally:
@@ -86,7 +86,7 @@ class _Background:
             self._end()  # the first `_end` came too early to reach the work
 
     def _end(self) -> None:
-        """End the work soon. It may not have begun yet."""
+        """End the work soon, also if the work has not begun yet."""
         self._is_ended = True
 
     @contextlib.contextmanager

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 TIME_COLUMN = "t"
 _SEPARATOR = "."
-_MOST_COLUMNS = 1000  # of one field in a CSV table: spreadsheets cannot show many more
+_MOST_COLUMNS = 1000  # of one field in a CSV table, because spreadsheets cannot show more
 
 
 class ColumnError(BagError, ValueError):
@@ -57,7 +57,7 @@ def to_numpy(path: str | Path, topic: str, fields: Sequence[str] | None = None) 
 
     Raises:
         BagNotFoundError: There is nothing with this path.
-        BagReadError: It is not a bag, or a part of it is damaged.
+        BagReadError: The path is not a bag, or a part of the bag is damaged.
         BagTopicError: The bag does not have the topic.
         BagTypeError: The type is not known, or is different here, or messages are not in CDR.
         ColumnError: The messages do not have a field.
@@ -103,9 +103,10 @@ def csv_lines(
 ) -> Iterator[str]:
     """Yield the lines of a CSV table: a title, and a line for each message.
 
-    The column `time` is the time of recording in seconds since the epoch. A number in an array has
-    a column of its own, e.g. `ranges[0]`, if the arrays have the same length in all messages, and
-    at most 1,000 numbers. The bag is read twice, and only one message is in the memory at a time.
+    The column `time` is the time of recording in seconds since the epoch. Each number of an array
+    has its own column, e.g. `ranges[0]`, if the array has the same length in all messages and at
+    most 1,000 numbers. Other arrays have one column. The bag is read twice, and only one message is
+    in the memory at a time.
 
     Args:
         path: Folder of a bag, or one of its files.
@@ -218,7 +219,7 @@ class _Table:
         name = topic if topic in bag.topics else f"/{topic}"
         if name not in bag.topics:
             raise BagTopicError(topic, f"it is not there; there are {', '.join(bag.topics)}")
-        self._class = bag.message_class(bag.topics[name])  # learns the definition, if it is new
+        self._class = bag.message_class(bag.topics[name])  # registers a new type
         known = fields_of(bag.topics[name].type_name)
         self.fields = known if fields is None else list(fields)
         missing = next((one for one in self.fields if one not in known), None)
@@ -227,7 +228,7 @@ class _Table:
         self._bag, self._name = bag, name
 
     def rows(self, start_ns: int, end_ns: int | None) -> Iterator[tuple[int, list[Any]]]:
-        """Yield the time of recording, and the values of a message."""
+        """Yield the time of recording and the values of each message."""
         getters = [attrgetter(one) for one in self.fields]
         for message in self._bag.messages([self._name], start_ns, end_ns):
             decoded = deserialize_message(message.data, self._class)

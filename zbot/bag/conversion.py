@@ -1,4 +1,4 @@
-"""New bags from other bags: merged, selected, split or compressed in another way."""
+"""Conversion of bags to new bags, e.g. to merge, filter, split or compress bags."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ _LISTS = {
     "exclude_actions": "exclude_actions",
 }
 _WORDS = ("regex", "exclude_regex")
-# Keys of rosbag2 that need nothing here, because zbot has one serialization.
+# Keys of rosbag2 that are allowed, but have no effect in zbot.
 _WITHOUT_EFFECT = frozenset(
     {
         "compression_queue_size",
@@ -111,7 +111,7 @@ def reindex(folder: Path) -> BagMetadata:
     """Write `metadata.yaml` again from the files of a bag. Return its contents.
 
     Raises:
-        BagReadError: A file cannot be read, or there is none.
+        BagReadError: A file cannot be read, or the folder has no files of a bag.
         BagWriteError: `metadata.yaml` cannot be written.
     """
     if not folder.is_dir():
@@ -165,7 +165,7 @@ def _selection(values: dict[str, Any]) -> Selection:
     rules: dict[str, Any] = {
         new: frozenset(values.pop(old, None) or ()) for old, new in _LISTS.items()
     }
-    if "exclude" in values:  # its name before Jazzy
+    if "exclude" in values:  # the name of `exclude_regex` before Jazzy
         values.setdefault("exclude_regex", values.pop("exclude"))
     rules |= {name: str(values.pop(name, "") or "") for name in _WORDS}
     return Selection(

@@ -1,4 +1,4 @@
-"""Message definitions in bags, in the encoding `ros2msg`: a definition and all that it uses."""
+"""Message definitions in bags. In the encoding `ros2msg`, they contain all types inside a type."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ _SPLIT = re.compile(rf"^{_SEPARATOR}[ \t]*\r?\n", re.MULTILINE)
 def definition_text(type_name: str) -> str:
     """Return the definition of a message type and of all types inside it.
 
-    Each further definition follows a line of 80 `=` and a line `MSG: pkg/Name`.
+    Before each further definition, there are a line of 80 `=` and a line `MSG: pkg/Name`.
 
     Raises:
         UnknownPackageError: The type is not known here.
-        UnknownInterfaceError: The same, but its package is known.
+        UnknownInterfaceError: The type is not known here, but its package is known.
     """
     return _with_parts(type_name, {type_name})
 
@@ -45,7 +45,7 @@ def _short(type_name: str) -> str:
 
 
 def message_class(type_name: str, encoding: str = "", text: str = "") -> type[Any]:
-    """Return the class of a bag's message type. A type that is not known here is learned.
+    """Return the class of a bag's message type. Register the bag's definition of a new type.
 
     Args:
         type_name: `std_msgs/msg/String`.
@@ -53,8 +53,8 @@ def message_class(type_name: str, encoding: str = "", text: str = "") -> type[An
         text: The bag's definition.
 
     Raises:
-        BagTypeError: The bag has no definition that zbot can read, or another one than this
-            machine.
+        BagTypeError: There is no definition that zbot can read, or the bag's definition is
+            different from this machine's definition.
     """
     type_name = _full(type_name)  # an old bag has names without `msg`
     is_own = encoding == ENCODING and text.strip() and "_" not in type_name.rpartition("/")[2]

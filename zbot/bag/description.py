@@ -37,7 +37,7 @@ def service_name(topic: str) -> str:
 
 
 def topic_names(metadata: BagMetadata, sort: str = "name") -> list[str]:
-    """Return the names of the topics that do not belong to services."""
+    """Return the names of topics, without the topics of services and actions."""
     return [
         one.topic.name
         for one in _sorted(metadata, sort)
@@ -58,7 +58,7 @@ def description(
         metadata: The bag's description.
         sort: A key of `SORT_KEYS`.
         sizes: Bytes of the messages of each topic, for `--verbose`.
-        calls: Requests and responses of each service, for `--verbose`.
+        calls: Numbers of requests and responses of each service, for `--verbose`.
     """
     everything = _sorted(metadata, sort)
     actions = _actions(everything)
@@ -105,12 +105,12 @@ def contributions(bag: Reader) -> tuple[dict[str, int], dict[str, tuple[int, int
         sizes[one.topic] += len(one.data)
         if one.topic in events and len(one.data) > _EVENT_KIND:
             kinds.setdefault(one.topic, Counter())[one.data[_EVENT_KIND]] += 1
-    # A call that both sides report is counted once.
+    # The client and the server may both report a call. Such a call is counted once.
     calls = {name: (max(k[0], k[1]), max(k[2], k[3])) for name, k in kinds.items()}
     return dict(sizes), calls
 
 
-_EVENT_KIND = 4  # `event_type` is the first field of an event, behind the header of CDR
+_EVENT_KIND = 4  # `event_type` is the first field of an event, after the 4 bytes of CDR's header
 
 
 def _is_event(one: TopicInformation) -> bool:
@@ -165,16 +165,16 @@ def _seconds(time_ns: int) -> str:
 
 
 def _time(time_ns: int) -> str:
-    # %e of C: the day of the month with a space in front of a single digit.
+    # The day of the month has a space in front of a single digit, as with `%e` in C.
     seconds, rest = divmod(time_ns, S_TO_NS)
     try:
         local = time.localtime(seconds)
     except (OverflowError, ValueError, OSError):
-        return f"({_seconds(time_ns)})"  # the system has no date for it
+        return f"({_seconds(time_ns)})"  # the system has no date for this time
     month = _MONTHS[local.tm_mon - 1]
     clock = f"{local.tm_hour:02}:{local.tm_min:02}:{local.tm_sec:02}.{rest:09}"
     return f"{month} {local.tm_mday:>2} {local.tm_year} {clock} ({_seconds(time_ns)})"
 
 
-# The same in all languages of the system.
+# The names are English in all languages of the system.
 _MONTHS = ("Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec")

@@ -1,4 +1,4 @@
-"""Errors of bags. Each is one sentence that says which bag and what is wrong."""
+"""Errors of bags. Each message is one sentence that tells the bag and the problem."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ class BagTopicError(BagError, ValueError):
 
 
 class BagTypeError(BagError, LookupError):
-    """A bag's messages have a type that is not known here or is different here."""
+    """This machine does not know a bag's message type, or has another definition of it."""
 
     def __init__(self, type_name: str, reason: str) -> None:
         self.type_name, self.reason = type_name, reason

@@ -1,7 +1,8 @@
 """Messages of the chunks of an MCAP file, in the order in which they were recorded.
 
-A chunk is read when its first message is wanted, and its messages are made one by one. So a player
-gets the first message of a chunk after a few milliseconds, although a chunk may have 100,000.
+A chunk is read when its first message is needed. The `BagMessage` objects are made one by one. So a
+player gets the first message of a chunk after a few milliseconds, even if the chunk has 100,000
+messages.
 """
 
 from __future__ import annotations
@@ -39,7 +40,7 @@ def chunk_messages(
 
     Args:
         stream: The file.
-        chunks: The file's indexes of the chunks. Their times may overlap.
+        chunks: The file's indexes of the chunks. The times of chunks may overlap.
         topics: The topics that are wanted, by the number of their channel.
 
     Raises:

@@ -1,4 +1,4 @@
-"""Form of MCAP files: presets, and the keys of rosbag2's `--storage-config-file`."""
+"""Options of MCAP files: presets, and the keys of rosbag2's `--storage-config-file`."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ _WITHOUT_EFFECT = frozenset(
         "noSummaryCRC",
     }
 )
-#: Keys of rosbag2 that say no, and the field that says yes.
+#: Keys of rosbag2 that switch something off, and the fields that switch the same thing on.
 _NEGATIVE = {
     "noChunkCRC": "has_crcs",
     "noChunking": "uses_chunks",
@@ -49,7 +49,7 @@ class StorageConfigError(BagError, ValueError):
 
 @dataclass(frozen=True)
 class McapOptions:
-    """Form of an MCAP file."""
+    """Options of an MCAP file."""
 
     compression: str = "zstd"  #: one of `COMPRESSIONS`
     chunk_bytes: int = 2**20  #: bytes of the messages in a chunk, before compression
@@ -64,7 +64,7 @@ class McapOptions:
 
 
 def preset_options(preset: str) -> McapOptions:
-    """Return the form with a name of `PRESETS`."""
+    """Return the options of a preset in `PRESETS`."""
     options = McapOptions(compression="zstd" if preset.startswith("zstd") else "none")
     if preset == "fastwrite":
         return replace(options, uses_chunks=False)
@@ -74,7 +74,7 @@ def preset_options(preset: str) -> McapOptions:
 
 
 def read_storage_config(path: Path, preset: str) -> McapOptions:
-    """Return the form in a YAML file, which may change parts of a preset.
+    """Return the options of a preset, with the changes in a YAML file.
 
     Raises:
         StorageConfigError: The file cannot be read, or has a wrong key or value.

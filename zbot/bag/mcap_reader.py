@@ -1,4 +1,4 @@
-"""Reader of MCAP files. It also reads files that have no end, e.g. after SIGKILL."""
+"""Reader of MCAP files. It also reads files that have no end because the recorder was killed."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 STORAGE_ID = "mcap"
 _MIN_BYTES = 64  #: a shorter file has no room for a footer
-# A chunk of some kilobytes can claim to contain more than the memory holds.
+# Limit after decompression, because a damaged or bad chunk may claim to be larger than the memory.
 _MAX_CHUNK_BYTES = 2**30
 # Before the compressed bytes, a chunk has an opcode, five numbers, and the name of the compression.
 _COMPRESSION_AT, _SIZE_BYTES, _FRAME_HEADER_BYTES = 1 + 8 + 8 + 8 + 8 + 4, 8, 18
@@ -41,7 +41,7 @@ class _Contents:
     counts: dict[int, int] = field(default_factory=dict)
     start_ns: int = 0
     end_ns: int = 0
-    chunks: list[Any] = field(default_factory=list)  #: their indexes, if the file has a summary
+    chunks: list[Any] = field(default_factory=list)  #: indexes of chunks, if the file has a summary
 
     def add(self, channel_id: int, time_ns: int) -> None:
         self.start_ns = min(time_ns, self.start_ns) if self.counts else time_ns
@@ -83,8 +83,8 @@ class McapReader:
     ) -> Iterator[BagMessage]:
         """Yield messages as `StorageReader.messages` says.
 
-        In a file without an end, messages are ordered only inside each chunk. A recorder writes
-        them in order.
+        In a file without an end, messages are ordered only inside each chunk. Usually this is
+        enough, because a recorder writes the messages in order.
 
         Raises:
             BagReadError: A part in the middle of the file is damaged.
@@ -112,7 +112,7 @@ class McapReader:
             for one in self._contents.chunks
             if start_ns <= one.message_end_time
             and (end_ns is None or one.message_start_time <= end_ns)
-            # A writer may leave out the offsets.
+            # Without offsets, which a writer may leave out, the topics of a chunk are not known.
             and not wanted.keys().isdisjoint(one.message_index_offsets or wanted)
         ]
         with self._path.open("rb") as stream:
@@ -136,7 +136,7 @@ class McapReader:
             try:
                 summary = reader.get_summary()
             except self._errors:
-                return None  # there is no footer where it has to be
+                return None  # the footer is missing
             if summary is None or summary.statistics is None or not summary.chunk_indexes:
                 return None
             for index in summary.chunk_indexes:
@@ -172,7 +172,7 @@ class McapReader:
         return found
 
     def _blocks(self) -> Iterator[list[Any]]:
-        """Yield lists of records: those of a chunk, or one outside chunks. End at any damage."""
+        """Yield lists: all records of a chunk, or one other record. End at the first damage."""
         from mcap.records import Chunk  # noqa: PLC0415 - an extra
         from mcap.stream_reader import StreamReader, breakup_chunk, read_magic  # noqa: PLC0415
 
@@ -196,7 +196,7 @@ class McapReader:
                     else:
                         yield [one]
                 except self._errors as error:
-                    # Behind the footer there is nothing to read.
+                    # The records after the damage are not read.
                     self.damage = self.damage or _reason(error)
                     return
 

@@ -26,7 +26,7 @@ class McapWriter:
 
     Args:
         path: The new file.
-        options: The form of the file.
+        options: The options of the file.
 
     Raises:
         OSError: The file cannot be made, or it exists.
@@ -80,7 +80,7 @@ class McapWriter:
         self._part.add_topic(topic)
 
     def write(self, topic: str, data: bytes, log_ns: int, publish_ns: int) -> None:
-        """Add a message. The file may get it later, at the next `flush`."""
+        """Add a message. The message is in the file after the next `flush`, or earlier."""
         before = self._file.position
         self._writer.add_message(self._channels[topic], log_ns, data, publish_ns)
         if self._file.position != before:  # a chunk is full
@@ -91,14 +91,14 @@ class McapWriter:
         self._part.add_message(topic, log_ns)
 
     def flush(self) -> None:
-        """Write all messages so far into the file, so that they outlive the process."""
+        """Write all messages so far into the file, so that they survive a crash of the process."""
         if self._pending:
             self._writer.flush()
             self._file.mark()
             self._pending = 0
 
     def close(self, custom_data: dict[str, str], ros_distro: str) -> BagMetadata:
-        """Write the end of the file, and return its description."""
+        """Write the end of the file, and return the description of the file."""
         described = self._part.metadata(custom_data, ros_distro)
         self.flush()
         self._writer.add_metadata(
@@ -109,12 +109,12 @@ class McapWriter:
         return described
 
     def abandon(self) -> None:
-        """Close the file after an error. It keeps all that was written completely."""
+        """Close the file after an error. The file keeps all records that are complete."""
         self._file.cut()
 
 
 class _File:
-    """File without a buffer: a write raises its error immediately, and `cut` removes its record."""
+    """File without a buffer, so a failed write raises an error immediately."""
 
     def __init__(self, path: Path) -> None:
         self._raw = path.open("xb", buffering=0)

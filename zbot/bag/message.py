@@ -1,4 +1,4 @@
-"""Message of a bag, and what the readers of all formats have in common."""
+"""Message of a bag, and the methods of the readers and writers of all formats."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ class BagMessage(NamedTuple):
 
     topic: str
     data: bytes  #: the message in CDR
-    log_ns: int  #: time at which it was recorded
-    publish_ns: int  #: time at which it was sent, or the time of recording if that is not known
+    log_ns: int  #: time of recording
+    publish_ns: int  #: time of sending, or the time of recording if the bag has no time of sending
 
 
 class Definition(NamedTuple):
@@ -34,7 +34,7 @@ class StorageReader(Protocol):
     """Reader of one file of a bag."""
 
     metadata: BagMetadata
-    definitions: dict[str, Definition]  #: by type
+    definitions: dict[str, Definition]  #: by the name of the type
     damage: str  #: why only a part of the file can be read, or empty if the file is complete
 
     def messages(
@@ -44,8 +44,8 @@ class StorageReader(Protocol):
 
         Args:
             topics: Names of topics. `None` means all.
-            start_ns: First time.
-            end_ns: Last time. `None` means no limit.
+            start_ns: First time of recording.
+            end_ns: Last time of recording. `None` means no limit.
         """
         ...
 
@@ -75,7 +75,7 @@ class StorageWriter(Protocol):
         ...
 
     def write(self, topic: str, data: bytes, log_ns: int, publish_ns: int) -> None:
-        """Add a message. The file may get it later, at the next `flush`."""
+        """Add a message. The message is in the file after the next `flush`, or earlier."""
         ...
 
     def flush(self) -> None:
@@ -83,7 +83,7 @@ class StorageWriter(Protocol):
         ...
 
     def close(self, custom_data: dict[str, str], ros_distro: str) -> BagMetadata:
-        """Write the end of the file, and return its description."""
+        """Write the end of the file, and return the description of the file."""
         ...
 
     def abandon(self) -> None:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from zbot.bag.errors import BagReadError
 
-# A message in CDR begins with a zero byte. So a bag without metadata can be read too.
+# First bytes of a compressed message. A message in CDR begins with a zero byte. So the reader sees
+# without the bag's metadata whether a message is compressed.
 _ZSTD_MAGIC = b"\x28\xb5\x2f\xfd"
 _MOST_BYTES = 2**30
 

@@ -41,7 +41,7 @@ class TopicInformation:
 
 @dataclass(frozen=True)
 class FileInformation:
-    """A file of a bag. Times are nanoseconds, since the epoch for `start_ns`."""
+    """A file of a bag. Times are in nanoseconds. `start_ns` counts from the epoch."""
 
     path: str
     start_ns: int
@@ -51,7 +51,7 @@ class FileInformation:
 
 @dataclass(frozen=True)
 class BagMetadata:
-    """A bag's description. Times are nanoseconds, since the epoch for `start_ns`."""
+    """A bag's description. Times are in nanoseconds. `start_ns` counts from the epoch."""
 
     storage_id: str
     topics: tuple[TopicInformation, ...] = ()
@@ -65,7 +65,7 @@ class BagMetadata:
     custom_data: dict[str, str] = field(default_factory=dict)
     ros_distro: str = ""
     version: int = VERSION
-    bag_size: int = 0  #: bytes of all files; it is not written
+    bag_size: int = 0  #: bytes of all files; `metadata.yaml` does not have this number
 
     @property
     def end_ns(self) -> int:
@@ -74,7 +74,7 @@ class BagMetadata:
 
 
 def merged(parts: Iterable[BagMetadata]) -> BagMetadata:
-    """Return the description of a bag from the descriptions of its files, in their order."""
+    """Return the description of a bag from the descriptions of its files, in the files' order."""
     all_parts = list(parts)
     filled = [part for part in all_parts if part.message_count]
     start = min((part.start_ns for part in filled), default=0)
@@ -128,7 +128,7 @@ def metadata_values(metadata: BagMetadata) -> dict[str, Any]:
 
 
 def metadata_text(metadata: BagMetadata, *, root: bool = True) -> str:
-    """Return the YAML of a description, with the key at the top of `metadata.yaml` or without."""
+    """Return a description as YAML. If `root` is true, add the top key of `metadata.yaml`."""
     import yaml  # noqa: PLC0415 - takes 15 ms
 
     class Dumper(yaml.SafeDumper):
@@ -144,7 +144,7 @@ def read_metadata_file(folder: Path) -> BagMetadata:
     """Return the description in a folder's `metadata.yaml`, of any version of rosbag2.
 
     Raises:
-        BagReadError: The file cannot be read or is not such a description.
+        BagReadError: The file cannot be read or is not a bag's description.
     """
     path = folder / METADATA_FILE
     try:
@@ -165,7 +165,8 @@ def read_metadata(text: str) -> BagMetadata:
 
     Raises:
         YamlError: The text is not YAML.
-        ValueError: It is not a bag's description. It may also be a `KeyError` or `TypeError`.
+        ValueError: The text is not a bag's description. The error may also be an `AttributeError`,
+            a `KeyError` or a `TypeError`.
     """
     found = read_yaml(text)
     values = found.get(_ROOT, found)

@@ -22,7 +22,7 @@ def spinning(node: Node) -> Iterator[None]:
     executor.add_node(node)
 
     def spin() -> None:
-        # The thread that plays or records handles the end of the context too.
+        # The thread that plays or records handles these exceptions.
         with contextlib.suppress(ExternalShutdownException, KeyboardInterrupt):
             executor.spin()
 

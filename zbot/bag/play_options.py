@@ -23,16 +23,17 @@ class PlayOptions:
     start_offset_s: float = 0.0
     duration_s: float = -1.0  #: below 0 means all
     until_ns: int = -1  #: below 0 means all
-    remap: Mapping[str, str] = field(default_factory=dict)  #: other names of topics
+    remap: Mapping[str, str] = field(default_factory=dict)  #: new names of topics
     overrides: Mapping[str, QoSProfile] = field(default_factory=dict)
-    clock_hz: float = 0.0  #: rate of `/clock`. 0 means that it is not published
-    clock_topics: frozenset[str] | None = frozenset()  #: `/clock` with these topics; None: all
+    clock_hz: float = 0.0  #: rate of `/clock`. If it is 0, only `clock_topics` counts
+    #: topics; before each message of these topics, `/clock` is published. `None` means all topics
+    clock_topics: frozenset[str] | None = frozenset()
     is_paused: bool = False
     queue_size: int = 1000
-    is_by_send_time: bool = False  #: whether the times of sending decide, not those of recording
+    is_by_send_time: bool = False  #: whether to play by the times of sending, not of recording
     publishes_requests: bool = (
-        False  #: whether services are called, instead of playing their events
+        False  #: whether to call services, instead of publishing their events
     )
-    requests_of_clients: bool = False  #: whether the events of the clients are the requests to send
-    sends_goals: bool = False  #: whether the goals of actions are sent, instead of their events
-    acknowledge_s: float = -1.0  #: longest wait for the subscribers at the end; 0: no limit
+    requests_of_clients: bool = False  #: whether to send requests of clients' events
+    sends_goals: bool = False  #: whether to send goals, instead of actions' events
+    acknowledge_s: float = -1.0  #: longest wait for subscribers. 0: no limit. Below 0: no wait

@@ -16,8 +16,8 @@ class PlaybackClock:
 
     Args:
         start_ns: First time, in nanoseconds since the epoch.
-        rate: How many seconds of the recording pass in a second.
-        is_paused: Whether it stands still at first.
+        rate: Seconds of the recording that pass in one second.
+        is_paused: Whether the clock stands still at first.
     """
 
     def __init__(self, start_ns: int, rate: float, *, is_paused: bool) -> None:
@@ -29,7 +29,7 @@ class PlaybackClock:
 
     @property
     def rate(self) -> float:
-        """How many seconds of the recording pass in a second."""
+        """Seconds of the recording that pass in one second."""
         return self._rate
 
     @property
@@ -43,7 +43,7 @@ class PlaybackClock:
             return self._now_ns()
 
     def seconds_until(self, time_ns: int) -> float:
-        """Return how long it takes until a time. It is infinite while the clock stands still."""
+        """Return the seconds until a time of the recording, or infinity during a pause."""
         with self._lock:
             if self._is_paused:
                 return math.inf

@@ -1,4 +1,4 @@
-"""Player of bags, as `ros2 bag play`. It publishes the messages with their times between them."""
+"""Player of bags, as `ros2 bag play`. It publishes messages at the recorded intervals."""
 
 from __future__ import annotations
 
@@ -34,8 +34,8 @@ if TYPE_CHECKING:
 
 _CLOCK_QOS = QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)
 _RATE_STEP = 0.1
-# Windows and macOS wake a thread up to a millisecond late, so the rest is a busy wait. Linux is 0.1
-# ms late, and a busy wait would take a tenth more of a processor.
+# The last part of a wait, which is a busy wait. Windows and macOS wake a thread at most 1 ms late.
+# Linux wakes a thread only 0.1 ms late, and a busy wait would need 10 % more of a processor.
 _BUSY_S = 0.0 if sys.platform == "linux" else 0.0008
 _LONGEST_WAIT_S = 0.5
 _FILL_S = 2.0  #: longest time to read in advance before the first message
@@ -74,12 +74,12 @@ class Player:
         self._start_ns = self.bag_start_ns + int(options.start_offset_s * S_TO_NS)
         self._is_paused = options.is_paused
         self._has_begun = False
-        # It stands still until the first messages were read.
+        # The clock stands still until the first messages are read.
         self._clock = PlaybackClock(self._start_ns, options.rate, is_paused=True)
         self._changed = BinarySemaphore()
         node.context.add_waker(self._changed.set)
         self._lock = threading.Condition()
-        self._steps: float = 0  # messages to publish although the clock stands still
+        self._steps: float = 0  # number of messages to publish while the player is paused
         self._seek_ns: int | None = None
         self._shows_state = False
         self._is_stopped = False
@@ -96,7 +96,7 @@ class Player:
 
     @property
     def rate(self) -> float:
-        """Seconds of the recording in a second."""
+        """Seconds of the recording that pass in one second."""
         return self._clock.rate
 
     @property
@@ -131,7 +131,7 @@ class Player:
             ticker.start()
         try:
             is_first, before = True, -1
-            # A loop without messages would never wait.
+            # The loop ends after a round without messages, because such rounds never wait.
             while is_first or (self._options.loops and self.sent_count > before and self._is_ok()):
                 before = self.sent_count
                 self._play_once(is_first=is_first)
@@ -161,7 +161,7 @@ class Player:
             self.pause()
 
     def pause(self) -> None:
-        """Stand still."""
+        """Pause the playback."""
         with self._lock:
             self._is_paused = True
             self._clock.pause()
@@ -178,7 +178,7 @@ class Player:
         self._changed.set()
 
     def set_rate(self, rate: float) -> bool:
-        """Set the rate. Return false if it is not above 0."""
+        """Set the rate. Return false if the rate is not above 0."""
         if not 0 < rate < math.inf:
             self._log.warning(f"Failed to set rate to invalid value {rate:g}")
             return False
@@ -188,14 +188,14 @@ class Player:
         return True
 
     def play_next(self) -> bool:
-        """Publish the next message while the player is paused. Return false if it is not."""
+        """Publish the next message of a paused player. Return false if the player is not paused."""
         return self.step(1)
 
     def burst(self, count: int = 0) -> int:
         """Publish the next messages of a paused player without waiting between them.
 
-        Blocks until they are published, or until the end of the bag. The thread of `run` must not
-        call it.
+        The method returns when the messages are published, or at the end of the bag. It must not be
+        called in the thread of `run`.
 
         Args:
             count: Number of messages. 0 means all.
@@ -211,7 +211,7 @@ class Player:
         return self.sent_count - before
 
     def step(self, count: int) -> bool:
-        """Publish the next messages of a paused player, as `burst` does, but do not wait for it.
+        """Let `run` publish the next messages of a paused player, and return without waiting.
 
         Args:
             count: Number of messages. 0 means all.
@@ -233,11 +233,11 @@ class Player:
 
         Args:
             time_ns: The time.
-            shows_state: Whether to publish the newest message of each topic in the second before
-                the time, so that listeners show what was there.
+            shows_state: Whether to publish first the newest message of each topic from the second
+                before the time. Then subscribers show the state at that time.
 
         Returns:
-            False if the time is behind the end, or if `run` has ended.
+            False if the time is after the end of the bag, or if `run` has ended.
         """
         if time_ns > self.bag_end_ns or self._is_over.is_set():
             return False
@@ -247,7 +247,7 @@ class Player:
         return True
 
     def press(self, key: str) -> None:
-        """Carry out the command of a key: space, `s`, or the last character of an arrow key."""
+        """Carry out a key's command: space, `s`, or the last character that an arrow key sends."""
         if key == " ":
             self.toggle_paused()
         elif key == "A":
@@ -306,7 +306,7 @@ class Player:
             self._count_step()
 
     def _publish_latched(self) -> None:
-        """Publish the latched messages from before the start: nodes that come later expect them."""
+        """Publish the transient local messages before the start. Late subscriptions expect them."""
         if self._options.start_offset_s <= 0:
             return
         for bag in self._bags:
@@ -362,7 +362,7 @@ class Player:
         self.sent_count += 1
 
     def _wait_for(self, time_ns: int) -> bool:
-        """Wait until a message is due. Return false if the playback continues elsewhere or ends."""
+        """Wait until a message is due. Return false after `seek`, or if the playback ends."""
         while self._is_ok() and self._seek_ns is None:
             if self._steps:
                 self._clock.set(time_ns)
@@ -392,7 +392,7 @@ class Player:
         return self._node.context.ok() and not self._is_stopped
 
     def _wait_for_subscribers(self) -> None:
-        """Wait until the sessions that subscribe have taken all messages from the network."""
+        """Wait until the sessions with reliable subscriptions have received all messages."""
         if self._options.acknowledge_s < 0 or not self._is_ok():
             return
         names = [topic.name for topic in self._topics.values()]
@@ -403,7 +403,7 @@ class Player:
             for one in graph.subscriptions(name)
             if one.qos.reliability is ReliabilityPolicy.RELIABLE
         } - {self._node.context.zid}
-        # A query follows the messages on the same links, so its answer comes after them.
+        # A query takes the same links as the messages, so a session answers after the messages.
         limit_s = self._options.acknowledge_s or _FOREVER_S
         for key, _ in answers(self._node.context.session, "@/*/*", limit_s):
             missing.discard(key.split("/")[1])

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from zbot.wire.dialect import Dialect
 
 CLOCK_TOPIC = "/clock"
-_DISCOVERY_S = 0.5  #: longest time until servers that run already are known
+_DISCOVERY_S = 0.5  #: longest wait for the discovery of servers that run already
 
 
 class MessagePublisher(Protocol):
@@ -77,7 +77,7 @@ def played_topics(
 
 def _is_wanted(topic: TopicMetadata, options: PlayOptions) -> bool:
     if options.clock_hz > 0 and topic.name == CLOCK_TOPIC:
-        return False  # the player's own clock replaces the recorded one
+        return False  # the player publishes its own clock, not the recorded clock
     if options.sends_goals and action_name(topic.name) and not _is_event(topic):
         return False  # the action's server publishes its feedback and its status itself
     return options.selection.takes(topic.name, topic.type_name)

@@ -134,8 +134,9 @@ def profile_to_subscribe(offered: Sequence[QoSProfile], depth: int) -> QoSProfil
 def profile_to_publish(recorded: Sequence[QoSProfile]) -> QoSProfile:
     """Return a profile to publish the messages of a topic again.
 
-    If all recorded publishers had compatible profiles, the result is the first profile. Else it is
-    the default profile, which most subscriptions can receive.
+    If all recorded publishers had the same policies, apart from history, depth and lifespan, the
+    result is the first profile. Otherwise the result is the default profile, which is compatible
+    with most subscriptions.
     """
     if not recorded or any(_contract(one) != _contract(recorded[0]) for one in recorded):
         return QoSProfile(depth=10)

@@ -14,8 +14,8 @@ if TYPE_CHECKING:
     from zbot.bag.message import BagMessage
 
 _POLL_S = 0.1
-# Each hand-over wakes a thread, which costs more than the message. The player waits for Python's
-# lock while a batch is read, at most 0.5 ms.
+# Number of messages in a batch. Each batch wakes the player's thread, which takes longer than
+# reading a message. But the player waits for Python's lock while a batch is read, at most 0.5 ms.
 _BATCH = 16
 
 
@@ -23,7 +23,7 @@ class ReadAhead:
     """Queue that a thread fills from an iterator.
 
     Args:
-        messages: The messages. Only the thread uses the iterator.
+        messages: The messages. Only the queue's thread uses the iterator.
         size: The largest number of messages that wait in the queue.
     """
 
@@ -40,7 +40,7 @@ class ReadAhead:
         self._thread.start()
 
     def wait_until_filled(self, timeout_s: float) -> None:
-        """Wait until the queue is full or contains all messages, or until the time is over."""
+        """Wait until the queue is full or contains all messages, or until the timeout."""
         self._is_filled.wait(timeout_s)
 
     def __iter__(self) -> Iterator[BagMessage]:

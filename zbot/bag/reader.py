@@ -40,12 +40,12 @@ class Reader:
     Args:
         path: Folder of a bag, or one of its files (`.mcap` or `.db3`), or a bag of ROS 1 (`.bag`).
         storage_id: `mcap` or `sqlite3`. Empty means any.
-        uses_metadata_file: Whether to use `metadata.yaml` of a folder. Without it, the files are
-            examined.
+        uses_metadata_file: Whether to read the description in the folder's `metadata.yaml`. If this
+            is false or there is no `metadata.yaml`, the description comes from the other files.
 
     Raises:
         BagNotFoundError: There is nothing with this path.
-        BagReadError: It is not a bag, or cannot be read.
+        BagReadError: The path is not a bag, or the bag cannot be read.
         NoBagExtraError: The extra `bag` is not installed.
     """
 
@@ -75,7 +75,7 @@ class Reader:
 
     @property
     def damage(self) -> str:
-        """Why only a part of the bag can be read, or an empty text if it is complete."""
+        """Why only a part of the bag can be read, or an empty text if the bag is complete."""
         return next((one.damage for one in self._files if one.damage), "")
 
     def definition(self, type_name: str) -> Definition:
@@ -84,7 +84,7 @@ class Reader:
         return next(filter(None, found), NO_DEFINITION)
 
     def message_class(self, topic: TopicMetadata) -> type[Any]:
-        """Return the class of a topic's messages, from here or from the bag's definition.
+        """Return the class of a topic's messages. The bag's definition is used for unknown types.
 
         Raises:
             BagTypeError: The type is not known, or is different here, or messages are not in CDR.
@@ -121,7 +121,7 @@ class Reader:
                     yield one if plain is one.data else one._replace(data=plain)
 
     def close(self) -> None:
-        """Remove temporary files. Only bags with compressed files have some."""
+        """Remove temporary files, which exist only for bags with compressed files."""
         if self._unpacked is not None:
             self._unpacked.cleanup()
             self._unpacked = None
@@ -207,7 +207,7 @@ def read(path: str | Path, topics: Iterable[str] | None = None) -> Iterator[tupl
         for topic, msg, t in zbot.bag.read("lesson"):
             print(topic, msg.data, t)
 
-    Types that this machine does not have come from the bag.
+    The definitions of types that this machine does not know come from the bag.
 
     Args:
         path: Folder of a bag, or one of its files.
@@ -218,7 +218,7 @@ def read(path: str | Path, topics: Iterable[str] | None = None) -> Iterator[tupl
 
     Raises:
         BagNotFoundError: There is nothing with this path.
-        BagReadError: It is not a bag, or a part of it is damaged.
+        BagReadError: The path is not a bag, or a part of the bag is damaged.
         BagTypeError: A type is not known, or is different here, or messages are not in CDR.
         CodecError: The bytes of a message do not fit its type.
         NoBagExtraError: The extra `bag` is not installed.
@@ -241,7 +241,7 @@ def merge(streams: Iterable[Iterator[BagMessage]]) -> Iterator[BagMessage]:
 
 
 def _renamed(part: BagMetadata, path: Path) -> BagMetadata:
-    """Return the description of a file with the name that it has in the bag."""
+    """Return a file's description. A compressed file gets the name that the file has in the bag."""
     if path.suffix != _PACKED:
         return part
     return replace(

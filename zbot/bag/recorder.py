@@ -36,7 +36,8 @@ if TYPE_CHECKING:
     from zbot.qos import QoSProfile
 
 MAX_CACHE_BYTES = 100 * 2**20  #: rosbag2's default
-# Messages that wait in Zenoh while this process is busy. A message with sequences may be large.
+# Number of messages that can wait in Zenoh while this process is busy. A message with sequences may
+# be large, so fewer such messages can wait.
 _DEPTH = 2000
 _DEPTH_OF_SEQUENCES = 500
 _CHECK_S = 0.1
@@ -72,7 +73,7 @@ class Losses:
 
 
 class Recorder:
-    """Recorder of topics. Its node's executor runs all its callbacks.
+    """Recorder of topics. The node's executor runs all callbacks of the recorder.
 
     Args:
         node: The node that subscribes.
@@ -80,9 +81,10 @@ class Recorder:
         selection: The topics.
         discovery: How topics are found.
         overrides: Profiles of the subscriptions to some topics.
-        max_cache_bytes: Messages that may wait for the disk, in bytes. 0 means no limit.
+        max_cache_bytes: Bytes of the messages that may wait for the disk. 0 means no limit.
         is_paused: Whether to begin paused.
-        uses_sim_time: Whether the node's time is simulated. Messages before `/clock` are dropped.
+        uses_sim_time: Whether the node's time is simulated. Messages that arrive before the first
+            message of `/clock` are dropped.
         snapshots: Memory of the newest messages. Only `take_snapshot` writes them to the bag.
             `None` means that all messages are written to the bag.
     """
@@ -159,7 +161,7 @@ class Recorder:
         self._queue.split()
 
     def take_snapshot(self) -> bool:
-        """Write the messages in memory into a file of their own. Only the executor may call.
+        """Write the messages in memory into a new file. Only the executor's thread may call.
 
         Returns:
             Whether the recorder is in snapshot mode.
@@ -179,7 +181,7 @@ class Recorder:
             self._done.set_result(None)
 
     def run(self, executor: Executor) -> None:
-        """Record until the context ends or nothing can be written any more."""
+        """Record until `end`, until the context ends, or until the bag cannot be written."""
         self._done = Future(executor=executor)
         if self._is_ended:
             self._done.set_result(None)
@@ -190,7 +192,7 @@ class Recorder:
             self._log.info("Wait for recording: Press SPACE to start.")
         else:
             self._log.info("Recording...")
-        # A steady clock: with simulated time, the node's clock may stand still.
+        # The timers use a steady clock, because simulated time may stand still.
         finder = None
         if self._discovery.is_on:
             finder = self._node.create_timer(
@@ -202,7 +204,7 @@ class Recorder:
         checker.cancel()
 
     def stop(self) -> None:
-        """Write what is left, close the bag, and report losses.
+        """Write the waiting messages, close the bag, and report losses.
 
         Raises:
             BagWriteError: The bag cannot be written, e.g. because the disk is full. What was
@@ -308,7 +310,7 @@ class Recorder:
         self._log.info(f"Subscribed to topic '{topic}'")
 
     def _class(self, topic: str, type_name: str) -> type[Any] | None:
-        """Return the class of a topic's type. Ask the nodes if it is not known here."""
+        """Return the class of a topic's type. Ask other nodes if the type is not known here."""
         try:
             try:
                 return get_message(type_name)

@@ -22,7 +22,7 @@ _FIELD = re.compile(r"(?P<base>[\w/]+)(?P<array>\[(?P<size>\d*)\])?\s+(?P<name>\
 _MOST_LEVELS = 20
 #: Format for `struct` and `array` of each type of ROS 1.
 _FORMATS = {"bool": "?", "byte": "b", **TYPECODES}
-#: Types of ROS 1 without a package, and what they are in ROS 2.
+#: Types of ROS 1 without a package, with their types in ROS 2 and their formats for `struct`.
 _TIMES = {
     "time": ("builtin_interfaces/Time", "<II"),
     "duration": ("builtin_interfaces/Duration", "<ii"),
@@ -80,8 +80,8 @@ def ros2_text(type_name: str, definitions: Mapping[str, list[Ros1Field]]) -> str
 def decoder(type_name: str, definitions: Mapping[str, list[Ros1Field]]) -> Callable[[bytes], Any]:
     """Return a function that makes a message of ROS 2 from ROS 1's bytes.
 
-    Fields have the same names, apart from capital letters. A field that ROS 2's message does not
-    have is left out, and a field that ROS 1's message does not have gets its default.
+    Fields belong together if their names differ only in capital letters. A field that only ROS 1's
+    message has is left out. A field that only ROS 2's message has gets its default.
 
     Raises:
         BagTypeError: The definition is incomplete.
@@ -121,7 +121,7 @@ def _ros2_type(field: Ros1Field) -> str:
 
 
 class _Decoders:
-    """Decoders of one message and of all messages inside it. Each pair of types has one.
+    """Decoders of one message and of all messages inside it. Each pair of types has one decoder.
 
     Args:
         definitions: The fields of ROS 1's messages.
@@ -188,7 +188,7 @@ def _list(one: Decode, size: int) -> Decode:
         values = []
         for _ in range(count):
             value, end = one(data, position)
-            if end == position and count > 1:  # lists of such lists would have no limit
+            if end == position and count > 1:  # else a few bytes could mean a list of any length
                 raise struct.error("the elements of a list have no bytes")
             values.append(value)
             position = end
@@ -210,7 +210,7 @@ def _time(target: str, form: str) -> Decode:
 
     def decode(data: bytes, position: int) -> tuple[Any, int]:
         seconds, nanoseconds = struct.unpack_from(form, data, position)
-        # A time of ROS 2 ends in 2038, and a duration has no negative nanoseconds.
+        # ROS 2's times end in 2038, and ROS 2's durations have no negative nanoseconds.
         seconds, nanoseconds = seconds + nanoseconds // 10**9, nanoseconds % 10**9
         return cls(sec=min(seconds, 2**31 - 1), nanosec=nanoseconds), position + 8
 

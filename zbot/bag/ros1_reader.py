@@ -67,7 +67,8 @@ class Ros1Reader:
         path: The file.
 
     Raises:
-        BagReadError: The file cannot be read, is not a bag, or has no index (`rosbag reindex`).
+        BagReadError: The file cannot be read, is not a bag, or has no index, which
+            `rosbag reindex` writes.
         NoBagExtraError: The extra `bag` is not installed.
     """
 
@@ -92,7 +93,7 @@ class Ros1Reader:
     def messages(
         self, topics: Collection[str] | None, start_ns: int, end_ns: int | None
     ) -> Iterator[BagMessage]:
-        """Yield messages as `StorageReader.messages` says. They are converted to ROS 2's CDR.
+        """Yield messages as `StorageReader.messages` says. Messages are converted to ROS 2's CDR.
 
         Raises:
             BagReadError: A part of the file is damaged.
@@ -115,7 +116,7 @@ class Ros1Reader:
                     if not is_out and not wanted.keys().isdisjoint(chunk.counts):
                         for time_ns, number, data in _messages(stream, chunk.position):
                             if number in wanted and start_ns <= time_ns <= last_ns:
-                                # The serial number keeps the order of equal times.
+                                # The serial number keeps the order of messages with the same time.
                                 heapq.heappush(waiting, (time_ns, next(serial), number, data))
                 while waiting:
                     yield self._converted(*heapq.heappop(waiting))

@@ -1,4 +1,4 @@
-"""Values of ROS 2's `rosbag2_py`: options, filters and descriptions, with its names."""
+"""Options, filters and descriptions of bags, with the names that ROS 2's `rosbag2_py` has."""
 
 from __future__ import annotations
 
@@ -34,14 +34,14 @@ class StorageOptions:
 
 @dataclass
 class ConverterOptions:
-    """Serialization of the messages. It is always `cdr`."""
+    """Serialization of the messages. The serialization is always `cdr`."""
 
     input_serialization_format: str = ""
     output_serialization_format: str = ""
 
 
 class CompressionMode(enum.IntEnum):
-    """What is compressed beside the chunks of MCAP files."""
+    """Parts of a bag that are compressed: nothing, whole files or single messages."""
 
     NONE = 0
     FILE = 1
@@ -96,7 +96,7 @@ def convert_rclcpp_qos_to_rclpy_qos(profile: QoSProfile) -> QoSProfile:
 
 @dataclass
 class StorageFilter:
-    """Topics to read. An empty rule selects everything."""
+    """Topics to read. Without names and `regex`, everything that is not excluded is read."""
 
     topics: list[str] = field(default_factory=list)
     services_events: list[str] = field(default_factory=list)
@@ -139,7 +139,7 @@ class TopicMetadata:
     type_description_hash: str = ""
 
     def equals(self, other: TopicMetadata) -> bool:
-        """Return whether another topic is the same. The numbers may differ."""
+        """Return whether another topic is the same. The ids may differ."""
         return to_own_topic(self) == to_own_topic(other)
 
 

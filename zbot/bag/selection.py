@@ -28,12 +28,12 @@ class BadPatternError(BagError, ValueError):
 
 @dataclass(frozen=True)
 class Selection:
-    """Rules of rosbag2 that select topics. Services are recorded as topics of their calls.
+    """Rules of rosbag2 that select topics. A service's calls are recorded as a topic of events.
 
     An action is recorded as its topics and the calls of its services.
 
-    `all_topics` makes `topics`, `topic_types` and `regex` needless. The `exclude_...` rules have
-    the last word.
+    If `all_topics` is true, `topics` and `topic_types` have no effect. The `exclude_...` rules
+    override the other rules.
 
     Raises:
         BadPatternError: A regular expression is not valid.

@@ -12,10 +12,10 @@ if TYPE_CHECKING:
 
 
 def in_send_order(messages: Iterator[BagMessage], size: int) -> Iterator[BagMessage]:
-    """Yield messages by the times at which they were sent, which replace the times of recording.
+    """Yield messages in the order of sending. Their `log_ns` becomes the time of sending.
 
-    A bag is in the order of recording. A message comes too late in the result if it was recorded
-    more than `size` messages after one that was sent later.
+    The input has the order of recording, and `size` messages are sorted at a time. So a message
+    comes too late if it was recorded more than `size` messages after a message that was sent later.
     """
     waiting: list[tuple[int, int, BagMessage]] = []
     for number, one in enumerate(messages):

@@ -1,4 +1,4 @@
-"""Classes of ROS 2's `rosbag2_py` that read, write and describe bags, with its signatures."""
+"""Classes that read, write and describe bags, with the signatures of ROS 2's `rosbag2_py`."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ class SequentialReader:
 
         Raises:
             BagNotFoundError: There is nothing with this path.
-            BagReadError: It is not a bag, or cannot be read.
+            BagReadError: The path is not a bag, or the bag cannot be read.
         """
         del converter_options  # all messages are CDR
         self._bag = Reader(storage_options.uri, storage_options.storage_id)
@@ -90,22 +90,22 @@ class SequentialReader:
         return message.topic, message.data, message.log_ns
 
     def seek(self, timestamp: int) -> None:
-        """Continue with the first message at or after a time. The filter stays."""
+        """Continue with the first message at or after a time. The filter does not change."""
         self._next = None
         self._messages = self._opened().messages(None, timestamp, self._end_ns)
 
     def set_filter(self, storage_filter: StorageFilter) -> None:
-        """Return only messages of some topics from now on."""
+        """Read only messages of some topics from now on."""
         self._filter = storage_filter.selection()
 
     def reset_filter(self) -> None:
-        """Return messages of all topics from now on."""
+        """Read messages of all topics from now on."""
         self.set_filter(StorageFilter())
 
     def set_read_order(self, order: ReadOrder) -> bool:
-        """Set the order of the messages. Return false for all orders except the default.
+        """Return whether the reader supports an order of messages.
 
-        The default is the order of the times of recording, forwards.
+        The reader supports only the default: the time of recording, with the oldest message first.
         """
         return order == ReadOrder()
 
@@ -170,7 +170,7 @@ class SequentialWriter:
         )
 
     def create_topic(self, topic: TopicMetadata) -> None:
-        """Add a topic, whose type must be known here. Raise the errors of `Writer`."""
+        """Add a topic. Its type must be known here. Raise the errors of `Writer`."""
         self._opened().create_topic(to_own_topic(topic))
 
     def write(
@@ -180,14 +180,14 @@ class SequentialWriter:
         self._opened().write_serialized(topic_name, bytes(message), time_stamp, send_time_stamp)
 
     def remove_topic(self, topic: TopicMetadata) -> None:
-        """Do nothing, because MCAP files keep their topics. It exists for programs for ROS 2."""
+        """Do nothing, because MCAP files keep their topics. It exists for programs of ROS 2."""
 
     def split_bagfile(self) -> None:
         """Begin the next file of the bag. Raise `BagWriteError` if it cannot be made."""
         self._opened().split()
 
     def take_snapshot(self) -> bool:
-        """Write the messages in memory. Return false, because this writer keeps none."""
+        """Return false, because this writer keeps no messages in memory."""
         return False
 
     def close(self) -> None:
@@ -213,7 +213,7 @@ class SequentialCompressionWriter(SequentialWriter):
     """Writer whose files are compressed.
 
     Args:
-        compression_options: What is compressed beside the chunks of MCAP files.
+        compression_options: Whether whole files or single messages are compressed.
     """
 
     def __init__(self, compression_options: CompressionOptions | None = None) -> None:
@@ -265,7 +265,7 @@ class Info:
         print(description(found, sort=sorting_method, sizes=sizes, calls=calls), end="")
 
     def get_sorting_methods(self) -> set[str]:
-        """Return the orders of topics."""
+        """Return the names of the orders in which topics can be printed."""
         return set(SORT_KEYS)
 
 
@@ -293,7 +293,7 @@ class MetadataIo:
         return metadata_text(to_own_metadata(metadata))
 
     def deserialize_metadata(self, text: str) -> BagMetadata:
-        """Return the description in YAML. Raise `BagReadError` if there is none."""
+        """Return the description in YAML. Raise `BagReadError` if the text is not a description."""
         try:
             return bag_metadata(read_metadata(text))
         except (AttributeError, KeyError, TypeError, ValueError) as error:
@@ -304,7 +304,7 @@ class Reindexer:
     """Writer of lost `metadata.yaml` files."""
 
     def reindex(self, storage_options: StorageOptions) -> None:
-        """Write the file again. Raise `BagReadError` if the bag cannot be read."""
+        """Write `metadata.yaml` again. Raise `BagReadError` if the bag cannot be read."""
         conversion.reindex(Path(storage_options.uri))
 
 
@@ -324,7 +324,7 @@ def get_registered_compressors() -> set[str]:
 
 
 def get_registered_serializers() -> set[str]:
-    """Return the converters to other serializations: none."""
+    """Return an empty set, because zbot has no converters to other serializations."""
     return set()
 
 

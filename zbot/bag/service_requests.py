@@ -1,4 +1,4 @@
-"""Calls of services and of actions with the requests in a bag."""
+"""Clients that call services and actions with the requests in a bag."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from zbot.executor.task import Future
     from zbot.node.node import Node
 
-    #: New id of each goal, and the server's response to it, by the recorded id.
+    #: For the recorded id of each goal: the new id, and the server's response to the goal.
     Goals: TypeAlias = dict[bytes, tuple[bytes, Future[Any]]]
 
 _EVENT_TYPE = "_Event"
@@ -27,11 +27,11 @@ class RequestPublisher:
         node: The node that calls. Its executor handles the responses.
         service: Name of the service.
         event_type: Type of the events, e.g. `std_srvs/srv/SetBool_Event`.
-        is_of_clients: Whether the events of clients count, instead of those of servers.
+        is_of_clients: Whether to send the requests in events of clients, not of servers.
 
     Raises:
         UnknownPackageError: The service's type is not known here.
-        UnknownInterfaceError: The same, but its package is known.
+        UnknownInterfaceError: The service's type is not known here, but its package is known.
     """
 
     def __init__(self, node: Node, service: str, event_type: str, *, is_of_clients: bool) -> None:
@@ -43,11 +43,11 @@ class RequestPublisher:
         self._is_warned = False
 
     def wait_for_server(self, timeout_s: float) -> None:
-        """Wait until a server that runs already was discovered."""
+        """Wait until a server is discovered, at most `timeout_s` seconds."""
         self._client.wait_for_service(max(timeout_s, 0))
 
     def publish(self, event: Any) -> None:
-        """Call the service if the event has a request. Nobody waits for the response."""
+        """Call the service if the event has a request. The response is not used."""
         if event.info.event_type != self._kind:
             return
         if not event.request:
@@ -72,19 +72,19 @@ class RequestPublisher:
 class GoalPublisher(RequestPublisher):
     """Client that sends the recorded requests of one of an action's services.
 
-    Each goal gets a new id, because a server refuses an id that it knows. The other requests are
-    sent when the server has accepted their goal.
+    Each goal gets a new id, because a server refuses an id that it knows. A request about a goal,
+    e.g. to cancel the goal, is sent when the server has accepted the goal.
 
     Args:
         node: The node that calls. Its executor handles the responses.
         service: Name of the service.
         event_type: Type of the events, e.g. `action_msgs/srv/CancelGoal_Event`.
-        goals: The goals that were sent. The publishers of an action share them.
-        is_of_clients: Whether the events of clients count, instead of those of servers.
+        goals: The goals that were sent. All publishers of an action share this dictionary.
+        is_of_clients: Whether to send the requests in events of clients, not of servers.
 
     Raises:
         UnknownPackageError: The service's type is not known here.
-        UnknownInterfaceError: The same, but its package is known.
+        UnknownInterfaceError: The service's type is not known here, but its package is known.
     """
 
     def __init__(

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 class SnapshotBuffer:
-    """Ring of messages with a limit of bytes and of time. One thread may use it.
+    """Ring of messages with a limit of bytes and of time. Only one thread may use the buffer.
 
     Args:
         max_bytes: Bytes of the messages. 0 means no limit.
@@ -26,7 +26,7 @@ class SnapshotBuffer:
         self._bytes = 0
 
     def add(self, message: BagMessage) -> None:
-        """Keep a message, and forget the oldest ones if a limit is reached."""
+        """Keep a message. Forget the oldest messages while a limit is exceeded."""
         self._messages.append(message)
         self._bytes += len(message.data)
         while len(self._messages) > 1 and self._is_over(message.log_ns):

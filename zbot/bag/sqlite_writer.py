@@ -35,7 +35,7 @@ CREATE TABLE messages(
     data BLOB NOT NULL);
 CREATE INDEX timestamp_idx ON messages (timestamp ASC);
 """
-# A page and its place in the log, and what a row and its index need beside the data.
+# Bytes that a row needs in addition to its data, e.g. for the index.
 _ROW_BYTES = 32
 
 
@@ -46,14 +46,15 @@ class SqliteWriter:
 
     Args:
         path: The new file.
-        ros_distro: Distribution of ROS 2 whose format this is.
+        ros_distro: Name of ROS 2's distribution that the file gets, e.g. `jazzy`.
 
     Raises:
         OSError: The file cannot be made, or it exists.
     """
 
     def __init__(self, path: Path, ros_distro: str) -> None:
-        # sqlite3 opens existing files, and its errors have no number of the system.
+        # `os.open` refuses an existing file, and its errors have the system's number. sqlite3 would
+        # open an existing file.
         os.close(os.open(path, os.O_CREAT | os.O_EXCL | os.O_RDWR, 0o666))
         self.path = path
         self._part = RecordedPart(STORAGE_ID, path)
@@ -64,7 +65,8 @@ class SqliteWriter:
             # The thread that writes is not the thread that made the object.
             self._bag = sqlite3.connect(path, check_same_thread=False, isolation_level=None)
             self._bag.execute("PRAGMA journal_mode = WAL")
-            # A commit then survives the end of the process, and needs no wait for the disk.
+            # With this setting, a commit survives the end of the process, but does not wait for the
+            # disk.
             self._bag.execute("PRAGMA synchronous = NORMAL")
             self._bag.executescript(_TABLES)
             self._bag.execute("INSERT INTO schema VALUES (?, ?)", (_SCHEMA_VERSION, ros_distro))
@@ -72,7 +74,7 @@ class SqliteWriter:
 
     @property
     def size(self) -> int:
-        """Bytes of the file so far, nearly."""
+        """Bytes of the file so far. The number is not exact."""
         return self._bytes
 
     @property
@@ -108,7 +110,7 @@ class SqliteWriter:
                 )
 
     def write(self, topic: str, data: bytes, log_ns: int, publish_ns: int) -> None:  # noqa: ARG002
-        """Add a message. sqlite3 bags have no time of sending."""
+        """Add a message without `publish_ns`, because sqlite3 bags have no time of sending."""
         with _as_os_error():
             self._bag.execute(
                 "INSERT INTO messages VALUES (NULL, ?, ?, ?)", (self._numbers[topic], log_ns, data)
@@ -117,14 +119,14 @@ class SqliteWriter:
         self._part.add_message(topic, log_ns)
 
     def flush(self) -> None:
-        """Write all messages so far into the file. They can then be read after any end."""
+        """Write all messages so far into the file. Then they survive a crash of the process."""
         with _as_os_error():
             if self._bag.in_transaction:
                 self._bag.execute("COMMIT")
             self._bag.execute("BEGIN")
 
     def close(self, custom_data: dict[str, str], ros_distro: str) -> BagMetadata:
-        """Write the end of the file, and return its description."""
+        """Write the end of the file, and return the description of the file."""
         described = self._part.metadata(custom_data, ros_distro)
         with _as_os_error(), closing(self._bag) as bag:
             bag.execute(
@@ -135,7 +137,7 @@ class SqliteWriter:
         return described
 
     def abandon(self) -> None:
-        """Close the file after an error. It keeps what the last `flush` has written."""
+        """Close the file after an error. The file keeps all messages before the last `flush`."""
         with suppress(sqlite3.Error):  # the first error is reported
             self._bag.close()
 

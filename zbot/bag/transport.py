@@ -1,4 +1,4 @@
-"""Recorder and player of ROS 2's `rosbag2_py`, with its signatures."""
+"""Recorder and player with the signatures of ROS 2's `rosbag2_py`."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ class _Cancellations:
 
     @contextlib.contextmanager
     def one(self) -> Iterator[_Cancellation]:
-        """Yield what cancels a recording or a playback."""
+        """Yield the cancellation of one recording or playback."""
         cancellation = _Cancellation()
         with self._lock:
             self._running.add(cancellation)
@@ -64,14 +64,14 @@ class _Cancellations:
                 self._running.discard(cancellation)
 
     def cancel(self) -> None:
-        """Cancel all."""
+        """Cancel all recordings or playbacks."""
         with self._lock:
             for one in self._running:
                 one.cancel()
 
 
 class _Cancellation:
-    """Order to end, which may come before there is something to end."""
+    """Cancellation of one recording or playback. `cancel` may be called before `attach`."""
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
@@ -79,7 +79,7 @@ class _Cancellation:
         self._is_cancelled = False
 
     def attach(self, end: Callable[[], None]) -> None:
-        """Call a function at `cancel`, or now if `cancel` was called already."""
+        """Let `cancel` call a function. Call it now if `cancel` was called already."""
         with self._lock:
             self._end = end
             is_cancelled = self._is_cancelled
@@ -87,7 +87,7 @@ class _Cancellation:
             end()
 
     def cancel(self) -> None:
-        """End what is attached, or what will be attached."""
+        """Call the attached function, or call the function when it is attached later."""
         with self._lock:
             self._is_cancelled = True
             end = self._end
@@ -128,7 +128,10 @@ class Player:
     def burst(
         self, storage_options: StorageOptions, play_options: PlayOptions, num_messages: int
     ) -> None:
-        """Play the first messages without pauses, then pause. 0 means all. It raises as `play`."""
+        """Start playing, publish the first messages without waiting, and then stay paused.
+
+        `num_messages` 0 means all messages. The errors are those of `play`.
+        """
         play_options.start_paused = True
         self._play(storage_options, play_options, burst=num_messages)
 

@@ -1,4 +1,4 @@
-"""Options of ROS 2's `rosbag2_py` to record and to play, with its names and defaults."""
+"""Options to record and to play, with the names and defaults of ROS 2's `rosbag2_py`."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class MessageOrder(enum.IntEnum):
 
 
 class ServiceRequestsSource(enum.IntEnum):
-    """Events whose requests are sent."""
+    """Events that contain the requests to send: those of servers or those of clients."""
 
     SERVICE_INTROSPECTION = 0
     CLIENT_INTROSPECTION = 1
@@ -33,7 +33,10 @@ class ServiceRequestsSource(enum.IntEnum):
 
 @dataclass
 class PlayOptions:
-    """How to play. Durations are seconds, and below 0 means no limit."""
+    """How to play. Durations are in seconds, but `wait_acked_timeout` is in milliseconds.
+
+    A `playback_duration` or `playback_until_timestamp` below 0 means no limit.
+    """
 
     read_ahead_queue_size: int = 1000
     node_prefix: str = ""
@@ -158,7 +161,7 @@ class RecordOptions:
 
 
 def full_name(name: str) -> str:
-    """Return a name with its leading slash."""
+    """Return a name with a leading slash."""
     return name if name.startswith("/") else f"/{name}"
 
 

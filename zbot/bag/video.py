@@ -1,4 +1,4 @@
-"""Writer of videos as AVI files with a JPEG for each picture, which all players show."""
+"""Writer of videos: AVI files with a JPEG for each picture. All players show such files."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def write_video(
         stream: A file that is open to read and write bytes.
         pictures: A JPEG for each picture, all of the same size.
         width: Width of the pictures in pixels.
-        height: Their height.
+        height: Height of the pictures in pixels.
         rate_hz: Pictures in a second, above 0.
 
     Raises:

@@ -18,8 +18,8 @@ if TYPE_CHECKING:
     from zbot.bag.metadata import TopicMetadata
     from zbot.bag.writer import Writer
 
-LOST_KEY = "lost_messages"  #: in the metadata of bags in which messages are missing
-FLUSH_S = 0.5  #: messages are in the file after this time, whatever happens to the process
+LOST_KEY = "lost_messages"  #: key in the metadata of a bag that has lost messages
+FLUSH_S = 0.5  #: period of `flush`; messages before it survive a crash of the process
 
 
 class _Order(enum.Enum):
@@ -32,11 +32,11 @@ class _Order(enum.Enum):
 class WriteQueue:
     """Queue that decouples the receiving thread from the disk.
 
-    `put` and `add_topic` may be called by one thread.
+    Only one thread may call `add_topic`, `put` and `put_all`.
 
     Args:
         writer: The bag. From now on, only the queue's thread uses it.
-        max_bytes: Messages that may wait, in bytes. 0 means no limit.
+        max_bytes: Bytes of the messages that may wait. 0 means no limit.
     """
 
     def __init__(self, writer: Writer, max_bytes: int) -> None:
@@ -46,7 +46,7 @@ class WriteQueue:
         self._items: queue.SimpleQueue[BagMessage | tuple[TopicMetadata, Definition] | _Order] = (
             queue.SimpleQueue()
         )
-        # Each number is changed by one thread only, so they need no lock.
+        # Only one thread changes each of these numbers, so they need no lock.
         self._put_bytes = self._written_bytes = 0
         self._thread = threading.Thread(target=self._run, name="zbot bag", daemon=True)
         self._thread.start()
@@ -66,13 +66,13 @@ class WriteQueue:
         return True
 
     def put_all(self, messages: Iterable[BagMessage]) -> None:
-        """Add messages, however many wait already."""
+        """Add messages without the limit `max_bytes`."""
         for one in messages:
             self._put_bytes += len(one.data)
             self._items.put(one)
 
     def split(self) -> None:
-        """Begin the next file of the bag after the messages that wait."""
+        """Begin the next file of the bag when the waiting messages are written."""
         self._items.put(_Order.SPLIT)
 
     def close(self, lost: str = "") -> None:

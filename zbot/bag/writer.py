@@ -48,20 +48,22 @@ class Writer:
         with zbot.bag.Writer("lesson") as bag:
             bag.write("/chatter", String(data="hello"))
 
-    Without `close`, e.g. after SIGKILL, the files can be read up to the last `flush`.
+    Without `close`, e.g. after SIGKILL, the files have all messages before the last `flush`.
 
     Args:
-        path: Folder of the bag, which must not exist. A file in it is `NAME_0.mcap`.
+        path: Folder of the new bag. It must not exist. The first file in it is `NAME_0.mcap`.
         storage_id: `mcap`, or `sqlite3` for programs of older versions of ROS 2.
         max_bytes: Size of a file after which the next file begins. 0 means no limit.
-        max_duration_s: Seconds of a file after which the next file begins. 0 means no limit.
-        preset: Form of the MCAP file: `zstd` (the default), `zstd_fast`, `zstd_small`, `none` or
+        max_duration_s: Duration of a file in seconds after which the next file begins. 0 means no
+            limit.
+        preset: Options of the MCAP file: `zstd` (the default), `zstd_fast`, `zstd_small`, `none` or
             `fastwrite`. The last two do not compress.
-        mcap_options: Form of the MCAP file in detail, instead of a preset.
+        mcap_options: Options of the MCAP file, instead of a preset.
         compress_messages: Compress each message. Only rosbag2 and zbot can read such bags.
         compress_files: Compress each complete file as a whole, to `NAME_0.mcap.zstd`.
         custom_data: Texts for the bag's metadata.
-        repeats_latched: Whether each further file begins with the last latched messages.
+        repeats_latched: Whether each further file begins with the last messages of transient local
+            topics.
 
     Raises:
         ValueError: `storage_id` is wrong.
@@ -102,7 +104,7 @@ class Writer:
         self._topics: dict[str, tuple[TopicMetadata, Definition]] = {}
         self._parts: list[BagMetadata] = []
         self._latched = LatchedMessages() if repeats_latched else None
-        #: Function that is called with the paths of a finished file and of the next one.
+        #: Function that is called with the paths of a finished file and of the next file.
         self.on_split: Callable[[Path, Path], None] | None = None
         self._file: StorageWriter | None = None
         self._is_closed = False
@@ -154,12 +156,13 @@ class Writer:
         """Add a topic. A topic that is known already does not change.
 
         Args:
-            topic: The topic. An empty hash of its type is replaced by the hash here.
-            definition: The definition of its type. `None` means the definition here.
+            topic: The topic. If there is no definition and no hash, this machine's hash of the type
+                is used.
+            definition: The definition of its type. `None` means this machine's definition.
 
         Raises:
-            UnknownPackageError: There is no definition here.
-            UnknownInterfaceError: The same, but the package of the type is known here.
+            UnknownPackageError: The type is not known here.
+            UnknownInterfaceError: The type is not known here, but its package is known.
             BagWriteError: The bag cannot be written, e.g. because the disk is full.
         """
         if topic.name in self._topics:
@@ -210,7 +213,7 @@ class Writer:
             self._latched.add(topic, data, sent_ns)
 
     def split(self) -> None:
-        """Finish the file, and begin the next one. Without messages, the file stays.
+        """Finish the file, and begin the next one. Do nothing if the file has no messages.
 
         Raises:
             BagWriteError: The bag cannot be written, e.g. because the disk is full.
@@ -223,11 +226,11 @@ class Writer:
             raise self._failure(error) from error
 
     def set_custom_data(self, key: str, value: str) -> None:
-        """Set a text of the bag's metadata, which are written at the end of each file."""
+        """Set a text of the bag's metadata. It is written at the end of each file."""
         self._custom_data[key] = value
 
     def flush(self) -> None:
-        """Write all messages so far into the file, so that they can be read after any end.
+        """Write all messages so far into the file, so that they survive a crash of the process.
 
         Raises:
             BagWriteError: The bag cannot be written, e.g. because its folder was removed.
@@ -322,7 +325,7 @@ class Writer:
         """Close the file after an error of the system, and return the error for the caller."""
         broken, self._file = self._file or file, None
         if broken is not None:
-            # The file may be closed, or the disk refuses this too. The first error is reported.
+            # This may fail too, e.g. if the file is closed. Only the first error is reported.
             with contextlib.suppress(OSError, ValueError):
                 broken.abandon()
         return BagWriteError(self.path, _reason(error))

@@ -1,8 +1,9 @@
 """Bridge that carries topics, services and actions between zbot and ROS 2.
 
-A side is one of the two worlds: `zbot_side` is a zbot context, and `rclpy_side` is a genuine rclpy.
-Both have the methods of `side.Side`. `carrier.py` connects two sides, and does not know what they
-are.
+A side is one of the two systems that a bridge connects. `zbot_side` uses a zbot context.
+`rclpy_side` uses a genuine rclpy, i.e. the rclpy of ROS 2 and not zbot's module of the same name.
+Both sides have the methods of `side.Side`. `carrier.py` connects two sides, and uses only these
+methods.
 """
 
 from __future__ import annotations

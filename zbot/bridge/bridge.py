@@ -1,4 +1,4 @@
-"""Bridge as a whole: a zbot node, the two sides and the carrier, until Ctrl-C."""
+"""Bridge that runs until Ctrl-C. It has a zbot node, two sides and a carrier."""
 
 from __future__ import annotations
 
@@ -40,19 +40,25 @@ class Gate(Protocol):
     """Decides which messages and requests pass from zbot to ROS 2."""
 
     def start(self) -> None:
-        """Begin to work."""
+        """Begin to decide."""
         ...
 
     def admits(self, name: str, gid: bytes) -> bool:
-        """Return whether something with this name, of the sender with this id, may pass."""
+        """Return whether a message or a request may pass.
+
+        Args:
+            name: Name of the topic or service.
+            gid: Id of the publisher or client.
+        """
         ...
 
     def close(self) -> None:
-        """End."""
+        """End the work of the gate."""
         ...
 
 
-#: Makes a gate from a context, a function that stops the robot, and one that ends the bridge.
+#: Makes a gate. The arguments are the bridge's context, a function that stops the robot, and a
+#: function that ends the bridge.
 MakeGate = Callable[[Context, Callable[[], None], Callable[[], None]], Gate]
 
 
@@ -61,7 +67,7 @@ class BridgeOptions:
     """What a bridge is asked to do."""
 
     ros_domain: int = 0  #: domain of ROS 2, 0 to 232
-    connect: str = ""  #: address of rmw_zenoh's router; by default the one of this machine
+    connect: str = ""  #: address of rmw_zenoh's router; by default, the router of this machine
     prefix: str = ""  #: namespace in zbot for all names of ROS 2, e.g. `/robot1`
     selection: Selection = field(default_factory=Selection)
     make_gate: MakeGate | None = None  #: `None`: everything passes
@@ -69,12 +75,12 @@ class BridgeOptions:
 
 
 def new_bridge_id() -> str:
-    """Return an id. The ids of bridges that start later are greater, if the clocks agree."""
+    """Return an id. A bridge that starts later has a greater id, if the machines' clocks agree."""
     return f"{time.time_ns() // 1_000_000:011x}{secrets.token_hex(2)}"
 
 
 def run_dds(options: BridgeOptions) -> None:
-    """Carry between the zbot domain of this process and DDS, until Ctrl-C or SIGTERM.
+    """Link the zbot domain of this process and DDS, until Ctrl-C or SIGTERM.
 
     Raises:
         NoRclpyError: This Python cannot import a genuine rclpy.
@@ -91,7 +97,7 @@ def run_dds(options: BridgeOptions) -> None:
 
 
 def run_rmw_zenoh(options: BridgeOptions) -> None:
-    """Carry between the zbot domain of this process and rmw_zenoh, until Ctrl-C or SIGTERM.
+    """Link the zbot domain of this process and rmw_zenoh, until Ctrl-C or SIGTERM.
 
     Raises:
         NoRouterError: The router of ROS 2 is on another machine and does not answer.
@@ -99,7 +105,7 @@ def run_rmw_zenoh(options: BridgeOptions) -> None:
     """
     if options.connect:
         given = os.environ.get(_OVERRIDE, "").rstrip(";")
-        # The variable has `;` between its settings.
+        # A `;` in the address is escaped, because `;` separates the settings in the variable.
         address = json.dumps(options.connect).replace(";", r"\u003b")
         wanted = f"connect/endpoints=[{address}]"
         os.environ[_OVERRIDE] = ";".join(filter(None, (given, wanted)))
@@ -123,7 +129,7 @@ def run_rmw_zenoh(options: BridgeOptions) -> None:
 
 
 def _node(bridge_id: str, rmw: str, domain: int | None, stack: ExitStack) -> Node:
-    """Return the bridge's node in a world of Zenoh. It ends with the stack."""
+    """Return a node of the bridge in a context of its own. The exit stack destroys both."""
     context = Context(rmw=rmw)
     context.init(domain_id=domain)
     stack.callback(context.shutdown)
@@ -155,7 +161,7 @@ class _Failure:
 
 
 def _spin(executor: SingleThreadedExecutor, failure: _Failure) -> None:
-    """Run the callbacks of the foreign node. An unexpected exception ends the bridge."""
+    """Run the callbacks of the node on ROS 2's side. An unexpected exception ends the bridge."""
     try:
         executor.spin()
     except ExternalShutdownException:
@@ -167,7 +173,7 @@ def _spin(executor: SingleThreadedExecutor, failure: _Failure) -> None:
 def _carry(
     options: BridgeOptions, node: Node, ros: Side, stack: ExitStack, failure: _Failure
 ) -> None:
-    """Carry between the domain of a node and another side, until the context is interrupted."""
+    """Link the domain of `node` and the side `ros`, until the node's context is interrupted."""
     context, log = node.context, node.get_logger()
     gate: Gate | None = None
     if options.make_gate is not None:

@@ -1,4 +1,4 @@
-"""Bridges in the graph of zbot: which there are, and what each of them shows."""
+"""Bridges in the graph of zbot, and the nodes and names that each of them shows there."""
 
 from __future__ import annotations
 
@@ -20,10 +20,10 @@ BRIDGE_ENCLAVE = "/zbot_bridge/"
 
 @dataclass
 class BridgeView:
-    """A bridge as the graph shows it."""
+    """Names that a bridge shows in the graph."""
 
     nodes: set[str] = field(default_factory=set)  #: full names of nodes of the other side
-    names: set[str] = field(default_factory=set)  #: topics and services that it carries
+    names: set[str] = field(default_factory=set)  #: topics and services that the bridge carries
 
 
 def bridge_of(token: Token) -> str | None:

@@ -1,8 +1,9 @@
-"""Carrier between two sides: it finds what is to be carried, and opens and closes the routes.
+"""Carrier between two sides. It opens and closes the routes of all topics and services.
 
-An endpoint that a bridge made is never carried on, neither by this bridge nor by another one. So a
-message makes one step at most, and comes back by no way. Where two bridges link the same two
-worlds, the bridge with the smaller id carries what both could carry.
+A route carries a topic in one direction, or offers a service of one side on the other side. Bridges
+ignore the endpoints that bridges have made. So a message crosses one bridge at most, and never
+comes back. If two bridges link the same zbot domain and the same ROS 2 domain, the bridge with the
+smaller id carries what both could carry.
 """
 
 from __future__ import annotations
@@ -31,7 +32,7 @@ if TYPE_CHECKING:
     from zbot.bridge.side import Side
     from zbot.qos import QoSProfile
 
-#: Types whose empty message means to stand still.
+#: Types of velocities. A message with only zeros stops a robot.
 _VELOCITIES = frozenset({"geometry_msgs/msg/Twist", "geometry_msgs/msg/TwistStamped"})
 _TOPIC_KINDS = (EntityKind.PUBLISHER, EntityKind.SUBSCRIPTION)
 # Several changes often come together, e.g. when a node with ten endpoints starts.
@@ -40,7 +41,7 @@ _PAUSE_S = 0.02
 
 @dataclass(frozen=True)
 class _Topic:
-    """A topic that is to be carried, with what its route depends on."""
+    """A topic to carry in one direction. A change of a value needs a new route."""
 
     name: str  #: in ROS 2
     direction: Direction
@@ -50,12 +51,12 @@ class _Topic:
 
 @dataclass(frozen=True)
 class _Service:
-    """A service that is to be offered, with what its route depends on."""
+    """A service to offer on the other side. A change of a value needs a new route."""
 
     name: str  #: in ROS 2
     direction: Direction
     type_name: str
-    node: str  #: full name of its node, in its own world
+    node: str  #: full name of the server's node, on the server's side
 
 
 _Wanted = _Topic | _Service
@@ -71,8 +72,9 @@ class Carrier:
         bridge_id: The id of this bridge, which is a part of its nodes' names.
         prefix: Namespace in zbot for all names of ROS 2, e.g. `/robot1`, or empty.
         log: Gets lines about what cannot be carried.
-        patience_s: Seconds in which another bridge in zbot may turn out to be one of the same two
-            worlds. Until then, this bridge leaves to it what it carries.
+        patience_s: In the first `patience_s` seconds, this bridge carries nothing that another
+            bridge in zbot with a smaller id carries. After this time, only bridges that ROS 2's
+            graph shows too have this effect, because they link the same two domains.
     """
 
     def __init__(
@@ -119,9 +121,9 @@ class Carrier:
         self._changed.set()
 
     def halt(self) -> None:
-        """Let everything stop that was driven: send one zero velocity to each such topic.
+        """Stop the robots: publish a zero velocity on each velocity topic that goes to ROS 2.
 
-        Any thread may call this.
+        A topic is left out if no message was carried since the last call. Any thread may call this.
         """
         for one, route in list(self._routes.items()):
             is_driven = isinstance(one, _Topic) and one.direction is Direction.OUT
@@ -136,7 +138,7 @@ class Carrier:
         return sorted((one.name, one.direction) for one in self._routes)
 
     def update(self) -> None:
-        """Compare what is carried with what is there, and open and close routes."""
+        """Compare the routes with the endpoints on both sides, and open and close routes."""
         zbot, ros = self._in_ros(self._zbot.world()), self._ros.world()
         wanted = {**self._topics(zbot, ros), **self._services(zbot, ros)}
         wanted = {one: ends for one, ends in wanted.items() if self._is_possible(one, ends)}
@@ -156,7 +158,10 @@ class Carrier:
         return self._prefix + ros_name
 
     def _in_ros(self, world: World) -> World:
-        """Return the world of zbot with the names that it has in ROS 2. Leave out other names."""
+        """Return the endpoints of zbot with their names in ROS 2, i.e. without the prefix.
+
+        Names that do not begin with the prefix are left out.
+        """
         prefix = self._prefix
         if not prefix:
             return world
@@ -190,8 +195,8 @@ class Carrier:
             for direction in Direction:
                 source, target = ends if direction is Direction.OUT else reversed(ends)
                 publishers = _of(source, EntityKind.PUBLISHER)
-                # A program waits for a subscription of ROS 2 before its first message. So the route
-                # must exist before the publisher does.
+                # A route to ROS 2 is opened as soon as ROS 2 has a subscription, because a program
+                # in zbot may wait for a subscription before it publishes its first message.
                 waiting = _of(target, EntityKind.SUBSCRIPTION)
                 is_needed = publishers or (direction is Direction.OUT and waiting)
                 if is_needed and self._selection.takes_topic(name, direction):
@@ -228,7 +233,7 @@ class Carrier:
         return wanted
 
     def _is_possible(self, wanted: _Wanted, ends: Iterable[End]) -> bool:
-        """Return whether both sides have a type. Tell it once if they do not."""
+        """Return whether both sides have the same definition of a type. If not, log it once."""
         name = wanted.type_name
         for side in (self._ros, self._zbot):
             reason = side.lack(name)
@@ -244,7 +249,7 @@ class Carrier:
         return True
 
     def _taken(self, zbot: World, ros: World) -> set[tuple[EntityKind, str]]:
-        """Return what bridges with smaller ids carry between the same two worlds."""
+        """Return what bridges with smaller ids carry between the same two domains."""
         is_patient = time.monotonic() < self._patient_until_s
         return {
             offer
@@ -299,7 +304,7 @@ class Carrier:
     # -- graph -----------------------------------------------------------------------------------
 
     def _show(self, zbot: World, ros: World, own: set[_Wanted]) -> None:
-        """Show the nodes of each side on the other, with the endpoints that this bridge carries."""
+        """Show the nodes of each side, and their carried endpoints, on the other side."""
         for direction, source, target in (
             (Direction.IN, ros, self._zbot),
             (Direction.OUT, zbot, self._ros),
@@ -314,15 +319,16 @@ class Carrier:
         return source.nodes
 
     def _shown(self, source: World, direction: Direction, own: set[_Wanted]) -> Iterator[End]:
-        """Yield what the target of a direction shows of the source.
+        """Yield the endpoints of the source side that the graph of the target side shows.
 
-        What ends in the target, e.g. a subscription of the source, needs the other direction.
+        A publisher is shown if its topic is carried from the source to the target. A subscription
+        or a client is shown if its topic or service is carried from the target to the source.
         """
         back = Direction.OUT if direction is Direction.IN else Direction.IN
         rename = self._in_zbot if direction is Direction.IN else _unchanged
         carried = {(one.name, isinstance(one, _Topic), one.direction) for one in own}
         for end in source.ends:
-            # The server that a route has made stands for the server of the source.
+            # A server is left out, because the server of its route is in the target's graph.
             if end.kind is not EntityKind.SERVICE:
                 way = direction if end.kind is _PUBLISHER else back
                 if (end.name, end.kind in _TOPIC_KINDS, way) in carried:
@@ -343,7 +349,7 @@ class Carrier:
                 continue
             source, target = (zbot, ros) if one.direction is Direction.OUT else (ros, zbot)
             if target is zbot:
-                continue  # in zbot, all profiles fit together
+                continue  # in zbot, all QoS profiles are compatible
             publishers = [e for e in source.ends if (e.kind, e.name) == (_PUBLISHER, one.name)]
             ends = [e for e in target.ends if (e.kind, e.name) == (_SUBSCRIPTION, one.name)]
             for text in mismatches(publishers, ends):
@@ -361,7 +367,7 @@ _PUBLISHER, _SUBSCRIPTION = EntityKind.PUBLISHER, EntityKind.SUBSCRIPTION
 def _by_name(
     zbot: World, ros: World, kinds: tuple[EntityKind, ...]
 ) -> dict[str, tuple[list[End], list[End]]]:
-    """Return the ends of some kinds on each side, by name."""
+    """Return the endpoints of some kinds by name: those of zbot, and those of ROS 2."""
     found: dict[str, tuple[list[End], list[End]]] = defaultdict(lambda: ([], []))
     for index, world in enumerate((zbot, ros)):
         for end in world.ends:
@@ -379,7 +385,7 @@ def _of(ends: list[End], kind: EntityKind) -> list[End]:
 
 
 def _offer(wanted: _Wanted) -> tuple[EntityKind, str]:
-    """Return what the graph of zbot shows if a bridge carries this."""
+    """Return the endpoint that the graph of zbot shows if a bridge carries `wanted`."""
     into = wanted.direction is Direction.IN
     if isinstance(wanted, _Topic):
         return (_PUBLISHER if into else _SUBSCRIPTION), wanted.name

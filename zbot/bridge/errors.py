@@ -38,7 +38,7 @@ class CallError(BridgeError):
     """A service call that the bridge carried failed.
 
     Attributes:
-        kind: `no_server`, `server_gone`, or the kind of error that the other side told.
+        kind: `no_server`, `server_gone`, or the kind of error that the other side has reported.
         message: Why it failed.
     """
 

@@ -1,4 +1,4 @@
-"""QoS profiles of a bridge, made from those of the publishers whose messages it carries."""
+"""QoS profiles of a bridge's endpoints, made from the profiles of the endpoints that it links."""
 
 from __future__ import annotations
 
@@ -23,10 +23,11 @@ if TYPE_CHECKING:
 def profiles(
     publishers: Sequence[QoSProfile], subscriptions: Sequence[QoSProfile], queue: int
 ) -> tuple[QoSProfile, QoSProfile]:
-    """Return the profiles of a topic's subscription on one side and publisher on the other side.
+    """Return the profile of the subscription on one side, and of the publisher on the other side.
 
-    The other side gets what all publishers promise. Without publishers, it gets what all
-    subscriptions ask for. The subscription keeps `queue` messages, because it has to take all.
+    Both profiles promise what all `publishers` promise. Without publishers, both profiles satisfy
+    all `subscriptions`. The depth of the subscription is at least `queue`, because the subscription
+    must not lose messages while the bridge is busy.
     """
     promised = publishers or subscriptions
     is_reliable = all(one.reliability is not ReliabilityPolicy.BEST_EFFORT for one in publishers)
@@ -35,7 +36,7 @@ def profiles(
     depth = max([DEPTH, *depths])
     reliability = ReliabilityPolicy.RELIABLE if is_reliable else ReliabilityPolicy.BEST_EFFORT
     durability = DurabilityPolicy.TRANSIENT_LOCAL if is_latched else DurabilityPolicy.VOLATILE
-    # Each latched publisher has messages of its own for a late subscription.
+    # Each transient local publisher keeps at least one message for late subscriptions.
     kept = max(depth, len(publishers)) if is_latched else depth
     return (
         QoSProfile(depth=max(queue, kept), reliability=reliability, durability=durability),
@@ -49,7 +50,7 @@ def _agree(found: Sequence[QoSProfile], *, latched: bool) -> bool:
 
 
 def mismatches(publishers: Iterable[End], subscriptions: Iterable[End]) -> list[str]:
-    """Return a sentence for each pair of ends that DDS would not connect."""
+    """Return a sentence for each publisher and subscription that DDS would not connect."""
     subscriptions = list(subscriptions)
     found = []
     for publisher in publishers:

@@ -1,4 +1,4 @@
-"""Graph of a genuine ROS 2, read by polling: rclpy cannot wait for changes of it."""
+"""Graph of ROS 2, which is read at intervals, because rclpy cannot wait for changes."""
 
 from __future__ import annotations
 
@@ -22,18 +22,18 @@ if TYPE_CHECKING:
 
 # rclpy's name of a node whose name did not arrive yet
 _UNKNOWN = "_NODE_NAME_UNKNOWN_"
-# All publishers of a process begin with the same bytes: the DDS participant's.
+# The ids of all publishers of a process begin with the same bytes: the id of the DDS participant.
 _PARTICIPANT = slice(0, 12)
-# The counts stay the same if a node ends and another begins in between.
+# Period of full reads. `_read_fingerprint` does not notice if an endpoint replaces another one.
 _FULL_S = 2.0
 _HASH_BEGIN = "RIHS01_"
 
 
 class RclpyGraph:
-    """Reader of the graph that a genuine node sees. Only one thread uses it.
+    """Reader of the graph that a node of ROS 2's own rclpy sees. Only one thread may use it.
 
     Args:
-        node: The bridge's genuine node.
+        node: The bridge's node of ROS 2's own rclpy.
     """
 
     def __init__(self, node: Any) -> None:
@@ -42,8 +42,8 @@ class RclpyGraph:
         self._next_full_s = 0.0
         self._is_complete = False
         self.world = World()
-        self._bridges: set[bytes] = set()  #: participants that are bridges, with this one
-        self._natives: set[bytes] = set()
+        self._bridges: set[bytes] = set()  #: DDS participants of bridges, also of this bridge
+        self._natives: set[bytes] = set()  #: other DDS participants
 
     def update(self) -> bool:
         """Read the graph if it may have changed. Return whether it has changed."""
@@ -66,7 +66,7 @@ class RclpyGraph:
         return topics, counts, services, sorted(node.get_node_names_and_namespaces())
 
     def is_of_bridge(self, topic: str, gid: bytes) -> bool | None:
-        """Return whether a bridge published a message, or `None` if it is not known yet."""
+        """Return whether a bridge published a message, or `None` if the sender is not known yet."""
         participant = gid[_PARTICIPANT]
         if participant in self._natives:
             return False
@@ -135,14 +135,14 @@ def _end(kind: EntityKind, topic: str, info: Any) -> End:
         fully_qualified(info.node_namespace, info.node_name),
         topic,
         info.topic_type,
-        # Older releases send no hash, and rclpy then returns zeros.
+        # Older releases of ROS 2 send no hash, and rclpy then returns zeros.
         text if text.removeprefix(_HASH_BEGIN).strip("0") else "",
         to_zbot(info.qos_profile),
     )
 
 
 def to_zbot(theirs: Any) -> QoSProfile:
-    """Return a genuine profile as one of zbot. DDS does not tell the depth of others."""
+    """Convert a profile of rclpy. DDS does not send the depth. A missing depth is `DEPTH`."""
     return QoSProfile(
         history=HistoryPolicy.KEEP_LAST,
         depth=theirs.depth or DEPTH,
@@ -164,7 +164,7 @@ def _duration(theirs: Any) -> Duration:
 
 
 def to_genuine(rclpy_qos: Any, profile: QoSProfile) -> Any:
-    """Return a profile of zbot as a genuine one."""
+    """Convert a profile of zbot to a profile of rclpy."""
     return rclpy_qos.QoSProfile(
         depth=profile.depth,
         reliability=rclpy_qos.ReliabilityPolicy[profile.reliability.name],

@@ -1,4 +1,4 @@
-"""Import of a genuine rclpy, and of the genuine classes of messages and services."""
+"""Import of ROS 2's own rclpy (not zbot's), and of ROS 2's classes of messages and services."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ from zbot.bridge.errors import NoRclpyError
 
 
 def import_rclpy() -> Any:
-    """Return the genuine module `rclpy`.
+    """Return ROS 2's own module `rclpy`.
 
     Raises:
-        NoRclpyError: It is not installed here, or a part of it cannot be loaded.
+        NoRclpyError: rclpy is not installed here, or a part of rclpy cannot be loaded.
     """
     try:
         rclpy = importlib.import_module("rclpy")
@@ -25,9 +25,9 @@ def import_rclpy() -> Any:
 
 
 def genuine_class(type_name: str) -> type[Any] | None:
-    """Return ROS 2's class of a message or service, or `None` if ROS 2 does not have it here.
+    """Return ROS 2's class of a message or service, or `None` if this Python has no such class.
 
-    The name may be that of a part of an action, e.g. `pkg/action/Fibonacci_SendGoal`.
+    The name may belong to a part of an action, e.g. `pkg/action/Fibonacci_SendGoal`.
     """
     package, kind, name = type_name.split("/")
     try:

@@ -1,6 +1,6 @@
-"""Loop that waits for data of a genuine rclpy and takes it, in a thread of its own.
+"""Loop that waits for data of ROS 2's own rclpy and takes the data, in a thread of its own.
 
-rclpy's executors make an object of each message, and need several times as long.
+rclpy's executors are several times slower, because they make a Python object of each message.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 Kind = Literal["subscription", "client", "service"]
 
-# A wait takes the wait set's lock in C, so `close` can only come in between.
+# A wait holds the wait set's lock in C, so `close` can only work between two waits.
 _LONGEST_WAIT_NS = 250_000_000
 
 
@@ -26,17 +26,17 @@ class Waiting:
 
     kind: Kind
     handle: Any  #: rclpy's handle, which has a `pointer`
-    take: Callable[[], None]  #: takes what is there
+    take: Callable[[], None]  #: takes the data that has arrived
 
 
 class Loop:
     """Wait loop over entities. `add`, `remove` and `call_soon` may be called from any thread.
 
     Args:
-        rclpy_module: The genuine module.
-        context: A genuine context.
-        tick: Called every `period_s` in the loop's thread.
-        period_s: Seconds.
+        rclpy_module: ROS 2's own module `rclpy`.
+        context: A context of this rclpy.
+        tick: Called every `period_s` seconds in the loop's thread.
+        period_s: Time between two calls of `tick`, in seconds.
         on_error: Called with the exception that ends the loop.
     """
 
@@ -88,7 +88,7 @@ class Loop:
         self.call_soon(forget)
 
     def close(self) -> None:
-        """End the thread, after all calls that were given to it."""
+        """End the thread when all functions of `call_soon` were called. Wait for the end."""
         self.call_soon(self._end)
         if self._thread.is_alive():
             self._thread.join()
@@ -124,7 +124,7 @@ class Loop:
                 waiting.take()
 
     def _wait(self, wait_set: Any, due_s: float) -> list[Waiting]:
-        """Return the entities that have data, at most when the next tick is due."""
+        """Wait until an entity has data or the next tick is due. Return entities with data."""
         entities = self._entities
         wait_set.clear_entities()
         for one in entities["subscription"]:

@@ -1,4 +1,4 @@
-"""Side of a bridge that is a genuine rclpy, and so usually DDS."""
+"""Side of a bridge that uses ROS 2's own rclpy, which usually uses DDS."""
 
 from __future__ import annotations
 
@@ -25,13 +25,13 @@ _GRAPH_S = 0.2
 # A message may come before ROS 2 tells which node sent it. The bridge keeps it at most this long.
 _UNKNOWN_SENDER_S = 3.0
 _NO_SERVER_S = 3.0
-# Messages that are taken before other topics have their turn.
+# Largest number of messages that are taken from a topic before it is the turn of other topics.
 _BATCH = 100
 _GONE = "the node in ROS 2 that has the service is gone"
 
 
 class RclpySide:
-    """A genuine rclpy as a side of a bridge.
+    """Side of a bridge that uses ROS 2's own rclpy.
 
     Args:
         bridge_id: The bridge's id, a part of the node's name.
@@ -86,12 +86,12 @@ class RclpySide:
         self._tickers.append(tick)
 
     def not_at_tick(self, tick: Callable[[], None]) -> None:
-        """Stop to call a function."""
+        """Stop calling a function."""
         if tick in self._tickers:
             self._tickers.remove(tick)
 
     def watch(self, changed: Callable[[], None]) -> None:
-        """Call a function after each change, in the loop's thread."""
+        """Call a function after each change of the graph, in the loop's thread."""
         self._changed = changed
 
     def world(self) -> World:
@@ -118,7 +118,7 @@ class RclpySide:
     def server(
         self, name: str, type_name: str, node: str, serve: Callable[[bytes, Answer], None]
     ) -> _Server:
-        """Offer a service. In the graph of ROS 2, the bridge's own node has it."""
+        """Offer a service. In the graph of ROS 2, the service belongs to the bridge's node."""
         del node
         return _Server(self, name, _class(type_name), serve)
 
@@ -233,7 +233,7 @@ class _Sender:
 
 
 class _Server:
-    """Server of a service, whose requests are passed on as bytes."""
+    """Server of a service. It passes requests on as bytes."""
 
     def __init__(
         self,
@@ -259,7 +259,7 @@ class _Server:
             self._serve(data, _RclpyAnswer(self, header.request_id))
 
     def close(self) -> None:
-        """Stop to offer the service."""
+        """Stop offering the service."""
         destroy = partial(self.side.node.destroy_service, self._entity)
         self.side.loop.remove(self._waiting, destroy)
 
@@ -271,7 +271,7 @@ class _RclpyAnswer:
         self._server, self._request_id = server, request_id
 
     def reply(self, data: bytes) -> None:
-        """Send the response, in the loop's thread, which also destroys the server."""
+        """Send the response in the loop's thread, because this thread also destroys the server."""
         self._server.side.loop.call_soon(partial(self._reply, data))
 
     def _reply(self, data: bytes) -> None:
@@ -285,7 +285,7 @@ class _RclpyAnswer:
             server.side.log.warning(f"{server.name}: ROS 2 does not take a response: {error}")
 
     def fail(self, error: CallError) -> None:
-        """Log the error, because a service of ROS 2 has no way to tell it."""
+        """Log the error, because a service of ROS 2 cannot send an error to its client."""
         self._server.side.log.warning(
             f"{self._server.name}: a node of ROS 2 called this service, and the call failed, so "
             f"the node gets no answer: {error.message}"
@@ -307,13 +307,13 @@ class _Caller:
         side.at_tick(self._check)
 
     def call(self, request: bytes, answer: Answer) -> None:
-        """Send a request, as soon as the server is found."""
+        """Send a request as soon as the server is found."""
         with self._lock:
             self._unsent.append((time.monotonic(), request, answer))
         self._side.loop.call_soon(self._check)
 
     def _check(self) -> None:
-        """Send what waits for the server. Let calls fail whose server is gone."""
+        """Send the requests that wait for the server. If the server is gone, let calls fail."""
         if not self._pending and not self._unsent:
             return
         if self._handle.service_server_is_available():
@@ -352,7 +352,7 @@ class _Caller:
             answer.reply(self._side.serialization.serialize_message(response))
 
     def close(self) -> None:
-        """Leave the service. Calls that wait fail."""
+        """Leave the service. Calls without a response fail."""
         self._side.not_at_tick(self._check)
         self._side.loop.remove(self._waiting, self._destroy)
 
@@ -365,7 +365,7 @@ class _Caller:
 
 
 def _events(kind: str) -> Any:
-    """Return no callbacks for events: the bridge tells about mismatches itself."""
+    """Return an object without callbacks for events, because the bridge logs mismatches itself."""
     events = importlib.import_module("rclpy.event_handler")
     return getattr(events, f"{kind}EventCallbacks")(use_default_callbacks=False)
 

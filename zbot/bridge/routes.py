@@ -33,8 +33,8 @@ class RateLimit:
         """Return whether a message may pass if it comes at `now_s` (seconds)."""
         if now_s < self._due_s:
             return False
-        # The due times keep their distance, so the rate is right even if messages come a little
-        # late. After a pause, they begin again.
+        # The next due time is counted from the last due time, so the rate is right even if messages
+        # come a little late. After a pause, the next due time is counted from now.
         self._due_s = max(self._due_s, now_s - self._period_s) + self._period_s
         return True
 
@@ -57,9 +57,10 @@ class TopicRoute:
         Args:
             topic: Name on the first side, name on the second side, and type.
             sides: The side from which messages come, and the side to which they go.
-            profiles: Of the subscription on the first side, and of the publisher on the second.
+            profiles: Profile of the subscription on the first side, and of the publisher on the
+                second side.
             convert: Converts a message's bytes, or `None` if both sides have the same format.
-            hertz: Limit of the rate, or 0.
+            hertz: Largest number of messages in a second, or 0 without a limit.
             log: Gets a line for the first message that cannot be converted.
         """
         self._name, other_name, type_name = topic
@@ -86,7 +87,7 @@ class TopicRoute:
         self._has_passed = True
 
     def send_once(self, data: bytes) -> None:
-        """Publish the bridge's own message if the route has carried one since the last call."""
+        """Publish a message, if the route has carried messages since the last call."""
         if self._has_passed:
             self._has_passed = False
             self._sender.send(data)
@@ -141,7 +142,7 @@ class ServiceRoute:
         )
 
     def close(self) -> None:
-        """End the route. Calls that wait fail."""
+        """End the route. Calls without an answer fail."""
         self._server.close()
         self._caller.close()
 

@@ -37,7 +37,7 @@ class Pattern:
 
     @classmethod
     def parse(cls, text: str) -> Pattern:
-        """Return the pattern in `/camera/*`, `/scan:in` or `/cmd_vel:out`.
+        """Return the pattern in a text such as `/camera/*`, `/scan:in` or `/cmd_vel:out`.
 
         Raises:
             PatternError: The direction is not `in` or `out`, or there is no name.
@@ -61,7 +61,7 @@ def patterns(texts: Iterable[str] | None) -> tuple[Pattern, ...]:
 
 
 def read_rate(text: str) -> tuple[Pattern, float]:
-    """Return the pattern and the rate (hertz) in `/camera/*=5`.
+    """Return the pattern and the rate (hertz) in a text such as `/camera/*=5`.
 
     Raises:
         PatternError: The rate is missing or is not a number above 0.
@@ -78,10 +78,11 @@ def read_rate(text: str) -> tuple[Pattern, float]:
 
 @dataclass(frozen=True)
 class Selection:
-    """What a bridge carries. The names are those in ROS 2.
+    """Patterns for what a bridge carries. They are compared with the names in ROS 2.
 
-    Without patterns, it carries everything except for what every node has. If there is a pattern
-    for topics, services or actions, it carries only names that a pattern selects.
+    Without patterns, the bridge carries everything except for hidden names and for the topics and
+    services that every node has. If there is a pattern for topics, services or actions, the bridge
+    carries only the names that a pattern selects.
     """
 
     topics: tuple[Pattern, ...] = ()
@@ -125,11 +126,11 @@ class Selection:
         if self._is_everything:
             return usual
         for one in wanted:
-            # A pattern with a star does not select hidden names and what every node has.
+            # Hidden names, and topics and services of every node, need a pattern without `*`.
             if one.matches(name, direction) and (usual or "*" not in one.text):
                 return True
         return False
 
     def rate(self, name: str, direction: Direction) -> float:
-        """Return how often a second a topic's messages are carried, or 0 without a limit."""
+        """Return a topic's largest rate (messages per second), or 0 without a limit."""
         return next((hz for one, hz in self.rates if one.matches(name, direction)), 0.0)

@@ -1,4 +1,4 @@
-"""Side of a bridge: what the carrier needs from each of the two worlds."""
+"""Side of a bridge: the interface through which the carrier uses zbot and ROS 2."""
 
 from __future__ import annotations
 
@@ -17,10 +17,11 @@ if TYPE_CHECKING:
 
 #: First part of the name of a bridge's node. The rest is the bridge's id.
 NODE_PREFIX = "_zbot_bridge_"
-#: depth where the other side does not tell its own
+#: depth of a QoS profile if the other side does not report its depth
 DEPTH = 10
-# Messages that wait while the bridge is busy. A profile's depth is for one subscription, but the
-# bridge has to take all messages. A message with sequences may be large.
+# Number of messages that can wait while the bridge is busy. The depth in a node's profile may be
+# too small, because the bridge must not lose messages. A message with sequences may be large, so
+# fewer such messages can wait.
 _QUEUE = 1000
 _QUEUE_OF_SEQUENCES = 100
 
@@ -37,7 +38,7 @@ class End:
     type_name: str
     type_hash: str = field(default="", compare=False)  #: empty if unknown
     qos: QoSProfile = field(default_factory=lambda: QoSProfile(depth=DEPTH), compare=False)
-    qos_key: str = ""  #: makes ends with different profiles different
+    qos_key: str = ""  #: makes endpoints with different profiles unequal
 
     def __post_init__(self) -> None:
         if not self.qos_key:
@@ -48,7 +49,7 @@ class End:
 class World:
     """Nodes and endpoints of a side, at one moment."""
 
-    nodes: frozenset[str] = frozenset()  #: full names of nodes that are no bridges
+    nodes: frozenset[str] = frozenset()  #: full names of nodes, except for those of bridges
     ends: frozenset[End] = frozenset()  #: endpoints of these nodes
     #: for each other bridge, by its id: the kinds and names that it offers on this side
     bridges: Mapping[str, frozenset[tuple[EntityKind, str]]] = field(default_factory=dict)
@@ -58,7 +59,7 @@ class Entity(Protocol):
     """Endpoint that a bridge has on a side."""
 
     def close(self) -> None:
-        """Leave the side."""
+        """Remove the endpoint."""
         ...
 
 
@@ -76,7 +77,7 @@ class Sender(Entity, Protocol):
 
 
 class Answer(Protocol):
-    """Answer that a request waits for. Any thread may call the methods, once."""
+    """Answer to a request. One of the methods is called once, in any thread."""
 
     def reply(self, data: bytes) -> None:
         """Send the response."""
@@ -96,13 +97,13 @@ class Caller(Entity, Protocol):
 
 
 class Side(Protocol):
-    """One of the two worlds of a bridge. The carrier's thread calls the methods."""
+    """zbot or ROS 2, as the carrier uses it. The carrier's thread calls the methods."""
 
-    label: str  #: the world in a sentence: `zbot`, `ROS 2`
-    format: Format  #: of the bytes of messages
+    label: str  #: name of the side in messages for users: `zbot` or `ROS 2`
+    format: Format  #: format of messages as bytes
 
     def world(self) -> World:
-        """Return what is there now, without this bridge's own endpoints."""
+        """Return the present nodes and endpoints, without those that bridges have made."""
         ...
 
     def watch(self, changed: Callable[[], None]) -> None:
@@ -141,7 +142,7 @@ class Side(Protocol):
         ...
 
     def close(self) -> None:
-        """Leave the world."""
+        """Leave zbot or ROS 2."""
         ...
 
 

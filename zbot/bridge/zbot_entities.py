@@ -1,4 +1,4 @@
-"""Endpoints of a bridge on the side of zbot, which send and receive bytes as they are."""
+"""Endpoints of a bridge on the side of zbot. They send and receive bytes as they are."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from zbot.node.node import Node
     from zbot.wire.tokens import EndpointToken
 
-#: First bytes of the ids of publishers that bridges have. Bridges do not carry their messages.
+#: First bytes of the id of a bridge's publisher. Bridges do not carry messages with such an id.
 BRIDGE_MARK = b"zbridge\0"
 
 
@@ -53,7 +53,7 @@ class RawPublisher(Publisher[Any]):
 
     @property
     def is_heard(self) -> bool:
-        """Whether there is a subscription, or a later one may get the messages."""
+        """Whether there is a subscription, or a later subscription may get the messages."""
         publisher = self._publisher
         if publisher is None:
             return False
@@ -78,7 +78,7 @@ class RawPublisher(Publisher[Any]):
 
 
 class RawSubscription:
-    """Subscription that takes messages in the bytes of the context's dialect."""
+    """Subscription that receives messages as bytes, in the format of the context's dialect."""
 
     def __init__(
         self,
@@ -163,7 +163,7 @@ class RawServer(Service[bytes, bytes]):
         )
 
     def close(self) -> None:
-        """Stop to offer the service."""
+        """Stop offering the service."""
         if self in self._handle.services:
             self._handle.services.remove(self)
         self._handle.ready_queue.remove(self)
@@ -219,7 +219,7 @@ class RawCaller:
         self._calls.discard(call)
 
     def close(self) -> None:
-        """Leave the graph. Calls that wait fail."""
+        """Leave the graph. Calls without a reply fail."""
         self.client.destroy()
         for call in list(self._calls):
             call.end(None)

@@ -1,4 +1,4 @@
-"""Side of a bridge that is a zbot context. The context may also speak another dialect of Zenoh."""
+"""Side of a bridge that is a zbot context. The context may also use the dialect of rmw_zenoh."""
 
 from __future__ import annotations
 
@@ -38,10 +38,10 @@ class ZbotSide:
 
     Args:
         node: The bridge's node. Its name is `NODE_PREFIX` and the bridge's id.
-        label: The world in a sentence.
+        label: Name of the side in messages for users.
         wire_format: Format of the bytes in the context's dialect.
-        admits: Called with the name and the sender's id of each message and request. It returns
-            whether this may pass. `None` lets everything pass.
+        admits: Called with the topic or service and the sender's id of each message or request.
+            Returns whether the message or request may pass. `None` lets everything pass.
     """
 
     def __init__(
@@ -62,7 +62,7 @@ class ZbotSide:
         self._nodes: dict[str, tuple[NodeToken, Announcement]] = {}
         self._ends: dict[End, Announcement] = {}
         self._known_types: set[str] = set()
-        self._lacks: dict[str, tuple[frozenset[str], str]] = {}  # who was asked, and the reason
+        self._lacks: dict[str, tuple[frozenset[str], str]] = {}  # asked nodes, and the reason
         self._context.graph.watch()
         self._context.graph.add_listener(self._on_change)
 
@@ -98,7 +98,8 @@ class ZbotSide:
     def lack(self, type_name: str) -> str:
         """Return why zbot has no definition of a type. Ask the nodes of the domain first.
 
-        The nodes are asked again when there are others. The other side may also learn the type.
+        This method asks again when there are other nodes, or when zbot has learned the type from
+        the other side.
         """
         if type_name in self._known_types:
             return ""
@@ -129,7 +130,7 @@ class ZbotSide:
     def receiver(
         self, name: str, type_name: str, qos: QoSProfile, receive: Callable[[bytes], None]
     ) -> RawSubscription:
-        """Subscribe to a topic, without an own token in the graph."""
+        """Subscribe to a topic. The subscription itself has no token in the graph."""
         cls = get_interface(type_name)
         admits = None if self._admits is None else partial(self._admits, name)
         return RawSubscription(
@@ -140,7 +141,7 @@ class ZbotSide:
         )
 
     def sender(self, name: str, type_name: str, qos: QoSProfile) -> RawPublisher:
-        """Return a publisher of bytes, without an own token in the graph."""
+        """Return a publisher of bytes. The publisher itself has no token in the graph."""
         token = self._token("", EntityKind.PUBLISHER, name, type_name, qos)
         return RawPublisher(self._node, get_interface(type_name), token)
 
@@ -206,7 +207,7 @@ class ZbotSide:
         return self._context.dialect.with_key(token)
 
     def close(self) -> None:
-        """Withdraw what was announced."""
+        """Withdraw all announced nodes and endpoints."""
         self._context.graph.remove_listener(self._on_change)
         if not self._context.is_closed:
             self.show(frozenset(), frozenset())

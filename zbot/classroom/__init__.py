@@ -1,1 +1,1 @@
-"""Classes of students, and hubs. Each machine's hub (a Zenoh router) dials one common hub."""
+"""Classes of students, and hubs. Each machine's hub (a Zenoh router) connects to one common hub."""

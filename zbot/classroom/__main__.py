@@ -1,7 +1,7 @@
 """Hub in the background. `zbot join` and `zbot class start` run `python -m zbot.classroom ROLE`.
 
-The hub reads its settings and secrets from files that only its user can read. Its command line
-contains the role, but no other settings and no secrets.
+The hub reads its settings and secrets from files that only its user can read. The command line
+contains only the role.
 """
 
 from __future__ import annotations

@@ -71,7 +71,8 @@ def own_addresses() -> list[str]:
     """Return this machine's IPv4 addresses without loopback. The default route's address is first.
 
     The function sends nothing, because all addresses come from the operating system. Addresses that
-    an interface gives itself because no server gave it one (169.254.x.x) are last.
+    an interface has chosen itself (169.254.x.x) are last. Interfaces do so if no server assigns an
+    address.
     """
     found = [_source_towards(probe) for probe in _PROBES] + _addresses_of_interfaces()
     known = dict.fromkeys(address for address in found if address)

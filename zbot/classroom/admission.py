@@ -56,7 +56,7 @@ class AdmissionRequest:
     host: str  #: the laptop's host name
     name: str | None = None  #: the student's name
     number: int | None = None  #: the student's number, or `None` if the class shall choose it
-    is_new: bool = False  #: whether the student is not in the list, although a similar name is
+    is_new: bool = False  #: whether a similar name in the list is another student
 
     @classmethod
     def of(cls, document: Document) -> AdmissionRequest:
@@ -96,7 +96,8 @@ class AdmissionService:
         class_name: The class's name, which `hello` returns.
         pin: The class's PIN. Empty if the class has no PIN.
         register: The numbers of the class.
-        is_own_hub: Takes what a laptop has dialled, and returns whether this is the class's hub.
+        is_own_hub: Takes the identity of the hub that a laptop has connected to (see
+            `hub_identity`), and returns whether this hub is the class's hub.
         credentials: Takes a number and returns the credentials that its laptop needs for the hub.
         changed: Called with a student's number after the register has changed.
         is_here: Takes a number, and returns whether its laptop is connected now.

@@ -35,7 +35,7 @@ class ConnectedLaptop:
     version: str = ""
     system: str = ""
     last_error: dict[str, Any] | None = field(default=None)
-    clock_offset_s: float | None = None  #: its clock minus the teacher's
+    clock_offset_s: float | None = None  #: the laptop's clock minus the teacher's
 
 
 class Attendance:
@@ -47,7 +47,7 @@ class Attendance:
         self._lock = threading.Lock()
         self._serving: HubProcess | None = None
         self._watched: dict[int, Any] = {}
-        self._unconfirmed: set[int] = set()  #: numbers of laptops that were here before a reopening
+        self._unconfirmed: set[int] = set()  #: laptops that were here before the hub was reopened
         self._confirm_until_s = 0.0
         self._arrivals: queue.SimpleQueue[tuple[int, bool] | None] = queue.SimpleQueue()
 
@@ -56,7 +56,7 @@ class Attendance:
         with self._lock:
             self._serving = serving
             self._watched.clear()
-            # A laptop may have left while the hub was closed, and then nobody reports it.
+            # A laptop may have left while the hub was closed. Zenoh does not report this.
             self._unconfirmed = {n for n, one in self._laptops.items() if one.is_here}
             self._confirm_until_s = time.monotonic() + _RETURN_S
         self.nodes.watch(serving)
@@ -103,7 +103,7 @@ class Attendance:
             return self._laptops.setdefault(number, ConnectedLaptop())
 
     def _drop_unconfirmed(self) -> None:
-        """Note as lost the laptops that have not returned since the hub was reopened."""
+        """Note that missing laptops are gone, if 5 s have passed since the hub was reopened."""
         if time.monotonic() > self._confirm_until_s:
             for number in self._unconfirmed & self._laptops.keys():
                 laptop = self._laptops[number]

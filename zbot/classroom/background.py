@@ -94,7 +94,7 @@ def find() -> RunningHub | None:
     try:
         return RunningHub(**read_json_object(_state_path().read_text(encoding="utf-8")))
     except (OSError, ValueError, TypeError):
-        return None  # it is starting or ending
+        return None  # the hub is starting or ending
 
 
 def _is_locked() -> bool:
@@ -134,9 +134,9 @@ def report_ready() -> None:
 
 
 def end_router() -> None:
-    """End the router of this machine's domain after the machine has joined or left something.
+    """End the router of this machine's domain after the machine has joined or left a class or hub.
 
-    The router has the former user name and the former port of the hub. Programs start another.
+    The router has the former user name and the former port of the hub. Programs start a new router.
     """
     with contextlib.suppress(DomainIdError):
         domain = config.domain_id()

@@ -105,7 +105,7 @@ class _Counter:
             self._count += 1
 
     def rate_hz(self, window_s: float) -> float:
-        """Return the mean rate. With 0 or 1 message, it is that number divided by `window_s`."""
+        """Return the mean rate. With 0 or 1 message, return this number divided by `window_s`."""
         with self._lock:
             if self._count < 2:
                 return self._count / window_s

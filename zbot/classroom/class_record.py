@@ -1,4 +1,4 @@
-"""Record of an open class. Its file survives a restart of the teacher's machine."""
+"""Record of an open class, in a file. So the class survives a restart of the teacher's machine."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ class RecordError(ClassroomError, ValueError):
 
 @dataclass
 class ClassRecord:
-    """An open class."""
+    """Data of an open class."""
 
     name: str
     master: str = field(repr=False)  #: the key from which every user's secret is derived
@@ -74,14 +74,14 @@ class ClassRecord:
         return hmac.new(self.master.encode(), user.encode(), hashlib.sha256).hexdigest()
 
     def hub_id(self, number: int) -> str:
-        """Return the Zenoh id of a student's hub, in lower-case hex digits. The first is not 0."""
+        """Return the Zenoh id of a student's hub in lower-case hex digits. It begins with `f`."""
         return "f" + self._student_secret("hub of ", number)[:_ID_DIGITS]
 
     def credentials(self, number: int) -> dict[str, str]:
         """Return the credentials with which the teacher's hub accepts a student's laptop.
 
-        With a PIN, they are the id of the laptop's hub, a user name and a secret. Without a PIN,
-        they are only the id: a Zenoh program then needs no secret.
+        With a PIN, the credentials are the id of the laptop's hub, a user name and a secret.
+        Without a PIN, they are only the id, because a Zenoh program then needs no secret.
         """
         found = {"hub_id": self.hub_id(number)}
         if self.pin:

@@ -112,9 +112,10 @@ class Classroom:
         return found
 
     def _is_own_hub(self, dialled: str) -> bool:
-        """Return whether a laptop has dialled this hub, and not a program that forwards to it.
+        """Return whether a laptop is connected to this hub itself.
 
-        Without a PIN the answer protects nothing, because such a program can join by itself.
+        Return false if the laptop is connected to a program that forwards to this hub. In a class
+        without a PIN, return true, because such a program can join by itself.
         """
         assert self._serving is not None
         if not self._record.pin:
@@ -206,7 +207,7 @@ class Classroom:
         text = f'the class "{self._record.name}" is closed'
         notice = {"text": text, "time": time.time(), "closed": True}
         self._serving.session.put(NOTICE_KEY, json.dumps(notice))
-        # The answers of the laptops come after they have received the notice.
+        # This waits until the laptops have received the notice: they answer after it.
         self._attendance.refresh()
         return {"heard": len(self._attendance.present())}
 
@@ -221,7 +222,7 @@ class Classroom:
         return {"freed": number, "name": student.name}
 
     def _robot(self, question: Document) -> Document:
-        """Remember that a robot's bridge runs, and tell the bridge who drives."""
+        """Note that a robot's bridge runs, and return the number of the student who drives."""
         return {"driver": self._robots.note(str(question.get("robot")))}
 
     def _give(self, question: Document) -> Document:
@@ -234,7 +235,7 @@ class Classroom:
             return {"error": f"no student has number {number}"}
         before = self._robots.drivers
         self._robots.give(robot, number)
-        # This comes before the hub closes for a moment, so that the robot stops immediately.
+        # This happens before `_apply` reopens the hub, so that the robot stops immediately.
         self._robots.publish(self._serving.session)
         if self._robots.drivers != before:
             self._apply()

@@ -141,7 +141,7 @@ def _checked(answer: dict[str, Any]) -> dict[str, Any]:
 
 
 def membership_from(address: Address, given: dict[str, Any]) -> Membership:
-    """Return the membership in a class's answer.
+    """Return the membership that a class's answer contains.
 
     Raises:
         KeyError: A part is missing.
@@ -165,7 +165,7 @@ def membership_from(address: Address, given: dict[str, Any]) -> Membership:
 
 
 def _word(value: object) -> str:
-    # These words become parts of Zenoh's settings and of its file of users.
+    # These words become parts of Zenoh's settings and of Zenoh's file of users.
     if not isinstance(value, str) or not _WORD.fullmatch(value):
         raise ValueError(f"{value!r} is not a word of letters and digits")
     return value

@@ -146,7 +146,7 @@ class OpenClassError(ClassroomError):
 
 
 class ConfirmationError(ClassroomError):
-    """A command would close a class, and nobody can be asked whether it should."""
+    """A command would close a class, but cannot ask the teacher to confirm this."""
 
     def __init__(self, class_name: str) -> None:
         self.class_name = class_name
@@ -167,7 +167,7 @@ class RefusedError(ClassroomError, PermissionError):
     """The class refuses this machine. The message comes from the class.
 
     Attributes:
-        kind: Why, e.g. `taken`.
+        kind: Kind of the reason, e.g. `taken`.
         known: A similar name in the teacher's list of students, or an empty text.
     """
 

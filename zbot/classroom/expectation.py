@@ -1,4 +1,6 @@
-"""Parser and check of expectations that a student's programs should meet, such as these.
+"""Parser and check of expectations about a student's programs.
+
+These are examples of expectations:
 
     publishes std_msgs/String on /student_id at >= 1 Hz
     subscribes geometry_msgs/Twist on /cmd_vel
@@ -55,7 +57,7 @@ class ExpectationError(ClassroomError, ValueError):
 class Observed(Protocol):
     """What was seen of a student's programs: a graph, or a bag.
 
-    pyright does not see that a `cached_property` is such a property.
+    pyright does not accept a `cached_property` as the property `nodes`.
     """
 
     @property
@@ -80,7 +82,7 @@ class Expectation:
 
     @property
     def has_rate(self) -> bool:
-        """Whether a rate is expected. Then messages have to be counted."""
+        """Whether a rate is expected, so that messages have to be counted."""
         return bool(self.sign)
 
     def problem(self, observed: Observed, rates_hz: Mapping[str, float]) -> str:
@@ -193,7 +195,7 @@ def _missing(kind: EntityKind, name: str, present: list[str]) -> str:
 
 
 def _same_letters(name: str, present: list[str]) -> str | None:
-    """Return a name that differs only in case, underscores or namespace, if there is any."""
+    """Return a name that differs only in case, underscores or namespace, or `None`."""
 
     def bare(one: str) -> str:
         return one.rpartition("/")[2].replace("_", "").lower()

@@ -1,8 +1,9 @@
 """Hub: a Zenoh router in a Python process that links this machine with other machines.
 
-Nodes connect on loopback only. Each domain has a meeting point (see `zbot.transport.session`). The
-meeting point dials the hub of its machine, and the hub dials one other hub at a given address. So
-hubs need no multicast, and they work even if an access point isolates its clients from each other.
+Nodes connect only on loopback, to the router of their domain (see `zbot.transport.session`). This
+router connects to the hub of its machine, and the hub connects to one other hub at a given address.
+So hubs need no multicast, and they work even if an access point isolates its clients from each
+other.
 """
 
 from __future__ import annotations
@@ -26,11 +27,11 @@ _LEASE_MS = 4000
 # Number of keep-alive messages in a lease. TCP acknowledges each message, so thirty idle laptops
 # cause 4 kB/s at the teacher's hub.
 _KEEP_ALIVES = 2
-# The pauses between two attempts to dial a hub are short, so that laptops are linked soon after the
-# hub is back. But they are not so short that a hundred laptops flood the hub.
+# Pauses between two attempts to connect to a hub. They are short, so that laptops are linked soon
+# after the hub is back, but long enough that a hundred laptops do not flood the hub.
 _RETRY = {"period_init_ms": 250, "period_max_ms": 500, "period_increase_factor": 2}
 _HANDSHAKE_MS = 3000  # long enough for TCP to repeat lost packets
-# Limit of unfinished handshakes. All laptops redial together after the teacher's hub restarts.
+# Limit of unfinished handshakes. All laptops reconnect together after the teacher's hub restarts.
 _ACCEPT_PENDING = 500
 _ADMIN_MESSAGES = ["declare_queryable", "query", "reply"]
 
@@ -61,8 +62,8 @@ def open_access() -> dict[str, Any]:
 class HubSettings:
     """Endpoints and Zenoh settings of a hub."""
 
-    listen: tuple[str, ...]  #: Zenoh endpoints (this machine's nodes dial one of them)
-    connect: tuple[str, ...] = ()  #: endpoints of the hub that this hub dials
+    listen: tuple[str, ...]  #: Zenoh endpoints (this machine's routers connect to one of them)
+    connect: tuple[str, ...] = ()  #: endpoints of the hub that this hub connects to
     extra: dict[str, Any] = field(default_factory=dict)  #: Zenoh settings that override the others
 
     def zenoh_settings(self) -> dict[str, Any]:
@@ -70,7 +71,8 @@ class HubSettings:
         return {
             "transport/link/tx/lease": _LEASE_MS,
             "transport/link/tx/keep_alive": _KEEP_ALIVES,
-            # Longest wait (microseconds) to send a reliable message. A waiting hub does not redial.
+            # Longest wait to send a reliable message, in microseconds. A waiting hub cannot
+            # reconnect.
             "transport/link/tx/queue/congestion_control/block/wait_before_close": _LEASE_MS * 1000,
             "transport/unicast/accept_pending": _ACCEPT_PENDING,
             "transport/unicast/open_timeout": _HANDSHAKE_MS,

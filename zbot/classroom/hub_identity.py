@@ -1,4 +1,4 @@
-"""Identity of a hub, which the keys of a PIN depend on: the address or certificate of the hub."""
+"""Identity of a hub: its address or certificate. The keys of the PIN check depend on it."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ def certificate_identity(fingerprint: str) -> str:
 
 
 def dialled_identity(session: zenoh.Session) -> str:
-    """Return the address that a client of a hub has dialled, such as `tcp/192.168.1.10:7447`.
+    """Return the address that a hub's client is connected to, such as `tcp/192.168.1.10:7447`.
 
     A host name is not enough, because only the laptop knows it. The link has the IP address.
     """
@@ -22,8 +22,8 @@ def dialled_identity(session: zenoh.Session) -> str:
 
 
 def own_identities(session: zenoh.Session) -> set[str]:
-    """Return the addresses at which a hub is reached now: its own end of each link.
+    """Return the addresses of a hub at which other sessions are connected now.
 
-    The link of a laptop that asks for admission is among the links.
+    The laptop that asks for admission is one of these sessions.
     """
     return {str(link.src) for link in session.info.links()}

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Invitation:
-    """What students need to join a class. Only the teacher's machine knows it."""
+    """What students need to join a class. Only the teacher's machine has an invitation."""
 
     class_name: str
     code: str | None  #: the shortest code, or `None` if no code can contain the port

@@ -3,8 +3,8 @@
 A code needs no name service and no multicast, because it is the address itself in Crockford's
 base 32. This alphabet has no I, L, O and U. The decoder reads I and L as 1, and O as 0. Four
 characters are enough for laptops whose address begins with the same 16 bits as the teacher's. Eight
-characters contain any IPv4 address and one of sixteen ports. The last four bits are a checksum. It
-finds most typing errors before a packet is sent.
+characters contain any IPv4 address and one of sixteen ports. The last four bits are a checksum,
+which finds most typing errors before a packet is sent.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ def looks_like_code(text: str) -> bool:
 
 
 def short_code(address: Address) -> str | None:
-    """Return four characters for laptops in the same /16. `None` if the port is not the default."""
+    """Return a code for laptops in the same /16, or `None` if the port is not the default port."""
     if address.port != HUB_PORT:
         return None
     number = _number(address)
@@ -68,7 +68,8 @@ def long_code(address: Address) -> str | None:
 def decode(text: str, own_addresses: Iterable[str]) -> list[Address]:
     """Return the addresses that a code can mean.
 
-    A long code means one address. A short code means at most one per network of this machine.
+    A long code means one address. A short code means at most one address in each network of this
+    machine.
 
     Args:
         text: The code as it was typed, in upper or lower case, with or without its hyphen.

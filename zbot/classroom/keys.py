@@ -7,7 +7,7 @@ from zbot.security.access import LOBBY_SPACE, STUDENT_SPACE, TEACHER_SPACE
 HERE = "here"
 ADMISSION_KEY = f"{LOBBY_SPACE}/door"  #: queries from laptops that join or leave
 NOTICES_KEY = f"{TEACHER_SPACE}/notices"  #: queries for earlier notices
-ROBOTS_KEY = f"{TEACHER_SPACE}/robots"  #: who drives each robot
+ROBOTS_KEY = f"{TEACHER_SPACE}/robots"  #: messages with the driver of each robot
 COMMAND_KEY = "@class/desk"  #: queries from the teacher's commands
 
 

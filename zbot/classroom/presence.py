@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 _ERROR_LEVEL = 40  # ERROR in rcl_interfaces/msg/Log (FATAL is 50)
 _QUEUE = 64
 _MAX_TEXT = 300
-_NOTICES_TIMEOUT_S = 1.5  # the class answers immediately, and a slow network needs more
+_NOTICES_TIMEOUT_S = 1.5  # the class answers immediately, but a slow network needs time
 _QUERY_TIMEOUT_S = 0.5
 _MAX_LOG_BYTES = 64 * 1024
 
@@ -70,7 +70,7 @@ class Presence:
         self._is_closed = document_of(sample.payload).get("closed") is True
 
     def _of_class(self) -> dict[str, Any] | None:
-        """Return the notices and the nodes that the class sees, or `None` without an answer.
+        """Return the notices and the nodes that the class sees, or `None` if the class is silent.
 
         A class does not answer a laptop that it does not accept.
         """

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 #: A connection in one building takes milliseconds, but TCP repeats a lost packet after 1 s.
 _TIMEOUT_S = 1.25
 _LOOK_UP_S = 0.3
-_LATE_S = 5.0  # by which a busy machine may run a thread late
+_LATE_S = 5.0  # longest delay of a thread on a busy machine
 _PAUSE_S = 0.05  # between attempts if the port refuses the connection
 # A machine that is on usually accepts or refuses a connection on at least one of these ports.
 _COMMON_PORTS = (22, 80, 135, 445, 5000, 7)

@@ -118,16 +118,18 @@ class Register:
             number: The requested number. If it is `None`, the laptop keeps its number. A laptop
                 with no number gets the student's number in the list, else the lowest free number.
             name: The student's name. If it is `None`, the name in the list is used, or else the
-                host name. If another student has the host name already, the number follows it.
+                host name. If another student already has this host name, the number is
+                added to the host name.
             machine: The laptop's identifier.
             host: The laptop's host name.
-            is_new: Whether the student is not in the list, although a similar name is.
+            is_new: Whether a similar name in the list is another student.
 
         Raises:
             NumberError: The number is out of range.
             TakenError: Another laptop has the number, or the list keeps it for another name.
             FullClassError: No number is free.
-            SimilarNameError: The list does not have the name, but a similar name without a laptop.
+            SimilarNameError: The name is not in the list, but a similar name is. No other laptop
+                has the number of the similar name.
         """
         if name and not is_new:
             self._check_similar(name, machine)
@@ -156,7 +158,7 @@ class Register:
             raise SimilarNameError(name, missing[guess])
 
     def _name(self, host: str, number: int) -> str:
-        """Return a name for a student who gave none. Laptops may have equal host names."""
+        """Return the name of a student without a name. Laptops may have equal host names."""
         others = {one.name for n, one in self.students.items() if n != number}
         return f"{host}-{number}" if host in others else host
 
@@ -186,7 +188,7 @@ class Register:
 
 
 def load_roster(path: Path) -> dict[int, str]:
-    """Return the names in a file that has a list of students, by number.
+    """Return the names by number from a file with a list of students.
 
     Raises:
         RosterError: The file cannot be read, or has an error (see `read_roster`).
@@ -198,7 +200,7 @@ def load_roster(path: Path) -> dict[int, str]:
 
 
 def read_roster(text: str) -> dict[int, str]:
-    """Return the names in a list of students, by number.
+    """Return the names by number from a list of students.
 
     The list has lines of `number,name` or `number;name`, with or without a heading.
 

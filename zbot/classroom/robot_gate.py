@@ -22,21 +22,23 @@ if TYPE_CHECKING:
 
 _ASK_S = 0.5
 _ANSWER_S = 1.0
-# The hub is closed for a moment when its rules change. After this time, nobody drives.
+# If the class does not answer for this time, nobody drives. The time is so long because the hub is
+# closed for a moment when its rules change.
 _LOST_S = 5.0
 
 
 class RobotGate:
-    """Knows who drives a robot, and whose messages may pass.
+    """Gate that knows the driver of a robot, and lets only the driver's messages pass.
 
-    A message names its publisher, and the publisher's session has tokens in the driver's domain.
-    Only the driver's laptop may declare tokens there. In a class whose shared space is open, a
-    student can write the name of another publisher into a message.
+    A message contains the id of its publisher. The message may pass if the publisher's session has
+    tokens in the driver's domain, because only the driver's laptop may declare tokens there. The
+    gate is not safe in a class whose shared space is open: in such a class, a student can write the
+    id of another publisher into a message.
 
     Args:
         context: The bridge's context, on the teacher's machine.
         robot: The robot's name.
-        stop: Called when a driver stops to drive, in a thread of Zenoh or of the gate.
+        stop: Called when a driver stops driving, in a thread of Zenoh or of the gate.
         end: Called when the class is closed.
     """
 
@@ -82,7 +84,7 @@ class RobotGate:
             except zenoh.ZError:
                 if self._context.is_closed:
                     return  # the bridge ends
-                answers = []  # after a while, nobody drives
+                answers = []  # after `_LOST_S`, nobody drives
             if answers and "error" not in answers[0]:
                 heard_s = time.monotonic()
                 number = answers[0].get("driver")
@@ -109,7 +111,7 @@ class RobotGate:
                     self._context.receiver(lambda sample: self._note(number, sample)),
                     history=True,
                 )
-        # Outside of the lock, because Zenoh may wait for a callback that waits for the lock.
+        # This is outside of the lock: `undeclare` may wait for a callback that waits for the lock.
         if watch is not None and not self._context.is_closed:
             watch.undeclare()
         if had_sessions:
@@ -133,7 +135,7 @@ class RobotGate:
             self._stop()  # e.g. the driver's program has ended while the robot moved
 
     def close(self) -> None:
-        """Stop to ask. Then nobody drives."""
+        """Stop asking the class. From now on, nobody drives."""
         self._is_over.set()
         if self._thread.is_alive():
             self._thread.join()

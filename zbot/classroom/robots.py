@@ -13,12 +13,13 @@ from zbot.names import nearest
 if TYPE_CHECKING:
     import zenoh
 
-# A bridge asks twice a second. While the hub reopens, it cannot ask.
+# A robot is connected if its bridge has asked within this time. A bridge asks twice a second, but
+# cannot ask while the hub reopens.
 _LOST_S = 5.0
 
 
 class Robots:
-    """Robots whose bridges ask the class, and their drivers. The class holds its lock."""
+    """Robots whose bridges ask the class, and their drivers. The caller must hold a lock."""
 
     def __init__(self) -> None:
         self._seen_s: dict[str, float] = {}
@@ -26,7 +27,7 @@ class Robots:
 
     @property
     def drivers(self) -> dict[str, int]:
-        """The number of the student who drives, by robot. A robot without a driver is left out."""
+        """The driver's number for each robot. A robot without a driver is left out."""
         return dict(self._drivers)
 
     def note(self, robot: str) -> int | None:
@@ -40,7 +41,7 @@ class Robots:
         return sorted(name for name, seen_s in self._seen_s.items() if seen_s > late_s)
 
     def give(self, robot: str, number: int | None) -> None:
-        """Give a robot to one student, or with `None` to nobody.
+        """Give a robot to one student. `None` means that nobody drives the robot.
 
         Raises:
             RobotError: No bridge of this robot runs.
@@ -59,7 +60,7 @@ class Robots:
 
 
 def driver_in(document: dict[str, Any], robot: str) -> int | None:
-    """Return the driver of a robot in what the class has published."""
+    """Return a robot's driver from what `Robots.publish` has published, or `None`."""
     drivers = document.get("drivers")
     number = drivers.get(robot) if isinstance(drivers, dict) else None
     return number if isinstance(number, int) else None

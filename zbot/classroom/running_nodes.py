@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
     from zbot.classroom.hub_process import HubProcess
 
-MAX_LISTED = 200  #: nodes of one student that are listed
+MAX_LISTED = 200  #: largest number of listed nodes of one student
 _MAX_LENGTH = 255  # characters of a name, as in ROS 2
 _NODE_TOKENS = "@zbot/*/*/*/*/NN/**"
 
@@ -25,8 +25,8 @@ _NODE_TOKENS = "@zbot/*/*/*/*/NN/**"
 class RunningNodes:
     """Names of the running nodes by domain. All methods may be called from any thread.
 
-    The names are collected while tokens come and go. A query for all tokens would last as long as
-    one student wants, because a program may declare as many tokens as it likes.
+    The names are collected while tokens come and go. A query for all tokens could last very long,
+    because a student's program may declare any number of tokens.
     """
 
     def __init__(self) -> None:
@@ -35,13 +35,13 @@ class RunningNodes:
         self._subscriber: Any = None
 
     def watch(self, serving: HubProcess) -> None:
-        """Forget all nodes, and collect those that a hub sees until it closes."""
-        names: dict[int, dict[str, str]] = {}  # an older thread writes into its own one
+        """Forget all nodes. Collect the nodes that a hub sees, until the hub closes."""
+        names: dict[int, dict[str, str]] = {}  # an older thread uses another dictionary
         with self._lock:
             self._names = names
-        # If this were a callback, Zenoh would call it while it holds the lock of the hub, and
-        # thousands of tokens together would stop the hub. A thread that reads a queue does not stop
-        # it. `history` means that tokens which exist already are reported too.
+        # The tokens go to a queue, not to a callback: Zenoh calls a callback while Zenoh holds the
+        # hub's lock, so thousands of tokens together would stop the hub. `history` means that
+        # tokens which exist already are reported too.
         self._subscriber = serving.session.liveliness().declare_subscriber(
             _NODE_TOKENS, large_queue(), history=True
         )

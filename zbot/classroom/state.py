@@ -61,7 +61,7 @@ def present_state() -> dict[str, Any]:
 def _settled_facts(joined: Membership | None, pid: int) -> tuple[dict[str, Any], str | None]:
     """Return the facts of the hub, and the problem of its link.
 
-    A hub that reconnects now is not linked for a moment, so a refusal is checked for 2 s.
+    A hub that reconnects now is not linked for a moment, so a refusal counts only after 2 s.
     """
     deadline = time.monotonic() + _RECONNECTED_S
     while True:
@@ -73,11 +73,11 @@ def _settled_facts(joined: Membership | None, pid: int) -> tuple[dict[str, Any],
 
 
 def link_problem(joined: Membership, facts: dict[str, Any]) -> str | None:
-    """Return why this machine's hub is not part of what the machine has joined, or `None`.
+    """Return why this machine's hub is not linked with the class or the other hub, or `None`.
 
     Args:
-        joined: What the machine has joined.
-        facts: The facts that its hub reports.
+        joined: This machine's membership in the class or hub.
+        facts: The facts that this machine's hub reports.
     """
     if not facts:
         return "the hub of this machine does not answer: `zbot leave` ends it"
@@ -95,7 +95,7 @@ def link_problem(joined: Membership, facts: dict[str, Any]) -> str | None:
 
 
 def certificate_problem(joined: Membership) -> str | None:
-    """Return the problem of this machine's certificate, or of the certificate of the dialled hub.
+    """Return the problem of this machine's certificate, or of the other hub's certificate.
 
     Return `None` if both certificates are valid, or if the hub does not answer.
     """
@@ -104,7 +104,7 @@ def certificate_problem(joined: Membership) -> str | None:
     except SecurityError as error:
         return str(error)
     except OSError:
-        return None  # no machine answers there
+        return None  # no machine answers at the address
     return None
 
 

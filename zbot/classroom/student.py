@@ -72,8 +72,8 @@ def join(
         target: Code or address, as the teacher gives it.
         name: The student's name.
         number: The student's number. If it is `None`, the class chooses a number.
-        is_new: Whether the student is not in the teacher's list. Otherwise the class asks if the
-            list has a similar name.
+        is_new: Whether the student is not in the teacher's list. If this is false and the list has
+            a similar name, `ask_name` is called.
         keystore: Folder of this machine's certificate. `None` means plain TCP.
         ask_pin: Takes the name of the class and returns its PIN, or `None` if it is unknown.
         ask_name: Takes the given name and a similar name in the teacher's list. Returns whether the
@@ -112,7 +112,7 @@ def join(
 def _admitted(
     request: AdmissionRequest, send: Callable[[AdmissionRequest], Membership], ask_name: AskName
 ) -> Membership:
-    """Send a request to the teacher's hub. Change it and send it again if the hub asks for this."""
+    """Send a request to the teacher's hub. After some refusals, send a changed request."""
     deadline, known = time.monotonic() + _NOTICED_S, request.machine
     while True:
         try:
@@ -125,8 +125,8 @@ def _admitted(
                 name = refusal.known if is_meant else request.name
                 request = replace(request, name=name, is_new=True)
             elif refusal.kind == "copied" and request.machine == known:
-                # The hub knows a laptop with the same id. It may be this laptop, if the hub has not
-                # noticed yet that the laptop was away.
+                # The hub sees a connected laptop with the same id. This may be this laptop itself,
+                # if the hub has not noticed yet that it was away.
                 if time.monotonic() > deadline:
                     request = replace(request, machine=secrets.token_hex(_MACHINE_BYTES))
                 time.sleep(_PAUSE_S)
@@ -182,7 +182,7 @@ def _write_machine_id(machine: str) -> None:
 def leave() -> Membership | None:
     """Release the number, end this machine's hub, and remove and return the membership.
 
-    On the teacher's machine the class is closed.
+    On the teacher's machine, this closes the class.
     """
     try:
         present = membership.load()

@@ -41,7 +41,7 @@ if TYPE_CHECKING:
     from zbot.classroom.expectation import Expectation
     from zbot.graph.snapshot import Snapshot
 
-#: Name of a class if the teacher gives none.
+#: Name of a class if the teacher gives no name.
 DEFAULT_NAME = "class"
 
 _MASTER_BYTES = 32
@@ -52,12 +52,16 @@ _ANSWER_TIMEOUT_S = 5.0
 
 @dataclass(frozen=True)
 class ClassOptions:
-    """What the teacher wants of a class. `None` and `False` mean: as it is, or the default."""
+    """Options for a class.
+
+    `None` and `False` keep the option of a class that exists. For a new class, they mean the
+    default.
+    """
 
     name: str | None = None  #: by default, the name of the class that continues, or `class`
-    port: int | None = None  #: TCP port of the hub; by default that of this machine's own hub
+    port: int | None = None  #: TCP port of the hub; by default the port of this machine's own hub
     with_pin: bool = False  #: whether students must know a PIN
-    pin: str = ""  #: the PIN that the teacher has chosen; by default a random one
+    pin: str = ""  #: the PIN that the teacher has chosen; by default a random PIN
     new_pin: bool = False  #: whether the class gets another PIN
     expected: dict[int, str] | None = None  #: names of students by number
     keystore: Path | None = None  #: folder of this machine's certificate; by default plain TCP
@@ -92,7 +96,7 @@ def start(options: ClassOptions) -> tuple[Membership, ClassRecord]:
     if runs and not options.new_pin:
         return present, record
     background.stop()
-    # A hub that runs writes the record, so it is read after the hub's end.
+    # A hub that runs writes the record, so the record is read again after the hub has ended.
     return _open(present.class_name, load_record(), options, present)
 
 
@@ -106,7 +110,7 @@ def _check_free(present: Membership | None, *, runs: bool) -> None:
 def _check_options(
     present: Membership, record: ClassRecord, options: ClassOptions, *, runs: bool
 ) -> None:
-    """Raise `OpenClassError` if the options need another class than the one that exists."""
+    """Raise `OpenClassError` if the options do not fit the class that exists."""
     if (options.with_pin or options.new_pin) and not record.pin:
         raise OpenClassError(present.class_name, "has no PIN")
     if options.pin and options.pin != record.pin and not options.new_pin:
@@ -158,7 +162,7 @@ def stop() -> Membership:
     present = membership.load()
     if present is None or present.role != "teacher":
         raise NoClassError
-    # A hub that does not run, or that does not answer, cannot tell the students.
+    # If the hub does not answer, the class is closed without a notice to the students.
     with contextlib.suppress(ClassCommandError):
         command({"op": "close"})
     background.stop()

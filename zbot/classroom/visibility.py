@@ -1,4 +1,4 @@
-"""Visibility of this machine's nodes: what it has joined, what runs on it, what its hub sees."""
+"""Visibility of this machine's nodes for the hub of the machine and for the class."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable
 
 _TIMEOUT_S = 1.0
-# The router of a new domain tries every 2 s to connect to the hub, and a hub redials within 0.5 s.
+# A new domain's router tries every 2 s to connect to the hub, and a hub reconnects within 0.5 s.
 _SETTLED_S = 4.0
 _PAUSE_S = 0.25
 
@@ -29,12 +29,12 @@ _PAUSE_S = 0.25
 class Visibility:
     """Full names of the nodes of this machine's domain. Hidden nodes are left out."""
 
-    running: frozenset[str]  #: nodes of this user's programs that use what the machine has joined
+    running: frozenset[str]  #: nodes of this user's programs that the hub and the class should see
     hub: frozenset[str]  #: nodes that this machine's hub sees
     of_class: frozenset[str] | None = field(default=None)  #: nodes that the class sees, if known
 
     def problems(self) -> list[str]:
-        """Return a sentence for each difference."""
+        """Return a sentence about the nodes that the hub, or else the class, does not see."""
         found = []
         if self.running - self.hub:
             found.append(f"the hub of this machine does not see {_listed(self.running - self.hub)}")
@@ -70,7 +70,7 @@ def visibility() -> Visibility | None:
     domain = domain_id()
     with session:
         keys = list(admin_query.tokens(session, nodes_selector(domain), _TIMEOUT_S))
-    # A class that does not answer is a problem of the link, which `zbot status` tells.
+    # If the class does not answer, `of_class` is `None`, and `zbot status` reports the problem.
     seen = (hub_facts(hub.pid).get("of_class") or {}).get("nodes")
     return Visibility(
         _running(domain),
@@ -90,7 +90,7 @@ def _running(domain: int) -> frozenset[str]:
 
 
 def names_of(keys: Iterable[str]) -> frozenset[str]:
-    """Return the full names of the nodes of some tokens. Hidden nodes are left out."""
+    """Return the full names of the nodes that some tokens announce. Hidden nodes are left out."""
     tokens: list[Any] = []
     for key in keys:
         try:

@@ -1,8 +1,9 @@
 """ROS 2's import names. After `import zbot.compat`, `import rclpy` imports zbot.
 
-`zbot run` and `zbot launch` import this before the program. In other programs, `zbot_ros2_names`
-imports it at the first import of such a name. Each folder of `packages/` is for one import name,
-and only re-exports names of zbot. A real package is used instead if it is installed.
+`zbot run` and `zbot launch` import this package before they run the program. In other programs, the
+module `zbot_ros2_names` imports this package at the first import of one of ROS 2's names. Each
+folder in `packages/` is a package with one of these names, and only imports classes and functions
+of zbot. If a real package of ROS 2 is installed, Python imports the real package instead.
 """
 
 from __future__ import annotations
@@ -39,7 +40,7 @@ class _NameFinder:
 
 
 def _is_installed(name: str) -> bool:
-    """Return whether a real package is installed. A folder without `__init__` does not count."""
+    """Return whether a real package is installed. A folder without `__init__.py` is no package."""
     for finder in sys.meta_path:
         spec = None if finder is _NameFinder else finder.find_spec(name, None)
         if spec is not None and spec.origin is not None:

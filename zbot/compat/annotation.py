@@ -38,16 +38,16 @@ ServerGoalHandleDict: TypeAlias = dict[str, object]
 QoSProfileAttributes: TypeAlias = Any
 #: Function that takes a profile and returns a `SetParametersResult`.
 QosCallbackType: TypeAlias = Callable[[Any], Any]
-#: Items that an executor yields: a task, the entity with the task's callback, and its node.
+#: Items that an executor yields: a task, the entity with the task's callback, the entity's node.
 YieldedCallback: TypeAlias = Any
-#: Class of a service, which has the attributes `Request`, `Response`.
+#: Class of a service. The class has the attributes `Request` and `Response`.
 SendGoalService: TypeAlias = Service
 GetResultService: TypeAlias = Service
 ProtocolType: Any = type(Protocol)
 
 
 class PyCapsule(Protocol):
-    """Pointer of C. zbot has no such pointers."""
+    """Pointer in rclpy's C code. zbot has no such pointers."""
 
 
 class CommonMsgSrvMetaClass(ProtocolType):  # type: ignore[misc]

@@ -1,4 +1,4 @@
-"""Node for programs that only look at the graph: ros2cli's `DirectNode`."""
+"""Node for programs that only read the graph, with the interface of ros2cli's `DirectNode`."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ NODE_NAME_PREFIX = "_ros2cli"
 class CommandNode:
     """Hidden node for a `with` block. It has all methods and attributes of a `Node`.
 
-    The graph is complete as soon as the node exists, so nothing waits for a daemon.
+    The graph is complete as soon as the node exists. So ROS 2's daemon is not necessary.
 
     Args:
-        args: Namespace that `argparse` returned. `init` gets its attribute `argv`.
-        node_name: Name of the node after its prefix. The default is the pid of the process.
+        args: Object that `argparse` returned. `init` gets the attribute `argv` of this object.
+        node_name: Name of the node after the prefix `_ros2cli_`. The default is the process's pid.
     """
 
     def __init__(self, args: Any = None, *, node_name: str | None = None) -> None:
@@ -38,7 +38,7 @@ class CommandNode:
 
     @property
     def direct_node(self) -> Self:
-        """This node, because zbot has no daemon."""
+        """This object itself, because zbot has no daemon."""
         return self
 
     def __getattr__(self, name: str) -> Any:

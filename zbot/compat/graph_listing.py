@@ -1,4 +1,7 @@
-"""Functions of ros2cli's Python packages about the graph. They skip hidden names by default."""
+"""Functions of ros2cli's Python packages about the graph.
+
+By default, they skip hidden names. A name is hidden if one of its parts begins with `_`.
+"""
 
 from __future__ import annotations
 
@@ -14,7 +17,7 @@ if TYPE_CHECKING:
     from zbot.graph.snapshot import NamesAndTypes
     from zbot.node.node import Node
 
-_STEP_S = 0.5  # longest time until a wait for the graph notices that the context has ended
+_STEP_S = 0.5  # during a wait, the time between two checks whether the context has ended
 
 
 class SeveralTypesError(ZbotError, RuntimeError):
@@ -46,7 +49,7 @@ def get_absolute_node_name(node_name: str) -> str | None:
 
 
 def parse_node_name(node_name: str) -> NodeName:
-    """Return the parts of a node's name, which may lack its first slash."""
+    """Return the parts of a node's name. The name may lack the first slash."""
     full = f"/{node_name.removeprefix('/')}"
     namespace, _, name = full.rpartition("/")
     return NodeName(name, namespace or "/", full)
@@ -157,11 +160,11 @@ def get_msg_class(
     Args:
         node: The node whose context has the graph.
         topic: Relative, `~/private` or absolute name.
-        blocking: Wait until a node uses the topic, or until the context of `node` ends.
-        include_hidden_topics: Find hidden topics too.
+        blocking: Whether to wait until a node uses the topic, or until the context of `node` ends.
+        include_hidden_topics: Whether to find hidden topics too.
 
     Raises:
-        InvalidTopicNameError: The name breaks ROS 2's grammar.
+        InvalidTopicNameError: The name does not follow ROS 2's rules.
         SeveralTypesError: The topic has several types. The error is also a RuntimeError.
     """
     name = node.resolve_topic_name(topic, only_expand=True)
@@ -179,7 +182,7 @@ def get_msg_class(
 def get_service_class(
     node: Node, service: str, blocking: bool = False, include_hidden_services: bool = False
 ) -> type[Any] | None:
-    """Return the class of a service, or None if no node serves it. See `get_msg_class`."""
+    """Return the class of a service, or None if no node has this service. See `get_msg_class`."""
     name = node.resolve_service_name(service, only_expand=True)
     if is_hidden(name) and not include_hidden_services:
         return None

@@ -1,7 +1,8 @@
 """Classes of rclpy that filter log calls, for programs that use these classes directly.
 
-zbot's own loggers store the state of `once=True` and the other filters with the call site
-(`zbot.log.call_site`). Here the rules are the same, but the caller stores the state in a context.
+zbot's own loggers store the state of each filter, e.g. of `once=True`, for each line of code that
+logs (`zbot.log.call_site`). The classes here have the same rules, but they store the state in a
+dictionary of the caller, which is the `context`.
 """
 
 from __future__ import annotations
@@ -26,7 +27,7 @@ _OWN_FILES = str(Path(zbot.__file__).parent) + os.sep
 
 
 class RcutilsLoggerContext(TypedDict):
-    """Context of a log call: the filters that it uses."""
+    """Context of a log call, with the filters that the call uses."""
 
     name: str
     severity: LoggingSeverity
@@ -34,17 +35,17 @@ class RcutilsLoggerContext(TypedDict):
 
 
 class OnceContext(RcutilsLoggerContext):
-    """Context of a call that logs once."""
+    """Context of a log call that logs only once."""
 
     has_been_logged_once: bool
 
 
 class ThrottleContext(RcutilsLoggerContext):
-    """Context of a call that is throttled."""
+    """Context of a log call that is throttled."""
 
     throttle_duration_sec: float
     throttle_time_source_type: Clock
-    throttle_last_logged: int  #: nanoseconds
+    throttle_last_logged: int  #: time of the last logged line, in nanoseconds
 
 
 class SkipFirstContext(RcutilsLoggerContext):
@@ -54,7 +55,7 @@ class SkipFirstContext(RcutilsLoggerContext):
 
 
 class LoggingFilterArgs(TypedDict, total=False):
-    """Options of log calls for filters."""
+    """Options of log calls that belong to filters."""
 
     once: bool
     throttle_duration_sec: float
@@ -63,7 +64,7 @@ class LoggingFilterArgs(TypedDict, total=False):
 
 
 class LoggingFilterParams(TypedDict, total=False):
-    """Options of a filter with their defaults. An option without a default is `None`."""
+    """Options of a filter and their defaults. `None` means that an option has no default."""
 
     once: bool | None
     throttle_duration_sec: float | None
@@ -85,12 +86,12 @@ class _CallerId(NamedTuple):
 
 
 class CallerId(_CallerId):
-    """Call site of a log call. It is the given frame, or the innermost frame outside of zbot."""
+    """Line of code that logs. It is in the given frame, or in the innermost frame outside zbot."""
 
     __slots__ = ()
 
     def __new__(cls, frame: FrameType | None = None) -> CallerId:
-        """Find the call site."""
+        """Find the line of code."""
         found = frame or sys._getframe(1)  # noqa: SLF001 - inspect's way takes 100 times as long
         while frame is None and found.f_code.co_filename.startswith(_OWN_FILES) and found.f_back:
             found = found.f_back
@@ -100,7 +101,7 @@ class CallerId(_CallerId):
 
 
 class LoggingFilter:
-    """Base class of the filters. It lets all lines pass."""
+    """Base class of the filters. This class itself skips no calls."""
 
     #: Options of the filter and their defaults. An option whose default is `None` is required.
     params: ClassVar[LoggingFilterParams] = {}
@@ -120,7 +121,7 @@ class LoggingFilter:
 
     @staticmethod
     def should_log(context: Any) -> bool:  # noqa: ARG004 - the other filters use it
-        """Return whether the call may log now, and record the call in the context."""
+        """Return whether the call may log now, and store in the context that it was called."""
         return True
 
 
@@ -131,7 +132,7 @@ class Once(LoggingFilter):
 
     @classmethod
     def initialize_context(cls, context: Any, **kwargs: Any) -> None:
-        """Add the filter's options to a call's context, and record that the call has not logged."""
+        """Add the filter's options to a call's context, and store that the call has not logged."""
         super().initialize_context(context, **kwargs)
         context["has_been_logged_once"] = False
 
@@ -152,7 +153,7 @@ class Throttle(LoggingFilter):
 
     @classmethod
     def initialize_context(cls, context: Any, **kwargs: Any) -> None:
-        """Add the filter's options to a call's context, and record that the call has not logged.
+        """Add the filter's options to a call's context, and store that the call has not logged.
 
         Raises:
             NotAClockError: `throttle_time_source_type` is not a clock.
@@ -182,19 +183,19 @@ class SkipFirst(LoggingFilter):
 
     @classmethod
     def initialize_context(cls, context: Any, **kwargs: Any) -> None:
-        """Add the filter's options to a call's context, and record that no call was skipped."""
+        """Add the filter's options to a call's context, and store that no call was skipped."""
         super().initialize_context(context, **kwargs)
         context["first_has_been_skipped"] = False
 
     @staticmethod
     def should_log(context: Any) -> bool:
-        """Return whether this is not the first call."""
+        """Return False for the first call, and True for every later call."""
         skipped: bool = context["first_has_been_skipped"]
         context["first_has_been_skipped"] = True
         return skipped
 
 
-#: The filters by name, in the order in which they are applied.
+#: The filters, in the order in which they are applied. The keys are their names.
 supported_filters: OrderedDict[SupportedFiltersKeys, type[LoggingFilter]] = OrderedDict()
 supported_filters["throttle"] = Throttle
 supported_filters["skip_first"] = SkipFirst

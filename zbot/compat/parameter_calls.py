@@ -81,7 +81,10 @@ def call_get_parameters(
 def call_set_parameters(
     *, node: Node, node_name: str, parameters: Sequence[Parameter]
 ) -> SetParameters.Response:
-    """Set a node's parameters. The response has a result for each. See `call_get_parameters`."""
+    """Set a node's parameters. The response has one result for each parameter.
+
+    See `call_get_parameters`.
+    """
     request = SetParameters.Request(parameters=list(parameters))
     response: SetParameters.Response = _answer(node, SetParameters, node_name, request)
     return response

@@ -1,10 +1,10 @@
-"""Plugin of pytest for launch tests: files of `launch_testing`, functions of `launch_pytest`.
+"""Plugin of pytest for launch tests: files of `launch_testing` and functions of `launch_pytest`.
 
 If zbot is installed, pytest loads this plugin by its entry point. The plugin has no effect on files
 without such tests.
 
-`ros2 pkg create` puts tests into each package that run ROS 2's linters, e.g. `ament_flake8`. Where
-a linter is not installed, these tests are skipped, so that the other tests run.
+`ros2 pkg create` adds tests to each package. These tests run ROS 2's linters, e.g. `ament_flake8`.
+If a linter is not installed, this plugin skips the linter's test, so that the other tests run.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ _LINTERS = {
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Register the marks."""
+    """Register the marks and the finder of linters."""
     sys.meta_path.append(_LinterFinder)
     for line in (
         "launch_test: the function describes the launch for the test cases of its file",
@@ -51,19 +51,22 @@ def pytest_unconfigure() -> None:
 
 @pytest.hookimpl(trylast=True)
 def pytest_sessionfinish(session: pytest.Session, exitstatus: int) -> None:
-    """Succeed if all that pytest found was skipped because a linter is missing."""
+    """Set exit code 0 if pytest has no tests only because it skipped the tests of linters."""
     if exitstatus == pytest.ExitCode.NO_TESTS_COLLECTED and _LinterFinder.skipped:
         session.exitstatus = pytest.ExitCode.OK
 
 
 class _LinterFinder:
-    """Finder that skips the test file that imports a linter of ROS 2 that is not installed."""
+    """Finder that skips a test file if the file imports a linter of ROS 2 that is not installed."""
 
     skipped: ClassVar[set[str]] = set()
 
     @classmethod
     def find_spec(cls, fullname: str, path: object = None, _: object = None) -> None:
-        """Skip the file if the name is that of a linter. Other finders did not find it."""
+        """Skip the file if the name belongs to a linter.
+
+        Python calls this finder last. So no other finder has found the linter.
+        """
         if path is None and fullname in _LINTERS:
             cls.skipped.add(fullname)
             pytest.skip(f"{fullname} is a linter of ROS 2: zbot lacks it", allow_module_level=True)
@@ -75,7 +78,7 @@ def pytest_pycollect_makemodule(
     """Return a collector for a file with one of the marks, or `None` for other files."""
     text = module_path.read_text(encoding="utf-8", errors="replace")
     if "generate_test_description" not in text or not any(mark in text for mark in _MARKS):
-        return None  # avoids imports for files that do not need them
+        return None  # such a file is not imported here, because it contains no launch test
     module: pytest.Module = pytest.Module.from_parent(parent, path=module_path)
     function = getattr(module.obj, "generate_test_description", None)
     marks = {mark.name for mark in getattr(function, "pytestmark", [])}
@@ -135,7 +138,7 @@ class _FailedCasesError(Exception):
 def pytest_pycollect_makeitem(
     collector: pytest.Module | pytest.Class, name: str, obj: Any
 ) -> list[pytest.Item] | None:
-    """Return the items of a function that is marked with `launch`. They use the mark's fixture."""
+    """Return the items of a function with the mark `launch`. The items use the mark's fixture."""
     marks = [mark for mark in getattr(obj, "pytestmark", []) if mark.name == "launch"]
     if not marks or isinstance(obj, type) or not collector.funcnamefilter(name):
         return None
@@ -207,7 +210,7 @@ def _skipped(collector: pytest.Module | pytest.Class, name: str) -> pytest.Item:
 
 @pytest.hookimpl(trylast=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Order each launch's tests: first the tests during the launch, then the tests after it."""
+    """Order each launch's tests: the tests during the launch run before the tests after it."""
     places: defaultdict[Any, list[int]] = defaultdict(list)
     for place, item in enumerate(items):
         stage = item.stash.get(_STAGE, None)

@@ -1,8 +1,8 @@
-"""Functions in place of rclpy's C classes, from which programs build their own `Waitable`.
+"""Functions that replace rclpy's C classes. With them, programs build their own `Waitable`.
 
-Each function returns the handle of an object of zbot that no executor serves. The program adds the
-handle to its wait set, and takes messages or requests from the handle. A subscription, service or
-client is destroyed with its node.
+Each function creates an object of zbot, and returns its handle. No executor runs the callbacks of
+this object. Instead, the program adds the handle to its wait set, and gets messages or requests
+from the handle. A subscription, service or client is destroyed together with its node.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 class _Own:
-    """Options of an object that has its own ready queue, in place of the node's queue."""
+    """Options of an object that uses its own ready queue, and not the node's queue."""
 
     def __init__(self, node: NodeState) -> None:
         self.options: dict[str, Any] = {
@@ -91,6 +91,6 @@ def Timer(  # noqa: N802 - rclpy's name of a class
     period_nsec: int,
     autostart: bool = True,
 ) -> timer.TimerHandle:
-    """Return the handle of a timer. It makes the waitable ready every period."""
+    """Return the handle of a timer. The timer makes the waitable ready after each period."""
     group = ReentrantCallbackGroup()
     return timer.Timer(None, group, period_nsec, clock, ReadyQueue(), autostart=autostart).handle

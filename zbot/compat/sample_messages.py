@@ -14,7 +14,9 @@ _SEQUENCE_LENGTH = 3  # for sequences without a bound
 
 
 def sample_messages(name: str) -> list[Any]:
-    """Return messages of a type: one with default, one with highest, one with lowest values.
+    """Return three messages of a type: with the default, with the highest and the lowest values.
+
+    The list has only one message if the type has no fields.
 
     Args:
         name: The type's full name, e.g. `test_msgs/msg/Arrays`.
@@ -66,4 +68,4 @@ def _scalar(kind: FieldType, *, is_high: bool) -> Any:
         return is_high
     if kind.base == "byte":
         return b"\xff" if is_high else b"\x00"
-    return 1.125 if is_high else -2.125  # exact in both sizes of float
+    return 1.125 if is_high else -2.125  # float32 and float64 contain exactly these values

@@ -15,10 +15,10 @@ if TYPE_CHECKING:
 class CallbackGroup:
     """Decides whether a callback may begin while other callbacks of its group are running.
 
-    A program's own group defines `can_execute`, `beginning_execution` and `ending_execution`. If
-    the group refuses an entity, the executor asks again after its next callback, or when another
-    thread wakes the executor. An executor may also reserve and release the group for an entity
-    that has no work.
+    A program may have its own subclass, which defines `can_execute`, `beginning_execution` and
+    `ending_execution`. If such a group refuses an entity, the executor asks the group again after
+    the next callback, or when another thread wakes the executor. An executor may also reserve and
+    release the group for an entity that has no work.
     """
 
     def __init__(self) -> None:
@@ -41,7 +41,7 @@ class CallbackGroup:
         raise NotImplementedError
 
     def ending_execution(self, entity: Any) -> list[Any] | None:
-        """Release the group. Return the entities that wait for it, if the group knows them."""
+        """Release the group. Return the entities that wait, or `None` if they are unknown."""
         raise NotImplementedError
 
 
@@ -66,7 +66,7 @@ class MutuallyExclusiveCallbackGroup(CallbackGroup):
 
     def __init__(self) -> None:
         super().__init__()
-        self._lock = threading.RLock()  # re-entrant: a signal handler may take it
+        self._lock = threading.RLock()  # re-entrant, because a signal handler may use it
         self._active: Any = None
         self._waiting: dict[Any, None] = {}  # in the order of their requests
 
@@ -107,8 +107,8 @@ _KNOW_WAITING = {ReentrantCallbackGroup, MutuallyExclusiveCallbackGroup}
 class GroupReservations:
     """Reserves callback groups for an executor's entities.
 
-    It keeps the entities that a program's own group refused, because such a group does not list
-    them.
+    This object keeps the entities that a program's own group refused, because such a group does not
+    keep them itself.
     """
 
     def __init__(self) -> None:
@@ -138,7 +138,7 @@ class GroupReservations:
         return group.dismiss() if isinstance(group, MutuallyExclusiveCallbackGroup) else []
 
     def drain(self) -> Iterator[Any]:
-        """Yield and forget the entities that groups refused. Each one goes to one thread only."""
+        """Yield and forget the entities that groups refused. Each goes to one thread only."""
         with contextlib.suppress(IndexError):
             for _ in range(len(self._entities)):
                 yield self._entities.popleft()

@@ -1,4 +1,4 @@
-"""Stack of the callbacks that a thread runs, with functions to call when they end."""
+"""Stack of the callbacks that a thread runs, with functions to call when a callback ends."""
 
 from __future__ import annotations
 

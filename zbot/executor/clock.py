@@ -54,7 +54,7 @@ class SleepContext(Protocol):
 
 
 class ClockChange(enum.IntEnum):
-    """Whether a jump is a change between system time and simulated time."""
+    """Kinds of jumps: a change between system time and simulated time, or no such change."""
 
     ROS_TIME_NO_CHANGE = 1  #: simulated time before and after
     ROS_TIME_ACTIVATED = 2
@@ -198,7 +198,8 @@ class Clock:
         self._clock_type = clock_type
         self._is_steady = clock_type is ClockType.STEADY_TIME
         self._source_changes = 0  # how often the source of time changed
-        # No lock is used: it could block a signal handler. List changes and copies are atomic.
+        # No lock is used, because it could block a signal handler. A lock is not needed, because
+        # Python changes a list in one atomic step, and copies a list in one atomic step.
         self._jumps: list[JumpHandle] = []
         self._changes: list[TimeChangeHandle] = []
 
@@ -244,7 +245,8 @@ class Clock:
 
         Args:
             threshold: The jumps for which the functions are called.
-            pre_callback: Called before the time changes. If it raises, the time does not change.
+            pre_callback: Called before the time changes. If this function raises an exception, the
+                time does not change.
             post_callback: Called with a `TimeJump` after the time changed.
 
         Raises:
@@ -261,7 +263,7 @@ class Clock:
         """Call a quick function after simulated time was set, activated or deactivated.
 
         The thread that sets the time calls the function. Clocks without simulated time never call
-        it.
+        the function.
         """
         return TimeChangeHandle(self, callback)
 
@@ -272,11 +274,12 @@ class Clock:
 
         Args:
             until: A time of the same clock type.
-            context: Its shutdown ends the sleep. If left out, the default context is used.
+            context: The shutdown of this context ends the sleep. If left out, the default context
+                is used.
 
         Returns:
-            Whether the time was reached. It is `False` if the context was shut down. It is also
-            `False` if simulated time was activated or deactivated: `until` has no meaning then.
+            `True` if the time was reached. `False` if the context was shut down, or if simulated
+            time was activated or deactivated, because `until` has no meaning after that.
 
         Raises:
             ClockTypeError: `until` is of another clock type.
@@ -298,7 +301,7 @@ class Clock:
 
     def _sleep(self, until_ns: int, context: SleepContext) -> bool:
         # A signal handler may wake the thread that it interrupted. Only SimpleQueue promises that
-        # this is safe. It also keeps a wake-up that comes before the wait.
+        # this is safe. A SimpleQueue also keeps a wake-up that comes before the wait.
         wakeups: queue.SimpleQueue[None] = queue.SimpleQueue()
 
         def wake() -> None:
@@ -324,7 +327,7 @@ class Clock:
 
 
 class ROSClock(Clock):
-    """A node's clock. It has simulated time while that is active, and system time otherwise."""
+    """A node's clock. It has system time, or simulated time while `ros_time_is_active` is true."""
 
     def __new__(cls, *, clock_type: ClockType = ClockType.ROS_TIME) -> Self:
         """Create a clock of ROS time. Every other type is an error."""

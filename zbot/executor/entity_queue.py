@@ -28,7 +28,8 @@ class EntityQueue:
         self._groups = GroupReservations()
         self._timers = TimerQueue()
         self._wakeup = BinarySemaphore()
-        # Whether the running entity goes back to the queue after its present callback.
+        # Whether the running entity goes back to the queue after its present callback. Otherwise
+        # the entity's next callback runs immediately.
         self._must_requeue = True
 
     def _post(self, entity: Entity) -> None:
@@ -36,7 +37,8 @@ class EntityQueue:
         self._wakeup.set()
 
     def _queue(self, entity: Entity) -> None:
-        # One entry is enough. It is removed before the entity is asked for work: no post is lost.
+        # One entry for each entity is enough. No post is lost, because the entry is removed before
+        # the entity is asked for work.
         if entity not in self._queued:
             self._queued.add(entity)
             self._ready.append(entity)
@@ -62,7 +64,7 @@ class EntityQueue:
             self._forward(entity, ready_queue)
             return None
         if not self._groups.reserve(entity):
-            return None  # it is posted again when the group is free
+            return None  # the entity is queued again when the group is free
         taken = entity.take()
         if taken is not None:
             return entity, taken
@@ -94,8 +96,8 @@ class EntityQueue:
         """Remove entities from the queue and from the timers."""
         self._must_requeue = True
         self._timers.forget(entities)
-        # Other threads may post and take during this loop. So it takes each entity from the front
-        # once, in atomic steps, and puts back the entities that stay.
+        # Other threads may add and remove entities during this loop. So the loop removes each
+        # entity from the front once, in atomic steps. Then the loop posts the entities that stay.
         for _ in range(len(self._ready)):
             entity = EntityQueue._pop_ready(self)
             if entity is not None:

@@ -45,7 +45,7 @@ class MultiThreadedExecutor(Executor):
         if self._num_threads == 1:
             one = "a MultiThreadedExecutor with one thread runs one callback at a time"
             warnings.warn(f"{one}; use a SingleThreadedExecutor, or more threads", stacklevel=2)
-        # rclpy's name: programs read the number of threads from it.
+        # This is rclpy's name, because programs read the number of threads from this attribute.
         self._executor = ThreadPoolExecutor(self._num_threads, thread_name_prefix="zbot executor")
         self._failures: deque[BaseException] = deque()
         self._idle = threading.Condition()
@@ -86,13 +86,14 @@ class MultiThreadedExecutor(Executor):
             raise self._failures.popleft()
 
     def _wait_for_callback_end(self, deadline_ns: int | None) -> None:
-        """Wait in a callback until another callback ends. The spinning thread starts callbacks."""
+        """Wait until another callback ends. A callback that calls `spin_once` waits here."""
         left = None if deadline_ns is None else (deadline_ns - time.monotonic_ns()) / 1e9
         with self._idle:
             self._idle.wait(left)
 
     def _is_spun_by_other_thread(self) -> bool:
-        # Between two calls of `spin_once` no thread spins. A callback must not spin then either.
+        # A callback must not spin this executor. This is also true if no thread spins the executor
+        # at the moment, e.g. between two calls of `spin_once`.
         return threading.get_ident() in self._workers or super()._is_spun_by_other_thread()
 
     def _must_stop(self, stop: Callable[[], bool] | None) -> bool:

@@ -18,7 +18,7 @@ class Entity(Protocol):
 
     @property
     def ready_queue(self) -> ReadyQueue | None:
-        """The ready queue of its node, or `None` for an entity of the executor itself."""
+        """The ready queue of the entity's node, or `None` for an entity of the executor itself."""
 
     @property
     def due_ns(self) -> int | None:
@@ -28,18 +28,19 @@ class Entity(Protocol):
         """Return one piece of work, or `None`. The executor's thread calls this."""
 
     def execute(self, taken: Any, /) -> Any:
-        """Run the user's callback with the object that `take` returned. May return a coroutine."""
+        """Run the user's callback with the object from `take`. This may return a coroutine."""
 
 
 class ReadyQueue:
-    """Passes posts to a node's executor. A post says that an entity of the node may have work.
+    """Gives posts to a node's executor. A post says that an entity of the node may have work.
 
-    A post without an executor is lost. When the next executor is attached, it asks every entity for
-    work. Entities keep their work themselves, so a post contains no data and may come too often.
+    If the node has no executor, a post is lost. When an executor is attached, every entity is
+    posted once. Entities keep their work themselves, so a post contains no data, and extra posts do
+    no harm.
     """
 
     def __init__(self) -> None:
-        self._lock = threading.RLock()  # re-entrant: a signal handler may take it
+        self._lock = threading.RLock()  # re-entrant, because a signal handler may use it
         self._entities: list[Entity] = []
         self._deliver: Callable[[Entity], None] | None = None
         self._attached: Callable[[Entity], None] | None = None
@@ -95,7 +96,7 @@ class ReadyQueue:
             self._choose_delivery()
 
     def _choose_delivery(self) -> None:
-        # The function is chosen here, so that a post needs no check for watchers. They are rare.
+        # The function is chosen here, so that a post needs no check for watchers, which are rare.
         self._deliver = self._deliver_and_notify if self._watchers else self._attached
 
     def _deliver_and_notify(self, entity: Entity) -> None:

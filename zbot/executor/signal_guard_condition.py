@@ -14,13 +14,14 @@ if TYPE_CHECKING:
 
 
 class SignalHandlerGuardCondition(GuardCondition):
-    """Guard condition that Ctrl-C and SIGTERM trigger. They wake a `WaitSet` that contains it.
+    """Guard condition that Ctrl-C and SIGTERM trigger. So they wake a `WaitSet` that waits for it.
 
     Args:
-        context: The context that must be alive. If left out, the default context is used.
+        context: A context that is initialised and not shut down. If left out, the default context
+            is used.
 
     Raises:
-        NotInitializedError: The context is not alive.
+        NotInitializedError: The context is not initialised, or it was shut down.
     """
 
     def __init__(self, context: Context | None = None) -> None:

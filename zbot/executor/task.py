@@ -1,4 +1,7 @@
-"""Futures, and tasks that run functions and coroutines step by step in an executor."""
+"""Futures, and tasks that run functions and coroutines step by step in an executor.
+
+A step of a coroutine ends at the next `await` that has to wait.
+"""
 
 from __future__ import annotations
 
@@ -34,7 +37,7 @@ _FINISHED = FutureState.FINISHED
 
 
 class _CurrentStep(threading.local):
-    """The asyncio event loop, if any, that was running when this thread's present step began."""
+    """The asyncio event loop that was running when this thread's present step began, if any."""
 
     loop: object = None
 
@@ -55,8 +58,8 @@ def _running_loop() -> object:
 class Future(Generic[T]):
     """A result that comes later. `await` it, or give it to `spin_until_future_complete`.
 
-    If the future has an executor, its done callbacks run there. Otherwise they run in the thread
-    that completes the future.
+    If the future has an executor, the executor runs the done callbacks. Otherwise the thread that
+    completes the future runs them.
 
     Args:
         executor: Runs the done callbacks. It may be left out.
@@ -65,7 +68,7 @@ class Future(Generic[T]):
     def __init__(self, *, executor: Any = None) -> None:
         # A weak reference avoids a reference cycle, because the executor refers to its tasks.
         self._executor = None if executor is None else weakref.ref(executor)
-        self._lock = threading.RLock()  # re-entrant: a signal handler may take it
+        self._lock = threading.RLock()  # re-entrant, because a signal handler may use it
         self._state = _PENDING
         self._result: T | None = None
         self._exception: BaseException | None = None
@@ -79,7 +82,7 @@ class Future(Generic[T]):
         return self.result()
 
     def cancel(self) -> None:
-        """Mark as cancelled and run the done callbacks. Do nothing if the future is over."""
+        """Cancel the future and run its done callbacks. Do nothing if the future is over."""
         self._complete(_CANCELLED)
 
     def cancelled(self) -> bool:
@@ -122,7 +125,10 @@ class Future(Generic[T]):
         self._run(callback)
 
     def add_waker(self, waker: Callable[[], object]) -> None:
-        """Call a quick function in the completing thread. If the future is over, call it now."""
+        """Call a quick function when the future is over, in the thread that completes the future.
+
+        If the future is over already, call the function immediately.
+        """
         with self._lock:
             if not self.is_over:
                 self._wakers.append(waker)
@@ -247,8 +253,8 @@ class Task(Future[T]):
 
     def _resume_after(self, awaited: object) -> None:
         if isinstance(awaited, Future):
-            # This is a waker. A done callback would run in the future's executor, but the task must
-            # continue in its own executor.
+            # `_schedule` is added as a waker. A done callback would run in the future's executor,
+            # but the task must continue in its own executor.
             awaited.add_waker(self._schedule)
         else:
             self._schedule()

@@ -51,7 +51,7 @@ class TimerInfo:
 
 
 class Timer:
-    """Calls a function every period. Made by `Node.create_timer`.
+    """Calls a function every period. `Node.create_timer` creates timers.
 
     A late timer calls the function once, skips the missed periods, and keeps its period boundaries.
     So delays do not add up. With a simulated clock the timer follows `/clock`. With other
@@ -63,7 +63,7 @@ class Timer:
         period_ns: Nanoseconds, 0 or more.
         clock: Clock of the `TimerInfo`. If the clock is simulated, the timer follows it.
         ready_queue: The node's ready queue.
-        autostart: Whether the timer runs before the first `reset()`.
+        autostart: Whether the timer starts now. Otherwise `reset()` starts the timer.
     """
 
     def __init__(
@@ -132,18 +132,18 @@ class Timer:
         self._next_ns = self._last_ns + self._period_ns
 
     def _on_time_change(self) -> None:
-        # A step forward does not restart the timer. Otherwise a timer would never be due if its
-        # period is shorter than the steps of `/clock`.
+        # A jump forward does not restart the timer. Each message of `/clock` is such a jump. If its
+        # length is more than the period, a timer that is restarted each time would never be due.
         is_simulated, now = self._is_simulated, self._now_ns()
         if is_simulated is not self._was_simulated or now < self._last_ns:
             self._restart()
             self.ready_queue.post(self)
         elif now >= self._next_ns and not self._is_canceled:
-            # The timer is posted only when it is due, and not at each step of `/clock`.
+            # The timer is posted only when it is due, and not at each message of `/clock`.
             self.ready_queue.post(self)
 
     def take(self) -> TimerInfo | None:
-        """Return the call that is due, and schedule the next call. Return `None` if none is due."""
+        """Return the call that is due and schedule the next call, or return `None`."""
         now = self._now_ns()
         if self._is_canceled or now < self._next_ns:
             return None
@@ -208,7 +208,10 @@ class Timer:
         return self._now_ns() - self._last_ns
 
     def time_until_next_call(self) -> int | None:
-        """Return the nanoseconds to the next call. Negative if late, `None` if canceled."""
+        """Return the nanoseconds until the next call, or `None` if the timer is canceled.
+
+        The number is negative if the call is late.
+        """
         return None if self._is_canceled else self._next_ns - self._now_ns()
 
     def destroy(self) -> None:
@@ -278,14 +281,14 @@ class _RateContext:
 
 
 class Rate:
-    """Sleeps so that a loop runs at a frequency. Made by `Node.create_rate`.
+    """Sleeps so that a loop runs at a frequency. `Node.create_rate` creates rates.
 
-    In contrast to rclpy's rate, it needs no executor that spins in another thread.
+    In contrast to rclpy's rate, this rate needs no executor that spins in another thread.
 
     Args:
         timer: The rate has the timer's period and clock. As in rclpy, a `spin_once()` that waits in
             another thread returns when the timer is due.
-        context: Its shutdown ends a sleep.
+        context: The shutdown of this context ends a sleep.
     """
 
     def __init__(self, timer: Timer, context: Context) -> None:
@@ -299,7 +302,7 @@ class Rate:
     def sleep(self) -> None:
         """Sleep until the next multiple of the period, or until the rate is destroyed.
 
-        If that time is past, the call ends immediately.
+        If the time to wake up is past, the call ends immediately.
 
         Raises:
             RateInterruptedError: The context was shut down.

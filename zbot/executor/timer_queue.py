@@ -29,7 +29,7 @@ class TimerQueue:
             return
         self._due[entity] = due_ns
         heapq.heappush(self._heap, (due_ns, next(self._tie), entity))
-        # Every reset of a timer leaves an outdated entry.
+        # Each reset of a timer leaves an outdated entry. Remove these entries if there are many.
         if len(self._heap) > 2 * len(self._due) + 64:
             self._heap = [(due, next(self._tie), entity) for entity, due in list(self._due.items())]
             heapq.heapify(self._heap)

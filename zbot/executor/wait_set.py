@@ -14,13 +14,14 @@ if TYPE_CHECKING:
     from zbot.transport.handle import Handle
 
 Kind = Literal["subscription", "guard_condition", "timer", "client", "service", "event"]
-_POLL_S = 0.1  # with simulated time, it is unknown when a timer is due
+_POLL_S = 0.1  # time between two checks, if a timer has simulated time and no known due time
 
 
 class WaitSet:
     """Waits until at least one of several objects is ready.
 
-    `Node.create_subscription` and similar methods make the objects. Add the `handle` of an object.
+    `Node.create_subscription` and similar methods make the objects. A program adds an object by its
+    `handle`.
 
     Args:
         sizes: rclpy's numbers of objects of each kind, and the context's handle. They are not used.
@@ -90,7 +91,7 @@ class WaitSet:
         return left
 
     def _update_ready(self) -> bool:
-        """Note which objects are ready, and take the triggers of guard conditions."""
+        """Store which objects are ready, and reset the guard conditions that were triggered."""
         self._ready = {
             kind: [handle for handle in handles if handle.entity.has_work]
             for kind, handles in self._handles.items()

@@ -35,7 +35,7 @@ class NumberOfEntities:
 
 
 class Waitable(Generic[T]):
-    """Base class of a program's own kind of work. `Node.add_waitable` adds it to a node.
+    """Base class of a program's own kind of work. `Node.add_waitable` adds a waitable to a node.
 
     The executor calls `is_ready` when an object of the wait set may be ready, and when another
     thread wakes the executor. If `is_ready` returns true, the executor calls `take_data` and
@@ -102,7 +102,7 @@ class WaitableEntity:
 
     @property
     def due_ns(self) -> int | None:
-        """When the first of its timers is due (monotonic clock, nanoseconds)."""
+        """When the waitable's first timer or event is due (monotonic clock, nanoseconds)."""
         return self._waited_for.due_ns
 
     def take(self) -> tuple[Any] | None:

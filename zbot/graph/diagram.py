@@ -1,7 +1,7 @@
 """Drawing of the graph as SVG.
 
-Each node, topic, edge and namespace frame is an SVG group with a `data-key`. A page finds the
-group by this key, to move it and to react to clicks. `data-node` and `data-topic` contain names.
+Each node, topic, edge and namespace frame is an SVG group with a `data-key`. A web page finds the
+group by this key, moves the group and reacts to clicks. `data-node` and `data-topic` contain names.
 """
 
 from __future__ import annotations
@@ -83,7 +83,7 @@ class Drawing:
             yield _edge(edge, route, points, label)
 
     def _touching(self, key: str, point: tuple[float, float]) -> tuple[float, float]:
-        """Return an edge's end, moved sideways to a node's ellipse. Ends at topics do not move."""
+        """Return an end of an edge. An end at a node moves sideways to the node's ellipse."""
         if not key.startswith("n:"):
             return point
         place = self.layout.places[key]
@@ -105,7 +105,7 @@ class Drawing:
 
 
 def draw(view: GraphView, previous: Drawing | None = None) -> Drawing:
-    """Return a drawing. Nodes and topics of the previous drawing move as little as possible."""
+    """Return a drawing. Nodes and topics of the previous drawing keep their places if possible."""
     items = [Item(node_key(one), *_node_size(one), view.frames_of(one)) for one in view.nodes]
     items.extend(
         Item(box.key, *_box_size(box.name), view.frames_of(box.name)) for box in view.boxes
@@ -122,7 +122,7 @@ def _still_valid(view: GraphView, previous: Drawing | None) -> Layout | None:
 
 
 def lines_of(name: str) -> list[str]:
-    """Return the lines of a name. A long name is split at the `/` that is nearest its middle."""
+    """Return the lines of a name. A long name is split at the `/` that is nearest to its middle."""
     if len(name) <= _LONG:
         return [name]
     breaks = [index for index, one in enumerate(name) if one == "/" and index]
@@ -170,7 +170,7 @@ def _item(
     key: str, place: Place, shape: str, *, classes: str, facts: str, name: str, title: str
 ) -> str:
     lines = lines_of(name)
-    first = 5.0 - (len(lines) - 1) * _LINE / 2  # 5: distance from a line's middle to its baseline
+    first = 5.0 - (len(lines) - 1) * _LINE / 2  # 5 px from the middle of a line to its baseline
     spans = "".join(
         f'<tspan x="0" y="{first + number * _LINE:.1f}">{escape(line)}</tspan>'
         for number, line in enumerate(lines)
@@ -234,7 +234,7 @@ def _head(tip: tuple[float, float], way: int) -> str:
 
 
 def _outline(frame: Frame) -> str:
-    """Return the SVG path around a frame. It goes along the tops of slices, then the bottoms."""
+    """Return the SVG path around a frame: along the tops of its slices, then along the bottoms."""
     upper = [(x, top) for left, top, right, _ in frame.slices for x in (left, right)]
     lower = [(x, low) for left, _, right, low in frame.slices[::-1] for x in (right, left)]
     corners = _without_repeats(upper + lower)
@@ -262,7 +262,7 @@ def _rounded(corners: list[tuple[float, float]]) -> Iterator[str]:
 
 
 def _towards(corner: tuple[float, float], other: tuple[float, float]) -> tuple[float, float]:
-    """Return the point where the rounding of a corner ends, on the line to another corner."""
+    """Return the end of a corner's rounding, on the line from this corner to another corner."""
     dx, dy = other[0] - corner[0], other[1] - corner[1]
     length = abs(dx) + abs(dy)
     part = min(10.0, length / 2) / length if length else 0.0

@@ -44,7 +44,7 @@ class InvalidFilterError(ZbotError, ValueError):
 
 @dataclass(frozen=True)
 class Filters:
-    """Choice of nodes and topics. Each switch leaves names out if it is True."""
+    """Choice of nodes and topics. Each switch that is True leaves out the names in its comment."""
 
     debug: bool = True  #: nodes of rqt and rviz; /rosout, /statistics, /clock
     tf: bool = False  #: transforms
@@ -57,20 +57,20 @@ class Filters:
     topics: str = "/"  #: filter for names of topics, as in `compile_filter`
 
     def shows_node(self, name: str) -> bool:
-        """Whether the switches allow a node. This method ignores the filter `nodes`."""
+        """Return whether the switches allow a node. This method ignores the filter `nodes`."""
         if self.debug and _TOOLS.fullmatch(name):
             return False
         return not (self.hidden and is_hidden(name))
 
     def shows_topic(self, name: str) -> bool:
-        """Whether the switches allow a topic. This method ignores the filter `topics`."""
+        """Return whether the switches allow a topic. This method ignores the filter `topics`."""
         last = name.rpartition("/")[2]
         return not (
             (self.debug and last in _DEBUG_TOPICS)
             or (self.tf and name in TF_TOPICS)
             or (self.params and last == "parameter_events")
             or (self.actions and _ACTION_PART in name)
-            # Topics of actions have hidden names, but they show which nodes are connected.
+            # Topics of actions have hidden names. They stay, because they show connected nodes.
             or (self.hidden and is_hidden(name) and _ACTION_PART not in name)
         )
 
@@ -92,8 +92,9 @@ def compile_filter(text: str) -> Callable[[str], bool]:
     """Return a function that returns whether a filter allows a name, as in rqt_graph.
 
     Commas separate the parts of a filter. A part of letters, digits, `_` and `/` is a whole name.
-    Any other part is a regular expression that must match from the beginning of a name. `-` before
-    a part leaves out its names. An empty filter and the filter `/` include all names.
+    Any other part is a regular expression that must match from the beginning of a name. If `-` is
+    before a part, the names of this part are left out. An empty filter and the filter `/` include
+    all names.
 
     Raises:
         InvalidFilterError: A part is not a regular expression.

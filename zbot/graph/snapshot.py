@@ -31,12 +31,12 @@ if TYPE_CHECKING:
 
     from zbot.wire.dialect import Dialect
 
-_ANSWER_TIMEOUT_S = 2.0  # usually 25 ms are enough
+_ANSWER_TIMEOUT_S = 2.0  # usually, the answers take at most 25 ms
 #: Words in the keys of Zenoh's admin space.
 _FOREIGN_KINDS = {"publisher": EntityKind.PUBLISHER, "subscriber": EntityKind.SUBSCRIPTION}
 _MOST_WITHDRAWN = 1000
-# A context that follows more names watches the whole graph, because Zenoh compares each new token
-# with each name.
+# A context that follows more names than this watches the whole graph, because Zenoh compares each
+# new token with each name.
 _MOST_FOLLOWED = 50
 _MAX_PID = 1 << 31
 _MAX_FACT = 1000  # characters
@@ -87,7 +87,7 @@ class Snapshot:
         return self.on(topic, EntityKind.SUBSCRIPTION)
 
     def names_and_types(self, *kinds: EntityKind, node: str | None = None) -> NamesAndTypes:
-        """Return each name with its types, sorted. If `node` is given, return only its names."""
+        """Return sorted names with their types, or with `node` only the names of this node."""
         found: dict[str, set[str]] = {}
         for end in self.of_kind(*kinds):
             if node is None or _full(end) == node:
@@ -109,7 +109,8 @@ class Snapshot:
     ) -> NamesAndTypes:
         """Return the actions that have endpoints of the given kinds, with their types, sorted.
 
-        If `node` is given, return only its actions. Each action has a service `_action/send_goal`.
+        If `node` is given, return only this node's actions. The names come from the services
+        `_action/send_goal`, because each action has such a service.
         """
         kinds = kinds or (EntityKind.SERVICE, EntityKind.CLIENT)
         return [
@@ -120,7 +121,7 @@ class Snapshot:
 
 
 class Announcement:
-    """Token of a node or endpoint. It exists until `undeclare`, or until its session ends."""
+    """Token of a node or endpoint. The token exists until `undeclare` or the end of its session."""
 
     def __init__(self, graph: Graph, session: zenoh.Session, token: Token) -> None:
         self._graph = graph
@@ -137,7 +138,7 @@ class Announcement:
 class Graph:
     """Graph of one context. The graph always has the present state of the domain.
 
-    Listeners are methods of objects. Zenoh's thread calls them, or the thread that calls
+    Listeners are methods of objects. They are called in Zenoh's thread, or in the thread that calls
     `announce`, `undeclare` or `add_listener`. They must return quickly and must not block.
 
     Args:
@@ -148,8 +149,9 @@ class Graph:
             calls it.
         receiver: Function that turns a function into a callback. Zenoh calls the callback while
             the session is open.
-        asks_first: Whether to query all tokens before the subscription to changes. After this
-            subscription, a client's session would answer the query itself, and incompletely.
+        asks_first: Whether to query all tokens before the subscription to changes. This is
+            necessary for a client's session. After the subscription, this session would answer the
+            query itself, but incompletely.
     """
 
     def __init__(
@@ -185,7 +187,7 @@ class Graph:
         self._waiting: set[BinarySemaphore] = set()
 
     def watch(self) -> None:
-        """Subscribe to all changes. Before, `find` knows only what `follow` was called for."""
+        """Subscribe to all changes. Before this call, `find` knows only the tokens of `follow`."""
         with self._lock:
             if self._watching:
                 return
@@ -198,8 +200,8 @@ class Graph:
     def follow(self, token: Token) -> None:
         """Subscribe to all tokens with the node name or the topic of `token`.
 
-        So `find` and the listeners know them, and this session does not receive the tokens of the
-        whole domain. In a domain of 200 nodes these are some thousands.
+        `find` and the listeners then know these tokens. This session does not receive the tokens of
+        the whole domain, which are some thousands in a domain of 200 nodes.
         """
         key = self._dialect.namesake_selector(token)
         with self._lock:
@@ -218,7 +220,7 @@ class Graph:
             return tuple(self._tokens.values())
 
     def query(self) -> Snapshot:
-        """Return the graph as it is now, without watching its changes. This takes 1 to 25 ms."""
+        """Return the graph as it is now, but do not watch its changes. This takes 1 to 25 ms."""
         return self.snapshot() if self._watching else Snapshot(tuple(self._query_tokens()))
 
     def announce(self, token: Token) -> Announcement:
@@ -288,7 +290,7 @@ class Graph:
         return gone
 
     def find(self, gid: bytes) -> EndpointToken | None:
-        """Return the endpoint with the gid of a message, or None before its token has arrived."""
+        """Return the endpoint with this gid, or None if its token has not arrived yet."""
         return self._by_gid.get(gid)
 
     def tokens_in(self, keys: Iterable[str]) -> Iterator[Token]:
@@ -296,9 +298,10 @@ class Graph:
         return filter(None, map(self._parse, keys))
 
     def add_listener(self, listener: Callable[[Token, bool], None]) -> None:
-        """Call `listener(token, appeared)` for known tokens and changes while its object exists.
+        """Call `listener(token, appeared)` for known tokens now, and for each change later.
 
-        Call `watch` or `follow` before, so that this session receives tokens of other sessions.
+        The calls end when the listener's object is deleted. Before this method, call `watch` or
+        `follow`, so that this session receives tokens of other sessions.
         """
         with self._lock:
             self._listeners.append(weakref.WeakMethod(listener))
@@ -321,8 +324,9 @@ class Graph:
         return itertools.chain.from_iterable(asked)
 
     def _tokens_from_peers(self) -> Iterable[str]:
-        # This session's own cache, which may be incomplete, would answer a query. But after a new
-        # subscription, each peer sends its tokens before it answers `settle`.
+        # A query is no use here: this session would answer from its own cache, which may be
+        # incomplete. But after a new subscription, each peer sends its tokens before it answers the
+        # query of `settle`.
         subscribers = [
             self._declare_subscriber(key, admin_query.large_queue()) for key in self._keys
         ]
@@ -345,7 +349,7 @@ class Graph:
         try:
             return self._dialect.parse_token(key)
         except TokenError:
-            return None  # a token of another program, which ROS 2 does not know
+            return None  # a token of a program that does not use the tokens of ROS 2
 
     def _on_sample(self, sample: zenoh.Sample) -> None:
         key = str(sample.key_expr)
@@ -404,7 +408,7 @@ def processes(session: zenoh.Session) -> dict[str, Process]:
 
 
 def process_of(zid: str, payload: bytes) -> Process | None:
-    """Return the process that an answer describes, or None if it does not describe one.
+    """Return the process that an answer describes, or None for a program without zbot.
 
     The texts have one line without control characters, and are shortened.
     """
@@ -413,7 +417,8 @@ def process_of(zid: str, payload: bytes) -> Process | None:
     except JsonError:
         return None  # any program can answer
     pid, started_ns = facts.get("pid"), facts.get("started")
-    # The command `zbot node kill` ends the process. For a system call, 0 and -1 mean many.
+    # `zbot node kill` kills the process with this pid. For the system call, the pids 0 and -1 would
+    # mean many processes.
     if not isinstance(pid, int) or not 0 < pid < _MAX_PID or not admin_query.is_time_ns(started_ns):
         return None  # a Zenoh program that does not use zbot
     texts = (single_line(str(facts.get(key)), _MAX_FACT) for key in ("host", "version", "command"))
@@ -424,11 +429,11 @@ def process_of(zid: str, payload: bytes) -> Process | None:
 def foreign_topics(
     session: zenoh.Session, snapshot: Snapshot, domain: int
 ) -> dict[str, set[EntityKind]]:
-    """Return the topics that only plain Zenoh programs use, by reading their admin spaces.
+    """Read the admin spaces of plain Zenoh programs. Return the topics that only they use.
 
     Args:
         session: A client's session.
-        snapshot: The graph. Its topics are not in the result, and its sessions are not asked.
+        snapshot: The graph. The result leaves out its topics, and its sessions are not queried.
         domain: 0 to 232.
     """
     own = {token.zid for token in snapshot.tokens} | {str(session.info.zid())}
@@ -452,7 +457,7 @@ def _is_name(name: str) -> bool:
     try:
         return validate_full_topic_name(name)
     except InvalidNameError:
-        return False  # a wildcard, or a key that is not a valid name in ROS 2
+        return False  # the key has a wildcard, or is not a valid name in ROS 2
 
 
 def _full(token: Token) -> str:

@@ -81,14 +81,14 @@ DARK = Palette(
 
 
 def text_width(text: str, size: float) -> float:
-    """Return the estimated width of a text in pixels, which may be a little too large."""
+    """Return the estimated width of a text in pixels. The estimate may be a little too large."""
     units = sum(_WIDTHS.get(one, _OTHER_WIDTH if one < "\x7f" else _WIDE) for one in text)
     return units * size / 1000 * 1.04
 
 
 @lru_cache(maxsize=1)
 def style() -> str:
-    """Return the CSS. The CSS classes `light` and `dark` override the browser's colour scheme."""
+    """Return the CSS. The classes `light` and `dark` override the colour scheme of the browser."""
     dark = _colours(".zbot-graph:not(.light)", DARK)
     return "\n".join(
         [
@@ -146,7 +146,7 @@ def _edge_rules(where: str, colour: str) -> list[tuple[str, str]]:
 
 
 def _lit(name: str, colour: str) -> list[tuple[str, str]]:
-    """Return the CSS rules for nodes, topics and edges that the page highlights."""
+    """Return the CSS rules for nodes, topics and edges that a web page highlights."""
     shapes = [
         (f".{name} {shape}", f"stroke: {colour}; stroke-width: 3") for shape in ("ellipse", "rect")
     ]

@@ -1,4 +1,4 @@
-"""Topics and actions of a snapshot, with their nodes and with problems such as several types."""
+"""Topics and actions of a snapshot, with their nodes and problems, e.g. two types on one topic."""
 
 from __future__ import annotations
 
@@ -48,19 +48,19 @@ class End:
 
 @dataclass(frozen=True)
 class TopicView:
-    """Topic or action with its endpoints, and its problem if it has a problem."""
+    """Topic or action with its endpoints and its problem, if any."""
 
     name: str
     ends: tuple[End, ...]
     kind: BoxKind = BoxKind.TOPIC
     has_clash: bool = False  #: whether nodes use different types and exchange no messages
-    guess: str | None = None  #: a published topic with a similar name, if nobody publishes this one
+    guess: str | None = None  #: a published topic with a similar name, if this one has no publisher
     problem: str | None = None  #: a sentence about the problem, if there is a problem
     stands_for: tuple[str, ...] = ()  #: the topics that this box replaces
 
     @property
     def key(self) -> str:
-        """The key of its box, unique in the drawing."""
+        """The key of the topic's box, unique in the drawing."""
         return self.kind.key(self.name)
 
     @cached_property
@@ -80,7 +80,7 @@ class TopicView:
 
     @property
     def is_active(self) -> bool:
-        """Whether it has publishers and subscriptions."""
+        """Whether the topic has publishers and subscriptions."""
         return bool(self.publishers and self.subscriptions)
 
     def among(self, nodes: Collection[str]) -> TopicView:
@@ -88,19 +88,19 @@ class TopicView:
         return replace(self, ends=tuple(end for end in self.ends if end.node in nodes))
 
     def receives(self, subscription: str, publisher: str) -> bool:
-        """Whether two nodes use the same type. This is true for a box that replaces topics."""
+        """Return whether two nodes use the same type. A box of several topics returns True."""
         if not self.has_clash or self.stands_for:
             return True
         types = self._types_of(publisher, is_publisher=True)
         return not types.isdisjoint(self._types_of(subscription, is_publisher=False))
 
     def has_no_receiver(self, publisher: str) -> bool:
-        """Whether there are subscriptions, but their types all differ from a publisher's type."""
+        """Return whether subscriptions exist, but all with other types than the publisher."""
         listening = self.subscriptions
         return bool(listening) and not any(self.receives(one, publisher) for one in listening)
 
     def receives_nothing(self, subscription: str) -> bool:
-        """Whether a node gets no message: the types differ, or the topic's name is misspelled."""
+        """Return whether a node gets no messages: types differ, or the name is misspelled."""
         talking = self.publishers
         if not talking:
             return self.guess is not None
@@ -115,7 +115,7 @@ class TopicView:
 
 
 def find_topics(snapshot: Snapshot, nodes: Collection[str], grouping: Grouping) -> list[TopicView]:
-    """Return the topics of the given nodes, and grouped actions, sorted by name."""
+    """Return the topics and, with `grouping.actions`, the actions of the nodes, sorted by name."""
     topics: dict[str, list[End]] = {}
     actions: dict[str, list[End]] = {}
     for token in snapshot.endpoints:
@@ -148,7 +148,7 @@ def _add_action_end(actions: dict[str, list[End]], token: EndpointToken, node: s
 
 
 def _with_problems(found: Mapping[str, list[End]], kind: BoxKind) -> Iterator[TopicView]:
-    # Publishers offer a topic. Servers offer an action, and count as its subscriptions here.
+    # The publishers offer a topic. The servers offer an action, and count as subscriptions here.
     offers = kind is BoxKind.TOPIC
     offered = sorted(n for n, ends in found.items() if any(e.is_publisher is offers for e in ends))
     known = set(offered)

@@ -19,13 +19,13 @@ if TYPE_CHECKING:
 __all__ = ["BoxKind", "Edge", "Filters", "GraphView", "Grouping", "Mode", "TopicView", "view"]
 
 
-_TOOL = "/_zbot_"  # in names of zbot's own nodes, which are not reported as left out
+_TOOL = "/_zbot_"  # in the names of zbot's own nodes; `left_out` does not contain these nodes
 
 
 class Mode(str, Enum):
     """Choice of the topics that are drawn as boxes (the three modes of rqt_graph)."""
 
-    NODES = "nodes"  #: no topics; edges go from node to node and have the topic as label
+    NODES = "nodes"  #: topics have no boxes; edges go from node to node, with the topic as label
     ACTIVE = "active"  #: topics with publishers and subscriptions
     ALL = "all"  #: all topics
 
@@ -38,12 +38,12 @@ class Edge:
     end: str
     label: str = ""
     is_publishing: bool = False  #: whether the arrow goes from a node to a topic
-    kind: BoxKind = BoxKind.TOPIC  #: the kind of its topic
-    is_wrong: bool = False  #: whether messages cannot pass, e.g. because types differ
+    kind: BoxKind = BoxKind.TOPIC  #: the kind of the topic's box
+    is_wrong: bool = False  #: whether messages do not arrive, e.g. because types differ
 
     @property
     def is_both_ways(self) -> bool:
-        """Whether the arrow has two heads: goals go one way, feedback and results the other way."""
+        """Whether the arrow has two heads: goals go one way, and feedback and results come back."""
         return self.kind is BoxKind.ACTION
 
     @property
@@ -76,7 +76,7 @@ class GraphView:
     nodes: tuple[str, ...]
     topics: tuple[TopicView, ...]
     namespaces: int = 0  #: the number of namespace levels that get a frame
-    problems: tuple[str, ...] = ()  #: sentences; some are about topics that the mode leaves out
+    problems: tuple[str, ...] = ()  #: sentences, also about topics that the mode leaves out
     left_out: tuple[str, ...] = field(default=(), compare=False)  #: names that are not drawn
 
     @property
@@ -127,7 +127,8 @@ def view(
     open_nodes = {name for name in names if filters.shows_node(name)}
     passes = compile_filter(filters.nodes)
     nodes = {name for name in open_nodes if passes(name)}
-    # As in rqt_graph, nodes that `passes` excludes still count for problems and active topics.
+    # As in rqt_graph, problems and active topics are found with all nodes that the switches allow.
+    # Only then are the nodes that `passes` excludes left out.
     found = find_topics(snapshot, open_nodes, grouping)
     shown = [topic.among(nodes) for topic in _chosen(found, mode, filters)]
     judged = [topic.among(nodes) for topic in _chosen(found, Mode.ALL, filters)]

@@ -1,4 +1,7 @@
-"""Store of the definitions that the user has added with `zbot interface add`, for all projects."""
+"""Store of the definitions that the user has added with `zbot interface add`.
+
+All projects of the user share this store.
+"""
 
 from __future__ import annotations
 
@@ -29,7 +32,7 @@ class StoreError(ZbotError, OSError):
 
 
 class NotAddedError(ZbotError, LookupError):
-    """A package that shall be removed was not added."""
+    """The package to remove is not in the store."""
 
     def __init__(self, package: str, known: list[str]) -> None:
         self.package = package
@@ -38,7 +41,7 @@ class NotAddedError(ZbotError, LookupError):
 
 
 def check(package: FoundPackage) -> set[str]:
-    """Check all definitions of a package. Return the packages that they use and that do not exist.
+    """Check all definitions of a package. Return the missing packages that these definitions use.
 
     Raises:
         InterfaceSyntaxError: A definition is wrong. The error has its file and line.
@@ -53,7 +56,7 @@ def check(package: FoundPackage) -> set[str]:
 
 
 def store(package: FoundPackage) -> None:
-    """Copy the definitions of a package into the store. They replace those of an earlier call.
+    """Copy the definitions of a package into the store, in place of its earlier definitions.
 
     Raises:
         StoreError: The files cannot be written.
@@ -61,7 +64,7 @@ def store(package: FoundPackage) -> None:
     folder = definitions_folder()
     if folder is None:
         raise StoreError(package.name, "this user has no home folder")
-    # Other programs see the old definitions or the new ones, never a part of them.
+    # Whole folders are renamed, so other programs never see only a part of the definitions.
     new, old = (folder / f".{package.name}.{os.getpid()}.{word}" for word in ("new", "old"))
     try:
         for path, text in package.texts.items():

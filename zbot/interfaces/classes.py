@@ -205,7 +205,7 @@ def _is_checked(spec: MessageSpec) -> bool:
 
 
 def _asks_for_checks(spec: MessageSpec, args: tuple[Any, ...], unknown: dict[str, Any]) -> bool:
-    """Return `check_fields`. If it is true, or with positional arguments, check the call."""
+    """Return whether `check_fields` is true. If so, or if there are `args`, check the call."""
     is_asked = bool(unknown.get("check_fields"))
     if args or is_asked:
         _check_call(spec, args, unknown)

@@ -1,7 +1,8 @@
-"""Reader of the definitions in a folder or an archive that others have made.
+"""Reader of the definitions in a folder or an archive from other people.
 
-The archive is never unpacked: only the texts of definitions are read, and their paths in the
-archive are used only to group them. So no path of an archive can name a file of this machine.
+The reader never unpacks an archive into files. It reads only the texts of definitions, and uses
+their paths in the archive only to group them. So a path in an archive cannot lead to a file of this
+machine.
 """
 
 from __future__ import annotations
@@ -29,7 +30,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator
 
 MAX_ARCHIVE = 64 * 2**20  #: bytes of an archive
-MAX_UNPACKED = 256 * 2**20  #: bytes that are unpacked of a compressed tar archive
+MAX_UNPACKED = 256 * 2**20  #: bytes that are unpacked from a tar archive
 MAX_ENTRIES = 100_000  #: files and folders in an archive or a folder
 MAX_FILE = 256 * 2**10  #: bytes of a definition
 MAX_TOTAL = 16 * 2**20  #: bytes of all definitions together
@@ -43,7 +44,7 @@ _COMPRESSIONS: tuple[tuple[bytes, Callable[[IO[bytes]], Any]], ...] = (
     (b"BZh", bz2.open),
     (b"\xfd7zXZ\x00", lzma.open),
 )
-#: What the standard library's readers of archives raise for a damaged archive.
+#: Exceptions that the standard library raises for a damaged archive.
 _DAMAGED = (
     zipfile.BadZipFile,
     tarfile.TarError,
@@ -73,7 +74,7 @@ class FoundPackage:
     """A package with definitions in a folder or an archive."""
 
     name: str
-    place: str  #: its folder in the source
+    place: str  #: the package's folder in the source
     texts: dict[str, str] = field(default_factory=dict)  #: e.g. `msg/Num.msg` -> the text
 
 
@@ -112,7 +113,7 @@ def _grouped(source: Path, entries: Iterable[_Entry]) -> list[FoundPackage]:
             total += len(content)
             if total > MAX_TOTAL:
                 raise DefinitionSourceError(source, f"its definitions exceed {MAX_TOTAL} bytes")
-            # Comments of others may have another encoding.
+            # Comments in the definitions may have another encoding than UTF-8.
             text = content.decode(errors="replace")
             texts.setdefault(parts[:-2], {})["/".join(parts[-2:])] = text
     found: dict[str, FoundPackage] = {}

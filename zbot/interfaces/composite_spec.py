@@ -25,7 +25,7 @@ def service(name: str, request: MessageSpec, response: MessageSpec, text: str = 
 def action(
     name: str, goal: MessageSpec, result: MessageSpec, feedback: MessageSpec, text: str = ""
 ) -> ActionSpec:
-    """Return an action of three messages. Its services and `_FeedbackMessage` carry them."""
+    """Return an action of three messages, and the services and message that contain these three."""
     return ActionSpec(
         name,
         goal,

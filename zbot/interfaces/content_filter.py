@@ -2,10 +2,10 @@
 
 The expressions are those of DDS (annex B of its specification): `data > 3 AND data < %0`,
 `pose.position.x BETWEEN 0 AND 1`, `name LIKE 'arm%'`, `NOT is_late = TRUE`. In a `LIKE` pattern,
-`%` and `*` match any text. `_` and `?` match one character. `MATCH` takes a regular expression
-without back-references and without assertions, as a value and not as a field.
+`%` and `*` match any text. `_` and `?` match one character. `MATCH` needs a regular expression on
+its right side. This expression cannot be a field, and has no back-references and assertions.
 `NOT` has the highest precedence. `AND` and `OR` are evaluated from left to right, so use brackets
-to mix them.
+in an expression that has both.
 """
 
 from __future__ import annotations
@@ -61,7 +61,7 @@ class ContentFilterError(ZbotError, ValueError):
 
 @dataclass(frozen=True)
 class _Operand:
-    """One side of a comparison. `kind` is its type."""
+    """One side of a comparison. `kind` is the type of the value."""
 
     read: Callable[[Any], Any]
     kind: str
@@ -77,8 +77,8 @@ class ContentFilter:
         message_type: Class of the messages.
 
     Raises:
-        ContentFilterError: The expression breaks the grammar, names an unknown field, or compares
-            values of different types.
+        ContentFilterError: The expression breaks the grammar, contains an unknown field, or
+            compares values of different types.
     """
 
     def __init__(self, expression: str, parameters: Sequence[str], message_type: type[Any]) -> None:
@@ -262,7 +262,10 @@ class _Parser:
         return _Operand(path.select, self._element_kind(path), field=True)
 
     def _element_kind(self, path: FieldPath) -> str:
-        """Return the type at a path by the definitions. The lists of a message may be empty."""
+        """Return the type of the value at a path.
+
+        The type comes from the definitions, because the lists of a message may be empty.
+        """
         message_type, last = type(self._message), FieldType("")
         for name in path.names:
             fields = {field.name: field.type for field in fields_of(message_type())}
@@ -286,7 +289,7 @@ class _Parser:
 
 
 def _combined(first: Condition, more: list[tuple[bool, Condition]]) -> Condition:
-    """Return the combination of conditions from left to right. True means AND, False means OR."""
+    """Combine conditions from left to right. In `more`, True means AND, and False means OR."""
 
     def condition(message: Any) -> bool:
         value = first(message)

@@ -20,7 +20,7 @@ class DefaultSize(NamedTuple):
     """Size of a message with default values."""
 
     octets: int = 0  #: bytes of memory, approximately
-    messages: int = 0  #: messages inside it, and itself
+    messages: int = 0  #: number of messages: this message and all messages inside it
     levels: int = 0  #: depth, 1 for a message without messages inside
 
 

@@ -1,7 +1,8 @@
-"""Limits for definitions from other machines. zbot checks them before it makes a class.
+"""Limits for definitions from other machines. zbot checks the limits before it makes a class.
 
-A definition of a few lines can describe a message that fills the memory, for example thirty types
-that each contain two of the next. Definitions in files of this machine have no such limits.
+Definitions of a few lines can describe a message that fills the memory, e.g. if each of thirty
+types contains two fields of the next type. Definitions in files of this machine have no such
+limits.
 """
 
 from __future__ import annotations
@@ -60,9 +61,9 @@ def check_limits(specs: Sequence[InterfaceSpec]) -> None:
     """Check the definitions of a type and of the types inside it. The type itself is the last.
 
     Raises:
-        DefinitionLimitError: A message would be too large or too deep. The error names its type.
-        UnknownPackageError: A type inside it is neither in `specs` nor known here.
-        UnknownInterfaceError: The same, but the package of the type inside is known here.
+        DefinitionLimitError: A message would be too large or too deep. The error has the type name.
+        UnknownPackageError: A type inside it is missing in `specs`, and its package is unknown.
+        UnknownInterfaceError: A type inside it is missing in `specs` and in its known package.
     """
     found = with_parts(specs)
     messages = [spec for spec in found.values() if isinstance(spec, MessageSpec)]

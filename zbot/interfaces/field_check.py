@@ -1,4 +1,4 @@
-"""Checks of a field's values, arrays and sequences.
+"""Checks of the values of fields, for single values, arrays and sequences.
 
 A generated class first makes a quick test of its own. It calls these checks only for a value that
 fails this test.
@@ -116,7 +116,7 @@ class _NumberSequenceCheck:
 
 
 class _FixedNumbersCheck(_NumberSequenceCheck):
-    """Check of fixed-size number arrays. If numpy is installed, they are ndarrays of one dtype."""
+    """Check of fixed-size number arrays. With numpy, the stored value is an ndarray."""
 
     def __call__(self, label: str, value: Any) -> Any:
         size = self.field_type.size

@@ -82,7 +82,7 @@ class FieldPath:
         """Check that messages of a type can have a part at the path.
 
         Raises:
-            FieldPathError: The path names a field that the type does not have.
+            FieldPathError: The path contains a field that the type does not have.
         """
         value = message_type()
         for step in self._steps:

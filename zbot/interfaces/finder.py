@@ -68,8 +68,8 @@ class _PackageFinder:
         """Return a spec if the name belongs to known definitions.
 
         Raises:
-            MissingPackageError: A program imports a package that has the name of a package of
-                definitions, but there is no such package.
+            MissingPackageError: A program imports a package that does not exist, and the name has
+                the form of a package of definitions, e.g. `my_msgs`.
         """
         package, _, inside = fullname.partition(".")
         if inside.partition(".")[0] not in KINDS if inside else _is_pythons(package):

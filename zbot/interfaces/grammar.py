@@ -81,7 +81,7 @@ def check_constant_name(name: str, value: str) -> None:
 
 
 def parse_type(text: str, package: str) -> FieldType:
-    """Return the type that a text names. `package` is for a message name without a package.
+    """Return the type for a text, e.g. `float64[3]`. A name without a package gets `package`.
 
     Raises:
         GrammarError: The text is not a type. The error says what to write.

@@ -83,7 +83,7 @@ def _integer(base: str, text: str) -> int:
 
 
 def _as_int(text: str) -> int | None:
-    """Return the integer in a text, or None. Decimal (007 too), `0x`, `0o` and `0b` are allowed."""
+    """Return the integer in a text, or None. 007 is decimal. 0x, 0o and 0b are allowed too."""
     if len(text) > _LONGEST_NUMBER:
         return None
     try:

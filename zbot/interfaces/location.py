@@ -1,8 +1,9 @@
 """Locations of definitions: zbot itself, the workspace, an installed ROS 2, Python packages.
 
 zbot's copies of ROS 2's own packages come first: every program uses them, and they are found fast.
-Packages of robots differ between versions, so zbot's copies of these are the last location. Before
-them come the workspace and the packages that the user has added with `zbot interface add`.
+The next locations are the workspace, the packages that the user has added with `zbot interface
+add`, an installed ROS 2, and Python packages. zbot's copies of the packages of robots come last,
+because these packages differ between versions.
 """
 
 from __future__ import annotations
@@ -28,7 +29,7 @@ _SHIPPED_FOR_ROBOTS = Path(__file__).parent / "robot_defs"
 
 
 def package_folder(package: str) -> Path | None:
-    """Return the folder with a package's definitions: the first that a location has, or None."""
+    """Return the folder of a package's definitions in the first location that has one, or None."""
     if not _is_file_name(package):
         return None
     return next(_folders(package), None)

@@ -42,7 +42,7 @@ class ConstantsMeta(type):
 
 
 class Message:
-    """Base of the generated message classes. Each property `name` has a slot `_name`."""
+    """Base of the generated message classes. A field `x` is a property `x` with a slot `_x`."""
 
     __slots__ = ()
 
@@ -76,7 +76,7 @@ class Message:
         return rebuild, (key, values), getattr(self, "__dict__", None)
 
 
-# It is no method, because a field `duplicate` has the slot `_duplicate`.
+# This function is not a method, because a field `duplicate` would have the slot `_duplicate`.
 def _duplicate(message: MessageT, duplicated: Callable[[Any], Any]) -> MessageT:
     # The values in the slots are valid, so the properties do not check them again.
     twin = type(message).__new__(type(message))

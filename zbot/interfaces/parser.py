@@ -20,8 +20,8 @@ from zbot.interfaces.spec import (
 )
 
 _SEPARATOR = "---"
-# All text up to the first `#` outside of a quoted value. A quote begins a value only after a space,
-# `=`, `,` or `[`, so an apostrophe inside a word does not begin a value.
+# The text before the first `#` that is not in a quoted value. A quote begins a value only after a
+# space, `=`, `,` or `[`, so an apostrophe inside a word does not begin a value.
 _CODE = re.compile(r"""(?:(?<=[\s=,\[])(?:"(?:\\.|[^"\\])*"|'(?:\\.|[^'\\])*')|[^#])*""")
 _DECLARATION = re.compile(r"(?P<type>\S+)\s+(?P<name>[^\s=]+)\s*(?P<equals>=?)\s*(?P<value>.*)")
 

@@ -129,8 +129,8 @@ def json_value(value: Any) -> Any:
     """Return a value in the form for JSON.
 
     NaN and infinities become null, because JSON does not have them. Arrays of byte, char or
-    uint8 become base64, and one byte becomes a number. `zbot topic pub` can read these forms except
-    null.
+    uint8 become base64, and one byte becomes a number. `zbot topic pub` can read base64 and the
+    number, but not null.
     """
     if is_message(value):
         return {

@@ -78,7 +78,7 @@ def type_description(interface: str | type[Any]) -> dict[str, Any]:
 
 
 def has_sequences(interface: str | type[Any]) -> bool:
-    """Return whether a message has a sequence at any depth. Then the message's size can vary.
+    """Return whether a message has a sequence at any depth. The size of such a message can vary.
 
     The function raises the errors of `type_hash`.
     """
@@ -108,7 +108,7 @@ def _spec_for(interface: str | type[Any]) -> InterfaceSpec:
 
 
 def _derived_spec(cls: type[Any]) -> InterfaceSpec:
-    # Imported here, because programs that use only classes made by zbot need neither module.
+    # Imported here, because most programs use only zbot's classes and do not need these modules.
     if dataclasses.is_dataclass(cls):
         from zbot.interfaces.dataclass_spec import dataclass_spec  # noqa: PLC0415
 

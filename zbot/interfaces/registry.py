@@ -133,7 +133,7 @@ def register_spec(spec: InterfaceSpec) -> None:
         InterfaceConflictError: A different definition with the same name is known.
     """
     with _lock:
-        # Without the search for similar names, which takes long for many definitions.
+        # This look-up suggests no similar names, because that takes long for many definitions.
         known = _specs.get(spec.name) or _known_spec(spec.name)
         if known is None:
             _add(spec, spec.name)
@@ -143,7 +143,7 @@ def register_spec(spec: InterfaceSpec) -> None:
 
 
 def register_class(spec: MessageSpec, cls: type[Any]) -> None:
-    """Add a class of the program or of an installed ROS 2. It replaces the class with this name."""
+    """Add a class of the program or of an installed ROS 2. It replaces a class of the same name."""
     with _lock:
         _add(spec, cls.__module__)
         _registered.append(spec.name)
@@ -169,7 +169,7 @@ def _find_spec(name: str) -> InterfaceSpec:
 
 
 def _known_spec(name: str) -> InterfaceSpec | None:
-    """Load and return the spec with a full or a short name. Return None if there is none."""
+    """Load and return the spec with a full or a short name, or None if there is no such spec."""
     parts = name.split("/")
     kinds = KINDS if len(parts) == 2 else (parts[1],) if len(parts) == 3 else ()
     for kind in kinds:

@@ -47,8 +47,8 @@ def register_description(description: Mapping[str, Any]) -> InterfaceSpec:
         InterfaceSyntaxError: The description is not valid.
         DefinitionLimitError: A message of the type would be too large.
         InterfaceConflictError: A type has another definition here.
-        UnknownPackageError: The description lacks a type that is not known here.
-        UnknownInterfaceError: The same, but the package of the type is known here.
+        UnknownPackageError: The description lacks a type, and its package is not known here.
+        UnknownInterfaceError: The description lacks a type, and its known package lacks it too.
     """
     specs = specs_from(description)
     check_limits(specs)
@@ -114,8 +114,8 @@ def hash_among(name: str, specs: Iterable[InterfaceSpec]) -> str:
     """Return the hash of a type, or of a part of a type, that is defined by `specs`.
 
     Raises:
-        UnknownPackageError: A type inside it is neither in `specs` nor known here.
-        UnknownInterfaceError: The same, but the package of the type inside is known here.
+        UnknownPackageError: A type inside it is missing in `specs`, and its package is unknown.
+        UnknownInterfaceError: A type inside it is missing in `specs` and in its known package.
     """
     found = with_parts(specs)
 

@@ -18,7 +18,7 @@ def repository_of(package: str) -> str:
 
 
 def how_to_add(package: str) -> str:
-    """Return how the user gets a package of definitions that is not here."""
+    """Return advice for the user on how to add a missing package of definitions."""
     repository = repository_of(package)
     if repository:
         return f"download {repository} and type `zbot interface add` with its folder"

@@ -48,7 +48,7 @@ def message_spec(cls: type[Any]) -> MessageSpec:
 
 
 def _name(cls: type[Any]) -> str:
-    """Return the type name, e.g. `std_srvs/srv/SetBool_Request` in `std_srvs.srv._set_bool`."""
+    """Return the type name of a class: package and kind from its module, and the class name."""
     parts = cls.__module__.split(".")
     if len(parts) < 3 or parts[-2] not in {"msg", "srv", "action"}:
         reason = f"its module {cls.__module__!r} is not of the form package.msg._name"

@@ -1,4 +1,4 @@
-"""Checks of single values, which convert a value without loss or reject it.
+"""Checks of single values. A check converts a value without loss, or rejects the value.
 
 The checks are the slow path. A generated class tests the exact type inline, and calls a check only
 if this test fails.
@@ -28,7 +28,7 @@ class ScalarCheck:
         raise NotImplementedError
 
     def fits(self, values: list[Any]) -> bool:
-        """Return True if all values can be stored unchanged. If not, the caller checks each."""
+        """Return True if all values can be stored unchanged. Else the caller checks each value."""
         return not values
 
     def wrong_type(self, label: str, value: object) -> FieldTypeError:

@@ -1,6 +1,6 @@
 """Objects for the types of fields. Their classes have the names of ROS 2's `rosidl_parser`.
 
-Programs for messages of any type use them, e.g. `isinstance(slot, AbstractSequence)`.
+Programs that handle messages of any type use these classes: `isinstance(slot, AbstractSequence)`.
 """
 
 from __future__ import annotations

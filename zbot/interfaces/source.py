@@ -1,8 +1,8 @@
 """Generator of the Python source of a message class.
 
-The names of fields are parameters of the constructor. There they hide builtins and globals with the
-same name (`float`, `range`, `args`). So the generated code uses only names that a field cannot
-have. These begin with an underscore or are in capitals.
+The constructor has a parameter for each field. In the constructor, this parameter hides a builtin
+or a global with the same name (`float`, `range`, `args`). So the generated code uses only names
+that a field cannot have. Such names begin with an underscore or are in capitals.
 """
 
 from __future__ import annotations
@@ -124,9 +124,10 @@ def _repr_fields(spec: MessageSpec) -> str:
 
 
 def _parameter_default(field: Field) -> str:
-    """Return the default of a constructor parameter. It is a placeholder for lists and messages.
+    """Return the default of a constructor parameter.
 
-    If a list or a message were the default, all messages would share this one object.
+    If a list or a message were the default, all messages would share this one object. So the
+    default of a list or a message is a placeholder.
     """
     if field.type.kind != "scalar" or field.type.is_message:
         return "DEFAULT"

@@ -1,7 +1,8 @@
 """Patterns of content filters for texts: regular expressions, and the patterns of `LIKE`.
 
-Python's `re` tries the ways through a pattern one after the other. So it can need years for a text
-of 40 characters, e.g. with the pattern `(a+)+b`. Here the time grows with the length of the text.
+Python's `re` tries all ways to match a pattern, one after the other. So `re` can need years for a
+text of 40 characters, e.g. with the pattern `(a+)+b`. In this module, the time is proportional to
+the length of the text.
 """
 
 from __future__ import annotations
@@ -15,9 +16,9 @@ if TYPE_CHECKING:
 
     _States = frozenset[int]
 
-_MAX_PARTS = 2_000  #: of a regular expression; `(ab){50}` has 150
+_MAX_PARTS = 2_000  #: parts of a regular expression; `(ab){50}` has 150 parts
 _MAX_LEVELS = 50  #: groups inside each other
-_MAX_STEPS = 1_000_000  #: for one text, about 0.3 s
+_MAX_STEPS = 1_000_000  #: steps for one text, about 0.3 s
 _MAX_KEPT = 100_000  #: states in the table of known steps, about 10 MB
 _CHARACTER = re.compile(
     r"""\\(?: [dDwWsSnrtfva] | x[0-9a-fA-F]{2} | u[0-9a-fA-F]{4} | [^a-zA-Z0-9] )
@@ -29,11 +30,11 @@ _GROUP = re.compile(r"\((?:\?:|\?P<\w+>|(?!\?))")
 
 
 class PatternError(ValueError):
-    """A regular expression is not valid, or its time does not grow with the text's length only."""
+    """A regular expression is not valid, or this module does not support it."""
 
 
 class _Part(NamedTuple):
-    """A part of an expression: one character, or the parts inside of it."""
+    """A part of an expression: one character, or a group of other parts."""
 
     kind: str  #: `character`, `sequence`, `choice` or `repetition`
     parts: list[_Part]
@@ -43,16 +44,21 @@ class _Part(NamedTuple):
 
 
 class _State(NamedTuple):
-    """A place in an expression. With `accepts`, it is left with a character, else without one."""
+    """A place in an expression, and the places that follow.
+
+    With `accepts`, the match goes on to these places only with a character that `accepts` allows.
+    Without `accepts`, the match goes on without a character.
+    """
 
     accepts: Callable[[str], object] | None
     following: list[int]
 
 
 class RegularExpression:
-    r"""Regular expression for whole texts. All ways through it are followed at the same time.
+    r"""Regular expression for whole texts. All ways to match are followed at the same time.
 
-    It may have characters, `.`, `[a-z]`, `\d` and its like, groups, `|`, `*`, `+`, `?` and `{2,3}`.
+    The expression may have characters, `.`, `[a-z]`, classes such as `\d`, groups, `|`, `*`, `+`,
+    `?` and `{2,3}`.
 
     Args:
         pattern: The expression, as Python's `re` writes it.
@@ -81,7 +87,7 @@ class RegularExpression:
         self._kept = 0
 
     def matches(self, text: str) -> bool:
-        """Return whether the whole text matches. A text that needs too many steps does not."""
+        """Return whether the whole text matches. Return False after too many steps."""
         here, steps = self._begin, 0
         for character in text:
             following = self._known.get((here, character))
@@ -107,7 +113,7 @@ class RegularExpression:
         return found
 
     def _reached(self, states: Iterable[int]) -> _States:
-        """Return these states and all that follow them without a character."""
+        """Return these states and all states that can be reached from them without a character."""
         waiting, found = list(states), set[int]()
         while waiting:
             one = waiting.pop()
@@ -123,7 +129,7 @@ class RegularExpression:
         return len(self._states) - 1
 
     def _add(self, part: _Part, following: int) -> int:
-        """Add the states of a part in front of a state. Return the first of them."""
+        """Add the states of a part, with `following` as the next state. Return the first state."""
         self._parts += 1
         if self._parts > _MAX_PARTS:
             message = f"it has more than {_MAX_PARTS} parts"
@@ -216,7 +222,7 @@ class _Parser:
         if found is None:
             return part
         self._place = found.end()
-        if self._pattern.startswith("+", self._place):  # `a*+` never gives back what it took
+        if self._pattern.startswith("+", self._place):  # `a*+` matches without going back
             raise self._unsupported()
         sign, exact, least, most = found.groups()
         if sign:
@@ -229,12 +235,12 @@ class _Parser:
 
 
 def like_expression(pattern: str) -> re.Pattern[str]:
-    """Return the expression of a pattern of `LIKE`, for `fullmatch`.
+    """Return the regular expression for a pattern of `LIKE`. Use it with `fullmatch`.
 
-    Each text between two `%` or `*` is matched at the first place where it is found. Its group
-    keeps `re` from trying the other places: without it, `%a%a%a%a%b` takes years.
+    Each text between two `%` or `*` is matched at the first place where it is found. A group
+    prevents `re` from trying other places. Without groups, `%a%a%a%a%b` can take years.
     """
-    # `re` looks ahead once only, and `(?P=...)` then takes the text that was found.
+    # `re` searches in `(?=...)` only once. `(?P=...)` matches the text that was found there.
     first, *rest = (_single(text) for text in re.split(r"[%*]+", pattern))
     *middle, last = rest or [""]
     words = [f"(?=(?P<part{n}>.*?{text}))(?P=part{n})" for n, text in enumerate(middle)]

@@ -1,7 +1,8 @@
 """Advice for the assignment of a field that a message does not have: `twist.linear.vx = 1.0`.
 
-Python raises this AttributeError, and up to Python 3.12 it names no similar field. Message classes
-have no `__setattr__` of their own, because it would make every assignment slower.
+Python raises an AttributeError for this assignment. In Python 3.12 and earlier versions, the error
+suggests no similar field. Message classes have no `__setattr__` of their own, because such a method
+would make every assignment slower.
 """
 
 from __future__ import annotations
@@ -31,7 +32,7 @@ def add_advice(error: BaseException) -> None:
 
 
 def _fields_of(name: str) -> tuple[str, ...]:
-    """Return the fields of the message class with this name, if the program uses only one."""
+    """Return the fields of the message class with this name, if there is only one such class."""
     found: list[Any] = [cls for cls in registry.used_classes() if cls.__name__ == name]
     if len(found) != 1 or not hasattr(found[0], "get_fields_and_field_types"):
         return ()

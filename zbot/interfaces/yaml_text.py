@@ -108,6 +108,6 @@ def scalar(node: ScalarNode) -> Any:
     try:
         return construct_yaml(node)
     except YamlError as error:
-        if error.line is None:  # as in 2024-13-01, !!bool x, !!timestamp x
+        if error.line is None:  # e.g. for 2024-13-01, !!bool x, !!timestamp x
             return node.value
         raise

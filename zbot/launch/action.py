@@ -1,4 +1,4 @@
-"""Base class of actions, the steps that a launch file describes."""
+"""Base class of actions. An action is one thing that a launch does, e.g. start a node."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 class Action(LaunchDescriptionEntity):
-    """A step of a launch, with an optional condition.
+    """An action of a launch, with an optional condition.
 
     Args:
         condition: The action runs only if the condition is true. None means that it always runs.
@@ -63,5 +63,8 @@ class Action(LaunchDescriptionEntity):
         """Perform the action and return the entities to visit next."""
 
     def get_asyncio_future(self) -> asyncio.Future[Any] | None:
-        """Return a future for the end of the action. Return None if `execute` does everything."""
+        """Return a future that is done when the action has ended.
+
+        Return None if the action has already ended when `execute` returns.
+        """
         return None

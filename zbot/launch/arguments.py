@@ -30,8 +30,8 @@ def declared_arguments(
 ) -> list[DeclaredArgument]:
     """Return the arguments of a description and of its included files. Each name occurs once.
 
-    The result leaves out arguments that an include sets. It also leaves out included files whose
-    path is known only during the launch.
+    The result leaves out an argument if an include sets its value. The result also leaves out the
+    arguments of an included file whose path is known only during the launch.
 
     Args:
         entity: The description.
@@ -52,7 +52,7 @@ class _Position:
 
     path: str = ""  #: path of the launch file that contains the entity
     given: frozenset[str] = frozenset()  #: names of arguments that an include sets
-    chain: tuple[str, ...] = ()  #: included files down to this file, the outermost first
+    chain: tuple[str, ...] = ()  #: paths of included files, from the outermost to this file
     conditional: bool = False
     follows: bool = True  #: whether included files are read
 
@@ -80,7 +80,7 @@ def _walk(entity: LaunchDescriptionEntity, place: _Position) -> Iterator[Declare
 def _walk_include(entity: IncludeLaunchDescription, place: _Position) -> Iterator[DeclaredArgument]:
     source = entity.launch_description_source
     path = source.location_before_launch(place.path) or ""
-    # The launch itself reports missing files and endless includes.
+    # Skip missing files and endless includes. The launch itself reports them.
     if path in place.chain or (path and not Path(path).is_file()):
         return
     description = source.try_get_launch_description_without_context(place.path)

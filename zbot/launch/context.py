@@ -53,9 +53,10 @@ class LaunchContext:
 
     Args:
         argv: The arguments of the launch.
-        noninteractive: Whether processes have no terminal as stdin.
-        find_program: Called with package and executable before a node starts. It raises an error if
-            the executable does not exist.
+        noninteractive: Whether processes always get a pipe as stdin. Otherwise they get the
+            terminal of the launch, if there is a terminal.
+        find_program: Function that is called with package and executable before a node starts. The
+            function raises an error if the executable does not exist.
         debug: Whether debug lines are shown.
         strict: Whether the launch fails if something in it cannot run in zbot.
     """
@@ -157,10 +158,10 @@ class LaunchContext:
     # Events
 
     def register_event_handler(self, event_handler: BaseEventHandler, append: bool = False) -> None:
-        """Register a handler, which is called before the other handlers (`append`: after them).
+        """Register a handler. It is called before the other handlers, or with `append` after them.
 
-        The actions of the handler get the present locals, so `ThisLaunchFile` is the file that
-        registered the handler.
+        The actions of the handler get the present locals. So `ThisLaunchFile` in these actions is
+        the file that registered the handler.
         """
         self._locals_of[event_handler] = self._inner_locals()
         if append:
@@ -221,7 +222,7 @@ class LaunchContext:
     # Methods for the `LaunchService` that runs this launch
 
     def begin(self, loop: asyncio.AbstractEventLoop) -> None:
-        """Use this loop to process events from now on."""
+        """Begin a run, which processes its events in this loop. Reset the flags of the last run."""
         self._loop, self._wake = loop, asyncio.Event()
         self._thread = threading.current_thread()
         self.is_shutdown = self.failed = False
@@ -304,7 +305,10 @@ class LaunchContext:
         return f"{name}-{self._labels}"
 
     def on_close(self, function: Callable[[], object]) -> None:
-        """Register a function to call when the launch has ended. The newest function runs first."""
+        """Register a function to call when the launch has ended.
+
+        The function that was registered last is called first.
+        """
         self._closers.append(function)
 
     def close(self) -> None:
@@ -315,7 +319,8 @@ class LaunchContext:
         for held in ("writer", "process_groups"):  # a second run creates them again
             self.__dict__.pop(held, None)
 
-    # ROS 2's LaunchContext has these private names. Its tests and other packages' actions use them.
+    # ROS 2's LaunchContext has methods with these private names. The tests of ROS 2 and the actions
+    # of other packages call them.
 
     def _set_asyncio_loop(self, loop: asyncio.AbstractEventLoop | None) -> None:
         self._loop = loop

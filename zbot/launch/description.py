@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class LaunchDescription(LaunchDescriptionEntity):
-    """Entities to visit, in order.
+    """List of actions and other descriptions, in the order in which the launch visits them.
 
     Args:
         initial_entities: Actions and other descriptions.
@@ -36,7 +36,7 @@ class LaunchDescription(LaunchDescriptionEntity):
 
     @property
     def deprecated(self) -> bool:
-        """Whether the description is marked as deprecated."""
+        """Whether the description is deprecated."""
         return self.deprecated_reason is not None
 
     def add_entity(self, entity: LaunchDescriptionEntity) -> None:
@@ -53,7 +53,7 @@ class LaunchDescription(LaunchDescriptionEntity):
     add_action = add_entity
 
     def visit(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity]:  # noqa: ARG002
-        """Return the entities."""
+        """Return the entities. Log a warning if the description is deprecated."""
         if self.deprecated_reason is not None:
             get_logger("launch").warning(f"deprecated: {self.deprecated_reason}")
         return self.entities
@@ -69,7 +69,7 @@ class LaunchDescription(LaunchDescriptionEntity):
     def get_launch_arguments(
         self, conditional_inclusion: bool = False
     ) -> list[DeclareLaunchArgument]:
-        """Return the arguments that this description declares, without those of included files.
+        """Return the arguments of this description, without the arguments of included files.
 
         This method sets `conditionally_included` of each argument.
         """

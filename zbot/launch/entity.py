@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
     from zbot.launch.context import LaunchContext
 
-# `calling_line` skips frames of these folders, because they belong to launch itself.
+# Folders with the code of launch itself. `calling_line` skips the frames of this code.
 _OWN = tuple(
     str(folder) for folder in (Path(__file__).parent, Path(__file__).parents[1] / "compat")
 )
@@ -44,22 +44,25 @@ class LaunchDescriptionEntity:
         raise NotImplementedError
 
     def describe_sub_entities(self) -> list[LaunchDescriptionEntity]:
-        """Return the entities that are always visited after this one."""
+        """Return the entities that are always visited after this entity."""
         return []
 
     def describe_conditional_sub_entities(
         self,
     ) -> list[tuple[str, Sequence[LaunchDescriptionEntity]]]:
-        """Return pairs: a condition as text, and the entities to visit if the condition is true."""
+        """Return pairs of a condition, as text, and the entities to visit if it is true."""
         return []
 
     def get_asyncio_future(self) -> asyncio.Future[Any] | None:
-        """Return a future for the end of the entity. Return None if `visit` does everything."""
+        """Return a future that is done when the entity has ended.
+
+        Return None if the entity has already ended when `visit` returns.
+        """
         return None
 
 
 def calling_line() -> Origin | None:
-    """Return the line of user code that called launch, or None if there is none."""
+    """Return the line of user code that called launch, or None if no user code called it."""
     frame = sys._getframe(1)  # noqa: SLF001 - documented; `inspect` takes 10 ms to import
     while frame is not None:
         name = frame.f_code.co_filename

@@ -126,7 +126,7 @@ class SubstitutionError(LaunchError, RuntimeError, ValueError):
 
 
 class UnknownNameError(SubstitutionError, NameError):
-    """A Python expression uses an undefined name. `python_modules` may lack a module."""
+    """A Python expression uses an undefined name, e.g. of a module not in `python_modules`."""
 
 
 class ConditionError(LaunchError, ValueError):
@@ -152,7 +152,7 @@ class ProgramError(LaunchError):
 class EntityTypeError(LaunchError, TypeError, ValueError):
     """A value in a launch description, or an argument of an action, has the wrong type.
 
-    It is both a TypeError and a ValueError, because launch raises both types.
+    This error is both a TypeError and a ValueError, because ROS 2's launch raises one of the two.
     """
 
     def __init__(self, where: str, expected: str, value: object) -> None:

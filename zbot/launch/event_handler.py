@@ -40,7 +40,7 @@ class BaseEventHandler:
 
     def handle(self, event: Event, context: LaunchContext) -> Sequence[LaunchDescriptionEntity]:
         """Handle the event and return the entities to visit."""
-        context.extend_locals({"event": event})  # `LaunchService` removes it after this handler
+        context.extend_locals({"event": event})  # `LaunchService` removes this local afterwards
         if self.handle_once:
             context.unregister_event_handler(self)
         return []
@@ -80,7 +80,8 @@ def react(
 ) -> Sequence[LaunchDescriptionEntity]:
     """Return the entities of a reaction. Call the reaction if it is a function."""
     if callable(reaction):
-        # Functions take event and context. In old launch files they take only the event.
+        # A function gets the event and the context. Functions in old launch files have only one
+        # argument, the event.
         code = getattr(reaction, "__code__", None)
         is_method = hasattr(reaction, "__self__")
         takes_one = code is not None and code.co_argcount - is_method == 1 and not code.co_flags & 4
@@ -195,7 +196,10 @@ class OnProcessExit(OnActionEventBase):
 
 
 class OnProcessIO(OnActionEventBase):
-    """Reacts to output of a process. Functions get the event, whose `text` is bytes."""
+    """Reacts to output of a process, or to input for its stdin.
+
+    If a reaction is a function, it gets only the event. The `text` of the event is bytes.
+    """
 
     def __init__(
         self,

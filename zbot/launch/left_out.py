@@ -14,7 +14,7 @@ _KEY = "zbot_left_out"
 
 
 def leave_out(context: LaunchContext, error: NotRunnableError) -> None:
-    """Say in one sentence what is left out. The same sentence is said once in a launch.
+    """Log one sentence about what is left out. A launch logs the same sentence only once.
 
     Raises:
         NotRunnableError: The launch is strict.
@@ -28,6 +28,9 @@ def leave_out(context: LaunchContext, error: NotRunnableError) -> None:
 
 
 def as_not_runnable(error: PackageNotFoundError) -> NotRunnableError | None:
-    """Return the error for a well-known package, whose files a launch can do without."""
+    """Return the error for a well-known package that does not run in zbot.
+
+    Return None for any other package, because the launch must report that this package is missing.
+    """
     kind = unavailable_package(error.package)
     return None if kind is None else NotRunnableError(error.package, kind)

@@ -11,7 +11,7 @@ from zbot.launch.log import get_logger, launch_config
 from zbot.launch.log.handlers import is_coloured, show
 from zbot.log.log_file import get_logging_directory
 
-#: The label of each new process gets the next colour.
+#: Colours of the labels. The label of each new process gets the next colour.
 _LABEL_COLOURS: Final = ("\x1b[36m", "\x1b[35m", "\x1b[34m", "\x1b[32m", "\x1b[33m")
 _RESET: Final = "\x1b[0m"
 
@@ -32,7 +32,7 @@ class LogWriter:
         """The folder of the log files. The first use creates it."""
         try:
             return Path(launch_config.log_dir)
-        except OSError:  # the first log line reports it
+        except OSError:  # the first log line reports this error
             return get_logging_directory()
 
     @property
@@ -62,7 +62,10 @@ class LogWriter:
         self.log("ERROR", logger, text)
 
     def log(self, level: str, name: str, text: str) -> None:
-        """Write a line to screen and file if its level is shown. The file gets all debug lines."""
+        """Write a line to screen and file if its level is shown.
+
+        The file also gets all debug lines.
+        """
         logger, number = get_logger(name), int(getattr(logging, level))
         record = logger.makeRecord(name, number, "", 0, text, (), None)
         if logger.isEnabledFor(number) or (number == logging.DEBUG and self.shows_debug):

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from zbot.launch.context import LaunchContext
 
-_KEY = "unique_ros_node_names"  # the name in launch_ros
+_KEY = "unique_ros_node_names"  # launch_ros uses the same key
 
 
 def _counts(context: LaunchContext) -> Counter[str]:

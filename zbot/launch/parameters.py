@@ -61,7 +61,7 @@ class ParameterFile:
     """A YAML file with parameters.
 
     Args:
-        param_file: Its path.
+        param_file: The path of the file.
         allow_substs: Whether to replace substitutions in the file, such as `$(var x)`.
     """
 
@@ -81,7 +81,10 @@ class ParameterFile:
         return self._given if self._path is None else self._path
 
     def evaluate(self, context: LaunchContext) -> Path:
-        """Return the path, or the path of a copy with replaced substitutions (`allow_substs`)."""
+        """Return the path of the file.
+
+        With `allow_substs`, return the path of a copy in which the substitutions are replaced.
+        """
         self._path = Path(perform(context, self._given))
         allow: Any = self.allow_substs
         if not isinstance(allow, bool):
@@ -332,7 +335,7 @@ def _converted(value: Any, kind: Any) -> Any:
 
 
 def _temporary_file(context: LaunchContext, text: str) -> Path:
-    """Return a file that contains a text. The file is removed when the launch has ended."""
+    """Return the path of a new file with this text. The end of the launch removes the file."""
     number, name = tempfile.mkstemp(prefix="launch_params_", suffix=".yaml")
     with os.fdopen(number, "w", encoding="utf-8") as file:
         file.write(text)

@@ -16,8 +16,8 @@ if TYPE_CHECKING:
 
     from zbot.launch.process_group import ProcessGroups
 
-# Time to read the pipes of an ended process. Its children may keep the pipes open for longer.
-_KILLED = -9  # the code of a process that SIGKILL ended
+_KILLED = -9  # the exit code of a process that SIGKILL ended
+# Longest time to read the output of an ended process. Its children may keep the pipes open.
 _DRAIN_S = 0.5
 
 
@@ -57,7 +57,7 @@ class ChildProcess:
     Args:
         transport: The asyncio transport of the process.
         protocol: The protocol of this transport.
-        terminals: Transports and protocols of its pseudo terminals.
+        terminals: Transports and protocols of the process's pseudo terminals.
         process_groups: The groups of the launch. The constructor adds the group of this process.
     """
 
@@ -76,7 +76,7 @@ class ChildProcess:
 
     @property
     def is_running(self) -> bool:
-        """Whether the process has not ended."""
+        """Whether the process still runs."""
         return not self._protocol.exited.is_set()
 
     def send_signal(self, number: int) -> None:
@@ -147,7 +147,8 @@ async def start(
         "stdin": stdin,
         "stdout": slaves[0] if slaves else subprocess.PIPE,
         "stderr": slaves[1] if slaves else subprocess.PIPE,
-        # The process gets its own session. So Ctrl-C reaches only the launch, which sends signals.
+        # The process gets its own session. So Ctrl-C reaches only the launch, and the launch then
+        # sends signals to the process.
         "start_new_session": os.name != "nt",
     }
     try:

@@ -1,4 +1,4 @@
-"""Events that report the start, exit or output of a process, or ask to end it or to signal it."""
+"""Events that report the start, exit or output of a process, or request to signal or end it."""
 
 from __future__ import annotations
 
@@ -52,8 +52,8 @@ class ProcessExited(RunningProcessEvent):
     """A process ended.
 
     Args:
-        returncode: Its exit code. It is negative if a signal ended the process.
-        process: More arguments of `RunningProcessEvent`.
+        returncode: The exit code. It is negative if a signal ended the process.
+        process: The arguments of `RunningProcessEvent`.
     """
 
     name = "launch.events.process.ProcessExited"
@@ -69,7 +69,7 @@ class ProcessIO(RunningProcessEvent):
     Args:
         text: The bytes.
         fd: 0 for stdin, 1 for stdout, 2 for stderr. None means the class attribute `fd`.
-        process: More arguments of `RunningProcessEvent`.
+        process: The arguments of `RunningProcessEvent`.
     """
 
     name = "launch.events.process.ProcessIO"

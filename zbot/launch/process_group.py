@@ -95,7 +95,8 @@ def _join_job() -> None:
     kernel32.CreateJobObjectW.restype = ctypes.c_void_p
     kernel32.GetCurrentProcess.restype = ctypes.c_void_p
     job = ctypes.c_void_p(kernel32.CreateJobObjectW(None, None))
-    # JOBOBJECT_EXTENDED_LIMIT_INFORMATION with only LimitFlags set.
+    # This is a JOBOBJECT_EXTENDED_LIMIT_INFORMATION. Only its LimitFlags are set, and their value
+    # 0x2000 is JOB_OBJECT_LIMIT_KILL_ON_JOB_CLOSE.
     information = (ctypes.c_byte * (144 if ctypes.sizeof(ctypes.c_void_p) == 8 else 112))()
     ctypes.memmove(ctypes.byref(information, 16), ctypes.byref(ctypes.c_uint32(0x2000)), 4)
     extended, size = 9, ctypes.sizeof(information)

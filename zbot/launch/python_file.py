@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
 _FUNCTION = "generate_launch_description"
-#: Modules that launch files import, and the extra of zbot that brings each of them.
+#: Modules that launch files import, and the extra of zbot that installs each module.
 _EXTRAS = {"numpy": "numpy", "xacro": "robot"}
 
 

@@ -81,7 +81,8 @@ class LaunchNode:
         self, node_name: str, transition: int, on_answer: Callable[[bool], None]
     ) -> None:
         """Request a transition of a managed node. `on_answer` gets True if the node succeeded."""
-        # This runs in a thread, because it waits for the services of a node that just started.
+        # A thread sends the request, because it first waits for the service of the node. A node
+        # that has just started has no services yet.
         threading.Thread(
             target=self._change_state, args=(node_name, transition, on_answer), daemon=True
         ).start()

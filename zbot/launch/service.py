@@ -1,4 +1,4 @@
-"""Launch service, which visits entities and handles events until nothing is left."""
+"""Launch service, which visits entities and handles events until the launch ends."""
 
 from __future__ import annotations
 
@@ -29,14 +29,15 @@ class LaunchService:
 
     Args:
         argv: Arguments of the launch, which are also in `context.argv`.
-        noninteractive: Whether processes have no terminal as stdin.
+        noninteractive: Whether processes always get a pipe as stdin. Otherwise they get the
+            terminal of the launch, if there is a terminal.
         debug: Whether debug lines are shown.
-        log_file_name: The launch's log file in its log folder. The launch's logger has the same
-            name without `.log`.
-        find_program: Called with package and executable before a node starts. It raises an error if
-            the executable does not exist.
+        log_file_name: The name of the launch's log file. The launch's logger has the same name
+            without `.log`.
+        find_program: Function that is called with package and executable before a node starts. The
+            function raises an error if the executable does not exist.
         strict: Whether the launch fails if something in it cannot run in zbot. Otherwise the
-            launch says so, and goes on.
+            launch logs a warning and continues.
     """
 
     def __init__(
@@ -93,7 +94,7 @@ class LaunchService:
 
     def shutdown(self, force_sync: bool = False) -> None:
         """End the launch and its processes. Any thread may call this method."""
-        del force_sync  # with and without it, the event is put into the queue
+        del force_sync  # has no effect: the event is always put into the queue
         if not self.context.is_shutdown:
             self.emit_event(Shutdown(reason="LaunchService.shutdown() called"))
 
@@ -105,7 +106,8 @@ class LaunchService:
 
         Returns:
             The exit code, which is 1 if the launch failed and otherwise 0. As in ROS 2, the launch
-            does not fail if a program exits with an error. Then `context.program_failed` is true.
+            does not fail if a program exits with an error. But `context.program_failed` is true
+            after such an exit.
         """
         # asyncio.run() would remove the thread's event loop, which the program may still use.
         loop = asyncio.new_event_loop()

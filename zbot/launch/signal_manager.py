@@ -30,7 +30,7 @@ class AsyncSafeSignalManager:
         self._handlers: dict[int, Callable[[int], Any]] = {}
         self._previous: dict[int, Any] = {}
         self._is_entered = False
-        self._ends: tuple[socket.socket, ...] = ()  # a signal is written into the second
+        self._ends: tuple[socket.socket, ...] = ()  # Python writes signals into the second socket
         self._previous_fd = -1
 
     def handle(
@@ -92,8 +92,8 @@ class AsyncSafeSignalManager:
         self._ends = ()
 
     def _let_signals_wake_the_loop(self) -> None:
-        # A signal that comes just before the loop waits does not interrupt the wait. On Windows,
-        # the loop itself takes care of this.
+        # Python writes each signal into a socket. So a signal wakes the loop even if the signal
+        # comes just before the loop waits. On Windows, the loop itself does this.
         if sys.platform == "win32":
             return
         self._ends = reader, writer = socket.socketpair()
@@ -105,5 +105,5 @@ class AsyncSafeSignalManager:
     def _pass_on(self) -> None:
         numbers = self._ends[0].recv(4096)
         if self._previous_fd != -1:
-            with contextlib.suppress(OSError):  # its buffer is full, or its owner has closed it
+            with contextlib.suppress(OSError):  # the buffer is full, or the descriptor is closed
                 os.write(self._previous_fd, numbers)

@@ -1,4 +1,4 @@
-"""Sinks of a program's output, e.g. screen, launch's log file and program's own log files."""
+"""Sinks of a program's output: the screen, the launch's log file, the program's own log files."""
 
 from __future__ import annotations
 

@@ -75,7 +75,7 @@ class LaunchDescriptionSource:
         """Return the description. Return None if its path is not known before the launch.
 
         Args:
-            including: The path of the launch file that includes this one.
+            including: The path of the launch file that includes this file.
 
         Raises:
             LaunchFileError: The file is invalid.
@@ -109,7 +109,7 @@ class LaunchDescriptionSource:
 
     @property
     def location(self) -> str:
-        """The path. It is empty if it is not known before the launch."""
+        """The path, or an empty text if the path is known only during the launch."""
         return self.location_before_launch() or ""
 
     @property
@@ -122,7 +122,7 @@ def load_launch_file(location: str, kind: str = "") -> LaunchDescription:
     """Return the launch description of a launch file.
 
     Args:
-        location: Its path.
+        location: The path of the file.
         kind: `python`, `xml` or `yaml`. If empty, the file's suffix decides. With another suffix,
             e.g. `.launch`, the file's content decides.
 
@@ -150,7 +150,7 @@ def _load_python(path: Path) -> LaunchDescription:
 
 
 def _load_unknown(path: Path) -> LaunchDescription:
-    """Return the description of a file whose suffix tells no format, e.g. `robot.launch`."""
+    """Return the description of a file whose suffix, e.g. `.launch`, does not tell the format."""
     from zbot.launch.frontend import load_file, yaml_file  # noqa: PLC0415 - few files need it
     from zbot.launch.frontend.errors import InvalidFrontendLaunchFileError  # noqa: PLC0415 - as above
 

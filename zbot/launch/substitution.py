@@ -99,7 +99,10 @@ _TRUE, _FALSE = {"true", "1", "yes", "on"}, {"false", "0", "no", "off"}
 
 
 def to_bool(text: str) -> bool | None:
-    """Return the truth value of a text, as YAML reads it. Return None for other texts."""
+    """Return the truth value that a text such as `true`, `no` or `1` has in YAML.
+
+    Return None for a text that has no truth value.
+    """
     word = text.strip().lower()
     if word in _TRUE:
         return True

@@ -1,4 +1,4 @@
-"""Supervisor that starts, restarts and stops one program, and emits its events."""
+"""Supervisor that starts, restarts and stops one program, and emits events about the program."""
 
 from __future__ import annotations
 
@@ -80,7 +80,7 @@ class Supervisor:
     def start(self) -> asyncio.Task[None]:
         """Run the program. The returned task is done when the last run of the program has ended."""
         handlers = self._handlers()
-        for handler in handlers:  # now, because the launch may end before the task begins
+        for handler in handlers:  # not in the task, because the launch may end before it begins
             self._context.register_event_handler(handler)
         return self._context.create_task(self._run(handlers))
 
@@ -156,7 +156,7 @@ class Supervisor:
         return None if has_keys else subprocess.PIPE
 
     def details(self) -> dict[str, Any]:
-        """Return the arguments of the process's events. `pid` is set only after the start."""
+        """Return the arguments of the process's events. Before the start, there is no `pid`."""
         prepared = self._prepared
         pid = {} if self._process is None else {"pid": self._process.pid}
         return {

@@ -1,4 +1,4 @@
-"""Functions for typed values in launch files, as in `launch.utilities.type_utils`."""
+"""Functions that check and convert typed values, as in `launch.utilities.type_utils`."""
 
 from __future__ import annotations
 
@@ -20,7 +20,8 @@ AllowedTypesType: TypeAlias = Any
 _SCALARS: Final = (int, float, bool, str)
 
 
-#: The types that XML and YAML files name in attributes. `yaml` means the type that YAML reads.
+#: The types that attributes in XML and YAML files can contain. The keys are the texts in the files.
+#: `yaml` means that the value is read as YAML.
 TYPES_BY_NAME: Final[dict[str, Any]] = {
     **{kind.__name__: kind for kind in _SCALARS},
     "list_of_bool": list[bool],
@@ -32,7 +33,7 @@ TYPES_BY_NAME: Final[dict[str, Any]] = {
 
 
 def get_data_type_from_identifier(type_identifier: str) -> Any:
-    """Return the type of a name such as `int` or `list_of_int`.
+    """Return the type that has a name such as `int` or `list_of_int`.
 
     Raises:
         CoercionError: No type has this name.
@@ -54,7 +55,9 @@ def is_valid_scalar_type(data_type: Any) -> bool:
 
 
 def extract_type(data_type: AllowedTypesType) -> tuple[Any, bool]:
-    """Return a scalar type itself or the type of a list's items, and whether the type is a list.
+    """Return a scalar type, and whether the given type is a list.
+
+    The scalar type is the type of the list's items, or the given type itself.
 
     Raises:
         CoercionError: The type is not supported.
@@ -106,7 +109,7 @@ def coerce_to_type(value: str, data_type: Any = None, can_be_str: bool = False) 
     Args:
         value: The string.
         data_type: `bool`, `int`, `float`, `str`, or a list whose items have one of these types,
-            e.g. `List[int]`. `None` means the type that YAML reads.
+            e.g. `List[int]`. With `None`, the string is read as YAML.
         can_be_str: Whether to return the string itself if it cannot be converted.
 
     Raises:
@@ -138,7 +141,7 @@ def coerce_list(value: list[str], data_type: Any = None, can_be_str: bool = Fals
 
     Args:
         value: The strings.
-        data_type: The type of the items. `None` means the type that YAML reads.
+        data_type: The type of the items. With `None`, each string is read as YAML.
         can_be_str: Whether the result may also contain strings.
 
     Raises:
@@ -158,7 +161,8 @@ def get_typed_value(value: str | list[str], data_type: Any = None, can_be_str: b
 
     Raises:
         CoercionError: The string cannot be converted to this type.
-        EntityTypeError: `value` is neither str nor list, or it is a list but `data_type` is scalar.
+        EntityTypeError: `value` is not a string or a list. Or `value` is a list, but `data_type` is
+            a scalar type.
     """
     if not isinstance(value, list):
         return coerce_to_type(value, data_type, can_be_str)
@@ -178,13 +182,13 @@ def is_substitution(value: Any) -> bool:
 
 
 def is_normalized_substitution(value: Any) -> bool:
-    """Return whether a value is a list of substitutions that is not empty."""
+    """Return whether a value is a list of one or more substitutions."""
     is_filled = isinstance(value, list) and bool(value)
     return is_filled and all(isinstance(one, Substitution) for one in value)
 
 
 def normalize_typed_substitution(value: SomeValueType, data_type: Any = None) -> Any:
-    """Return a value in which each substitution is a list. Other values stay unchanged.
+    """Return a value after `normalize` of each substitution in it. Other parts stay unchanged.
 
     Raises:
         CoercionError: The type is not supported.

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 def create_future(loop: asyncio.AbstractEventLoop | None) -> asyncio.Future[Any]:
-    """Return a future of a loop. None means the loop of this thread."""
+    """Return a new future of an event loop. None means the loop of this thread."""
     if loop is None:
         loop = asyncio.get_event_loop_policy().get_event_loop()
     return loop.create_future()

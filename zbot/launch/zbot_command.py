@@ -1,7 +1,8 @@
-"""Command line that starts zbot in child processes, and a program `ros2` that runs zbot.
+"""Command line that starts zbot in child processes, and wrappers, e.g. `ros2`, that run zbot.
 
-Launch files start commands such as `ros2 topic echo ...`. If ROS 2 is not installed, the search
-path of the child processes ends with a folder that contains the program `ros2`.
+A wrapper is a small script with the name of a missing program. Launch files start commands such as
+`ros2 topic echo ...`. If ROS 2 is not installed, the PATH of the child processes ends with a folder
+that contains the wrapper `ros2`.
 """
 
 from __future__ import annotations
@@ -26,8 +27,8 @@ if TYPE_CHECKING:
 
 def zbot_command() -> list[str]:
     """Return the words that start the `zbot` of this Python installation."""
-    # With the script `zbot`, sys.path does not contain the working directory. With `-m zbot`, it
-    # does. On Windows, zbot.exe starts a second process, which signals do not reach.
+    # The script `zbot` is better than `-m zbot`, which adds the working directory to sys.path. But
+    # on Windows, zbot.exe starts a second process, and signals do not reach that process.
     script = Path(sys.executable).with_name("zbot")
     if os.name != "nt" and script.is_file() and os.access(script, os.X_OK):
         return [str(script)]
@@ -37,7 +38,7 @@ def zbot_command() -> list[str]:
 def run_scripts_with_zbot(words: Sequence[str]) -> list[str]:
     """Replace `python3 X.py` by `zbot run X.py` in a command, so that the script finds `rclpy`.
 
-    A program of rqt that is not on the PATH becomes the bundled node of this name.
+    If a program of rqt or `xacro` is not on the PATH, run zbot's own program of this name instead.
     """
     package = BUNDLED_PROGRAMS.get(words[0])
     if package is not None and shutil.which(words[0]) is None:
@@ -50,11 +51,11 @@ def run_scripts_with_zbot(words: Sequence[str]) -> list[str]:
 
 
 def find_on_path(name: str, environment: Mapping[str, str]) -> str | None:
-    """Return a program's path on the PATH, or None. A missing `ros2` or `zbot` gets a wrapper.
+    """Return the path of a program or of its wrapper. Return None if neither exists.
 
-    The wrapper of a missing rqt program opens the page. The wrapper of `xacro` starts the xacro of
-    this Python installation, because this xacro finds zbot's packages. If this installation has no
-    xacro, the `xacro` on the PATH is used.
+    A missing `ros2`, `zbot` or rqt program has a wrapper. The wrapper of an rqt program opens
+    zbot's web page. If this Python installation has xacro, a wrapper starts it even if another
+    `xacro` is on the PATH, because only the xacro of this installation finds zbot's packages.
     """
     if name == "xacro" and importlib.util.find_spec("xacro") is not None:
         return str(executable_wrapper("xacro", "xacro"))
@@ -67,7 +68,7 @@ def find_on_path(name: str, environment: Mapping[str, str]) -> str | None:
 
 
 def add_ros2_to_path(environment: Mapping[str, str]) -> dict[str, str]:
-    """Return an environment whose PATH has `ros2`, `zbot` and `xacro`, if necessary as wrappers."""
+    """Return an environment whose PATH has `ros2`, `zbot` and `xacro`, or wrappers for them."""
     path = environment.get("PATH", os.defpath)
     missing = [name for name in ("ros2", "zbot") if shutil.which(name, path=path) is None]
     folders = {str(_wrapper(name, zbot_command()).parent) for name in missing}
@@ -77,12 +78,12 @@ def add_ros2_to_path(environment: Mapping[str, str]) -> dict[str, str]:
 
 
 def executable_wrapper(package: str, executable: str) -> Path:
-    """Return the path of a wrapper program that runs an executable of a package."""
+    """Return the path of a wrapper that runs an executable of a package."""
     return _wrapper(executable, [*zbot_command(), "run", package, executable])
 
 
 def _wrapper(name: str, words: Sequence[str]) -> Path:
-    """Return the path of a wrapper program, which passes its arguments on to a command."""
+    """Return the path of a wrapper, which runs a command and adds its own arguments to it."""
     key = hashlib.sha256("\0".join(words).encode()).hexdigest()[:16]
     path = cache_folder() / "programs" / key / (f"{name}.cmd" if os.name == "nt" else name)
     try:
@@ -99,7 +100,8 @@ def _write(path: Path, words: Sequence[str]) -> None:
         line = " ".join(f'"{word}"' for word in words)
         path.write_text(f"@{line} %*\n", encoding="utf-8")
         return
-    # The file gets its name when it is complete, because another launch may start it immediately.
+    # Write the file under another name and rename it when it is complete, because another launch
+    # may start it immediately.
     draft = path.with_name(f"{path.name}.{os.getpid()}")
     draft.write_text(f'#!/bin/sh\nexec {shlex.join(words)} "$@"\n', encoding="utf-8")
     draft.chmod(draft.stat().st_mode | stat.S_IXUSR | stat.S_IXGRP | stat.S_IXOTH)

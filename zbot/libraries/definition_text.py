@@ -47,11 +47,11 @@ class InvalidResourceName(InvalidSpecification, TypeError, NameError):  # noqa: 
 
 
 class UnknownMessageType(InvalidSpecification):
-    """A field has the type of a message that is not among the given ones."""
+    """A field has a message type that is not among the known types."""
 
 
 class InvalidLineError(InvalidFieldDefinition, InvalidResourceName, ValueError):
-    """A line of a definition is invalid. rosidl_adapter raises one of these classes."""
+    """A line of a definition is invalid. rosidl_adapter raises one of the base classes."""
 
 
 class InvalidValue(ZbotError, ValueError):  # noqa: N818 - as above
@@ -392,7 +392,11 @@ def _message(parsed: spec.MessageSpec) -> MessageSpecification:
 def _annotate(
     message: MessageSpecification, declared: dict[str, Field | Constant], text: str
 ) -> None:
-    """Give each part its comments: those above it, beside it, and indented below it."""
+    """Give the message, fields and constants their comments.
+
+    The comments of a line are above it, beside it, and indented below it. The message has the
+    comments at the beginning of the text.
+    """
     lines = text.splitlines()
     start = next((i for i, line in enumerate(lines) if not line.startswith("#")), len(lines))
     message.annotations = _annotations([line.lstrip("#") for line in lines[:start]])

@@ -1,6 +1,6 @@
 """Message filters: subscribers, caches, chains and synchronizers.
 
-Names and behaviour are the same as in ROS 2's `message_filters`. Methods are spelled as there.
+Names, their spelling and the behaviour are the same as in ROS 2's `message_filters`.
 """
 
 from __future__ import annotations
@@ -91,7 +91,7 @@ class Cache(SimpleFilter):
     """Cache of the most recent messages, with lookups by time.
 
     Args:
-        f: The filter whose messages are kept. The cache passes them on too.
+        f: The filter whose messages are kept. The cache also outputs these messages.
         cache_size: Number of messages to keep.
         allow_headerless: Use the present time for a message without a stamp.
     """
@@ -108,7 +108,7 @@ class Cache(SimpleFilter):
             self.connectInput(f)
 
     def connectInput(self, f: Filter) -> None:  # noqa: N802 - ROS 2's
-        """Register with the filter whose messages are kept."""
+        """Connect the cache to the filter whose messages are kept."""
         self.incoming_connection = f.registerCallback(self.add)
 
     def add(self, msg: Any) -> None:
@@ -124,7 +124,7 @@ class Cache(SimpleFilter):
         self.signalMessage(msg)
 
     def getInterval(self, from_stamp: Time, to_stamp: Time) -> list[Any]:  # noqa: N802 - ROS 2's
-        """Return the messages between two times, or exactly at one of these times."""
+        """Return the messages between two times, including messages at exactly these times."""
         first, last = self._before(from_stamp), self._until(to_stamp)
         return self.cache_msgs[first:last]
 
@@ -174,7 +174,7 @@ class Chain(SimpleFilter):
             self.connectInput(message_filter)
 
     def connectInput(self, message_filter: Filter) -> None:  # noqa: N802 - ROS 2's
-        """Register with the filter whose messages are the input.
+        """Connect the chain to the filter whose messages are the input.
 
         Raises:
             RuntimeError: The chain already has an input.
@@ -215,13 +215,13 @@ class TimeSynchronizer(SimpleFilter):
 
     Args:
         fs: The filters.
-        queue_size: Largest number of waiting messages per filter. Beyond it, the oldest is dropped.
+        queue_size: Largest number of waiting messages per filter. Older messages are dropped.
     """
 
     def __init__(self, fs: Sequence[Filter], queue_size: int) -> None:
         super().__init__()
         self.queue_size = queue_size
-        # A lock against other threads. It is reentrant, because a callback may add a message.
+        # The lock excludes other threads. It is reentrant, because a callback may add a message.
         self.lock = threading.RLock()
         self.connectInput(fs)
 
@@ -254,7 +254,7 @@ class ApproximateTimeSynchronizer(TimeSynchronizer):
 
     Args:
         fs: The filters.
-        queue_size: Largest number of waiting messages per filter. Beyond it, the oldest is dropped.
+        queue_size: Largest number of waiting messages per filter. Older messages are dropped.
         slop: Largest difference of the stamps in seconds.
         allow_headerless: Use the present time for a message without a stamp.
         sync_arrival_time: Use the times at which messages arrive instead of their stamps.

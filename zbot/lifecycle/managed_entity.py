@@ -18,7 +18,8 @@ if TYPE_CHECKING:
 class ManagedEntity:
     """Base class with a callback for each transition of the node.
 
-    Each callback gets the state before the transition. It returns SUCCESS if it is not overridden.
+    Each callback gets the state before the transition. A callback that is not overridden returns
+    SUCCESS.
     """
 
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:  # noqa: ARG002

@@ -65,7 +65,7 @@ class _LifecycleData:
 
 
 class LifecycleNodeMixin(ManagedEntity):
-    """Makes a `Node` a managed node. Call the mixin's constructor after that of `Node`.
+    """Makes a `Node` a managed node. Call `Node`'s constructor before the mixin's constructor.
 
     Args:
         enable_communication_interface: Whether services let other programs see and change the
@@ -166,13 +166,14 @@ class LifecycleNodeMixin(ManagedEntity):
             return TransitionCallbackReturn.ERROR
 
     def _zbot_deactivate_entities(self, start: LifecycleState) -> None:
-        # Simple entities of an inactive node must be inactive, also if a callback failed.
+        # If the node is inactive, each `SimpleManagedEntity` must be inactive, also if a callback
+        # failed.
         for entity in self._zbot_lifecycle.entities:
             if isinstance(entity, SimpleManagedEntity):
                 SimpleManagedEntity.on_deactivate(entity, start)
 
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Prepare. By default, call the managed entities until a callback does not succeed."""
+        """Prepare. By default, call the managed entities' callbacks until one does not succeed."""
         return self._zbot_call_entities("on_configure", state)
 
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
@@ -232,7 +233,7 @@ class LifecycleNodeMixin(ManagedEntity):
             msg_type: Message class.
             topic: Relative, `~/private` or absolute name.
             qos_profile: A profile, or the depth of the default profile.
-            callback_group: Group of its event callbacks. If left out, the node's default group is
+            callback_group: Group of the event callbacks. If left out, the node's default group is
                 used.
             event_callbacks: A `PublisherEventCallbacks`.
             qos_overriding_options: The policies that parameters may override.

@@ -15,7 +15,10 @@ MsgT = TypeVar("MsgT")
 
 
 class LifecyclePublisher(SimpleManagedEntity, Publisher[MsgT]):
-    """Publishes only while its node is active. `create_lifecycle_publisher` creates it."""
+    """Publishes only while its node is active.
+
+    `LifecycleNode.create_lifecycle_publisher` creates such publishers.
+    """
 
     def __init__(self, *args: Any, **kwargs: Any) -> None:
         SimpleManagedEntity.__init__(self)
@@ -28,9 +31,9 @@ class LifecyclePublisher(SimpleManagedEntity, Publisher[MsgT]):
         return SimpleManagedEntity.on_activate(self, state)
 
     def publish(self, msg: MsgT | bytes) -> None:
-        """Send a message. While the node is not active, drop messages with one warning.
+        """Send a message. While the node is not active, drop each message, and log one warning.
 
-        It raises the errors of `zbot.Publisher.publish`.
+        This method raises the errors of `zbot.Publisher.publish`.
         """
         if self.is_activated:
             Publisher.publish(self, msg)

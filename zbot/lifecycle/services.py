@@ -1,4 +1,4 @@
-"""Services of a managed node, and the topic on which it publishes its transitions."""
+"""Services of a managed node, and the topic on which the node publishes its transitions."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from zbot.executor.callback_group import CallbackGroup
     from zbot.lifecycle.state_machine import LifecycleState, StateMachine, Transition
 
-#: Depth of the topic of transitions: ROS 2's default.
+#: Depth of the publisher of transitions. It is the same as in ROS 2.
 _EVENT_DEPTH = 10
 
 

@@ -6,7 +6,8 @@ each of the three --shutdown--> finalized
 
 Between two of these states is a transition state (`configuring`, `activating` ...), in which the
 node's callback runs. The next state depends on the callback's return value. After an error, the
-next state is `errorprocessing`. Then it is `unconfigured` if `on_error` succeeds, else `finalized`.
+next state is `errorprocessing`. The state after that is `unconfigured` if `on_error` succeeds, else
+`finalized`.
 """
 
 from __future__ import annotations
@@ -38,7 +39,7 @@ class TransitionCallbackReturn(Enum):
     """Return value of a managed node's callback."""
 
     SUCCESS = 97
-    FAILURE = 98  #: back to the previous state; after `on_shutdown` and `on_error`, to `finalized`
+    FAILURE = 98  #: back to the previous state, or to `finalized` after `on_shutdown` or `on_error`
     ERROR = 99  #: `on_error` runs next
 
     def __int__(self) -> int:

@@ -33,7 +33,7 @@ class FilterOptions(TypedDict, total=False):
     once: bool  #: only the first call writes
     skip_first: bool  #: every call except the first call writes
     throttle_duration_sec: float  #: at most one line in this time, in seconds
-    throttle_time_source_type: TimeProvider  #: clock of the throttle, by default monotonic
+    throttle_time_source_type: TimeProvider  #: clock of the throttle; the default is monotonic
 
 
 class LogOptions(FilterOptions, total=False):
@@ -74,14 +74,15 @@ class CallSite:
         self._severity, self._name = severity, name
         self._filters = _filters(options) if options else _NO_FILTERS
         self._passed = 0
-        # As in rclpy: if the program gives a clock, a line counts as written at time 0. So with
-        # simulated time, the first line comes when the clock reaches the throttle's duration.
+        # As in rclpy: if the program gives a clock, the throttle begins as if a line was written at
+        # time 0. So with simulated time, the first line is written only when the clock reaches the
+        # throttle's duration.
         self._last_ns: int | None = None if self._filters.clock is None else 0
 
     def check(
         self, severity: LoggingSeverity, name: str, options: FilterOptions, frame: FrameType
     ) -> None:
-        """Check that a call is the same as the first call at this place.
+        """Check that a call has the same options as the first call at this place.
 
         Raises:
             LogCallChangedError: The call has another severity, name or filter.

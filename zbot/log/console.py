@@ -45,8 +45,9 @@ class Console:
     def write(self, severity: LoggingSeverity, line: str) -> None:
         """Write a line in its severity's colour.
 
-        A line may contain text that came over the network. So a terminal gets no control characters
-        of the line except colours, which students put into their lines.
+        A line may contain text that came over the network. So the control characters of the line
+        are escaped if the stream is a terminal. Colour codes are kept, because programs use them in
+        their lines.
         """
         # The stream is looked up each time, because programs and tests replace sys.stderr.
         stream = sys.stdout if self._uses_stdout else sys.stderr
@@ -67,7 +68,7 @@ class Console:
         return value == "1" if value else None
 
     def _colour_setting(self) -> bool | None:
-        """Return whether the environment asks for colour. `None` means the stream decides."""
+        """Return whether the environment asks for colour. `None` means that the stream decides."""
         setting = self._switch("RCUTILS_COLORIZED_OUTPUT")
         if setting is None and os.environ.get("NO_COLOR"):
             setting = False

@@ -6,7 +6,7 @@ from zbot.errors import ZbotError
 
 
 class InvalidSeverityError(ZbotError, ValueError, RuntimeError):
-    """A severity does not exist. rclpy raises ValueError for a number, RuntimeError for text."""
+    """A severity does not exist. rclpy raises ValueError for numbers and RuntimeError for texts."""
 
     def __init__(self, severity: object) -> None:
         self.severity = severity

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 def get_logging_directory() -> Path:
     """Return the folder for log files. The folder may be missing.
 
-    It is `$ZBOT_LOG_DIR`, else `$ROS_LOG_DIR`, else `$ROS_HOME/log`, else `~/.ros/log`.
+    The folder is `$ZBOT_LOG_DIR`, else `$ROS_LOG_DIR`, else `$ROS_HOME/log`, else `~/.ros/log`.
     """
     wanted = _wanted_directory()
     if wanted is not None:
@@ -29,7 +29,7 @@ class LogFile:
     """Log file `<folder>/<program>_<pid>_<milliseconds>.log`. The first log line creates it.
 
     Args:
-        prefix: If it is not empty, it replaces the program's name in the file's name.
+        prefix: Replaces the program's name in the file's name, if the prefix is not empty.
     """
 
     def __init__(self, prefix: str = "") -> None:

@@ -138,7 +138,7 @@ class Logger:
         if options and (name := options.pop("name", None)) is not None:
             state = REGISTRY.state_of(name)
         code = frame.f_code
-        # The last instruction distinguishes two calls on one line.
+        # `f_lasti` distinguishes two calls on one line.
         place = (code.co_filename, code.co_name, frame.f_lineno, frame.f_lasti)
         site = self._sites.get(place)
         if site is None:

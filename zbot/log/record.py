@@ -28,7 +28,7 @@ class Record(NamedTuple):
     stamp_ns: int  #: system time, nanoseconds since the epoch
     level: LoggingSeverity
     name: str  #: name of the logger
-    message: str  #: It may have several lines. UTF-8 can always encode it.
+    message: str  #: one or several lines; UTF-8 can encode them
     file: str  #: path of the source file with the log call
     function: str
     line: int  #: number of the line in `file`, from 1

@@ -46,7 +46,7 @@ class LoggerState:
 
 @dataclass(eq=False)
 class _Outputs:
-    """Console and log file. The first log line opens both, with the environment at that time."""
+    """Console and log file. The first log line makes both, and they read the environment then."""
 
     console: Console
     file: LogFile
@@ -87,7 +87,7 @@ class LogRegistry:
             stdout_enabled: Whether lines go to the console (stdout or stderr).
             rosout_enabled: Whether lines go to sinks.
             file_enabled: Whether lines go to a file, if a log folder is set.
-            file_prefix: If it is not empty, it replaces the program's name in the file's name.
+            file_prefix: Replaces the program's name in the file's name, if it is not empty.
 
         Raises:
             InvalidSeverityError: A level does not exist.
@@ -151,8 +151,8 @@ class LogRegistry:
         """Add a function that gets every line of a logger and its children.
 
         The function runs in the thread that logs, so it must be fast. The function's own log lines
-        go only to the console and the file. If it raises errors, the console reports the
-        first error only.
+        go only to the console and the file. If the function raises errors, the console reports only
+        the first error.
 
         Args:
             logger_name: The logger. An empty name means all loggers.
@@ -192,7 +192,7 @@ class LogRegistry:
     def emit(
         self, state: LoggerState, severity: LoggingSeverity, message: object, frame: FrameType
     ) -> None:
-        """Write one line to all outputs, without comparing its severity with the threshold."""
+        """Write one line to all outputs. Do not compare its severity with the threshold."""
         code = frame.f_code
         record = Record(
             time.time_ns(),
@@ -269,7 +269,7 @@ class LogRegistry:
 
 
 def _text(message: object) -> str:
-    """Return the message as text that UTF-8 can encode. Lone surrogates are escaped."""
+    """Return the message as text. Characters that UTF-8 cannot encode are escaped."""
     text = message if isinstance(message, str) else str(message)
     if not text.isascii():
         try:

@@ -10,7 +10,7 @@ from zbot.log.errors import InvalidSeverityError
 class LoggingSeverity(IntEnum):
     """Severity of a log line. The level of a logger is the lowest severity that it writes."""
 
-    UNSET = 0  #: as a logger's level, it means the parent's level
+    UNSET = 0  #: a logger with this level has the level of its parent
     DEBUG = 10
     INFO = 20
     WARN = 30

@@ -1,4 +1,4 @@
-"""Notices from a teacher to a classroom. The students' nodes log them."""
+"""Notices from a teacher to a classroom. The students' nodes log the notices."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def log_notice(sample: zenoh.Sample) -> None:
 
 
 def notice_text(payload: bytes) -> str:
-    """Return the text of a notice in one printable line. It is empty for an invalid notice."""
+    """Return the text of a notice in one printable line. Return `""` for an invalid notice."""
     try:
         found = read_json_object(payload, _MAX_BYTES)
     except JsonError:

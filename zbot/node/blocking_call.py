@@ -1,7 +1,7 @@
 """Functions that make a thread wait for the reply to a service request.
 
-The executor of the thread that waits may also run a server of the same service. So the thread runs
-the requests of these servers during the wait. Otherwise the call would never end.
+The thread that waits may belong to an executor that also has a server of this service. So during
+the wait, the thread runs the callback of this server. Otherwise the call would never end.
 """
 
 from __future__ import annotations
@@ -26,7 +26,8 @@ if TYPE_CHECKING:
     from zbot.node.service import Service
     from zbot.node.service_request import ServiceRequest
 
-_WOKEN = object()  # in the queue: a server has a request, or the context was shut down
+# This object in the queue means: a server has a request, or the context was shut down.
+_WOKEN = object()
 
 
 def wait_for_reply(
@@ -38,9 +39,9 @@ def wait_for_reply(
         TimeoutError: No reply came within `timeout_sec`.
         NotInitializedError: The context was shut down during the wait.
     """
-    # Zenoh's thread puts each reply into the queue, and an attempt's number when the attempt ends.
-    # `put` is written in C. A Python function would cost 20 us each time, because Zenoh's thread
-    # would need a new frame.
+    # Zenoh's thread puts each reply into this queue. When an attempt ends, Zenoh's thread puts the
+    # number of the attempt into the queue. `put` is written in C. A Python function would cost
+    # 20 us each time, because Zenoh's thread would need a new frame.
     arrivals: SimpleQueue[Any] = SimpleQueue()
     executor = current_executor()
     own = [] if executor is None else _servers_of(executor, client.service_name)
@@ -51,7 +52,7 @@ def wait_for_reply(
         while True:
             client.send(request, arrivals.put, partial(arrivals.put, attempt))
             is_to_be_repeated = False
-            # One attempt may time out twice, in this session and in the server's.
+            # One attempt may time out twice: in this session and in the server's session.
             while (reply := _wait(client, arrivals, attempt, deadline, serve)) is not None:
                 if not request.is_to_be_repeated(reply):
                     return reply
@@ -116,10 +117,10 @@ def _servers_of(executor: Executor, service_name: str) -> list[Service[Any, Any]
 
 
 def _serve(executor: Executor | None, own: list[Service[Any, Any]]) -> bool:
-    """Run the next request of the thread's own servers. Return whether there was a request."""
+    """Run the next request of servers in the thread's executor. Return whether there was one."""
     if executor is None:
         return False
-    # If a server's callback fails, the request's client gets an error reply.
+    # An exception of a server's callback is ignored here. The client gets an error reply.
     with contextlib.suppress(Exception):
         return any(executor.serve(service) for service in own)
     return True

@@ -49,15 +49,18 @@ ResponseT = TypeVar("ResponseT")
 
 
 class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
-    """Calls a service. `Node.create_client` creates it. All methods may be called from any thread.
+    """Calls a service. `Node.create_client` creates clients.
+
+    All methods may be called from any thread.
 
     Args:
         context: The context whose session sends the requests.
         srv_type: Service class.
         token: The client's liveliness token: its node, service, type and profile.
         ready_queue: The queue that the node's executor takes ready entities from.
-        callback_group: Decides which other callbacks may run together with callbacks of futures.
-        logger_name: The node's logger.
+        callback_group: Decides which other callbacks may run at the same time as the callbacks of
+            futures.
+        logger_name: Name of the node's logger.
         is_announced: Whether the graph shows the client.
     """
 
@@ -129,8 +132,8 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
         """Wait for a server.
 
         Args:
-            timeout_sec: Seconds to wait, or a `Duration`. `None` or a negative number means until
-                the context is shut down.
+            timeout_sec: Seconds to wait, or a `Duration`. With `None` or a negative number, only
+                the context's shutdown limits the wait.
 
         Returns:
             Whether a server is ready.
@@ -140,7 +143,8 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
             ArgumentTypeError: `timeout_sec` is neither a number nor a `Duration`.
         """
         self._listen()
-        # The diagnostics of a node warn of another definition, but a tool's session has none.
+        # In a node, the diagnostics warn if a server has another definition of the service. A tool
+        # has no diagnostics, so the warning is logged here.
         if self._context.is_tool and not self.service_is_ready() and (text := self._other_type()):
             get_logger(self._logger_name).warning(text)
         timeout_s = as_seconds("timeout_sec", timeout_sec)
@@ -201,12 +205,13 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
         """Send a request and wait for the response.
 
         Any thread may call this, also in a callback, because the wait needs no executor. A callback
-        may call a server of its own executor: the thread runs the server's callback meanwhile.
+        may also call a server that is in the same executor: during the wait, the calling thread
+        runs the server's callback.
 
         Args:
             request: The request.
-            timeout_sec: Seconds to wait. `None` or a negative number means no limit. The call
-                fails if the server ends.
+            timeout_sec: Seconds to wait. `None` or a negative number means no limit. Without a
+                limit, the call still fails if the server ends.
 
         Raises:
             ServiceError: See `call_async`.
@@ -246,7 +251,7 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
             raise ServiceError(self.service_name, "no_server", self._other_type() or reason)
 
     def _other_type(self) -> str:
-        """Return a sentence about a server with another definition of the service, if any."""
+        """Return a sentence about a server with another definition, or an empty string."""
         if not self._context.dialect.needs_equal_types:
             return ""
         for server in self._context.graph.query().on(self.service_name, EntityKind.SERVICE):
@@ -263,7 +268,7 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
         on_reply: Callable[[zenoh.Reply], object],
         on_end: Callable[[], object],
     ) -> None:
-        """Send a request. Zenoh's thread calls `on_reply` for each reply, and `on_end` last."""
+        """Send a request. Zenoh's thread calls `on_reply` for each reply, then `on_end` once."""
         handler: Any = zenoh.handlers.Callback(on_reply, drop=on_end, indirect=False)
         self._context.session.get(
             self._querier.key_expr,
@@ -339,8 +344,9 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
 
     def post(self, response: ResponseFuture[ResponseT]) -> None:
         """Let the executor run the callbacks of a call's future. Any thread may call this."""
-        # One response in `_completed` is enough to end `spin_once`. Further ones without callbacks
-        # would stay there if a program spins only until one call is over.
+        # One response in `_completed` is enough to end `spin_once`. Other responses are added only
+        # if they have callbacks. Otherwise the queue would grow for ever in a program that stops
+        # spinning as soon as its own call is over.
         if response.has_callbacks or not self._completed:
             self._completed.append(response)
         self.ready_queue.post(self)

@@ -1,4 +1,4 @@
-"""Options of a subscription that takes only some of the messages."""
+"""Options of a subscription whose callback gets only some of the messages."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""Record of service requests, so that a server runs its callback once for a repeated request.
+"""Store of service requests, so that a server runs its callback once for a repeated request.
 
 Zenoh keeps memory for a query until the query's timeout. So a client of zbot sets a short timeout.
-If a request takes longer, the client sends it again, with the same number and gid.
+If the reply takes longer, the client sends the request again, with the same number and gid.
 """
 
 from __future__ import annotations
@@ -16,14 +16,14 @@ if TYPE_CHECKING:
 
     import zenoh
 
-# After this time a reply counts as late, because its query may end soon (after 2 s or more).
+# After this time, a reply counts as late. Its query may end soon: the timeout is 2 s or more.
 _LATE_S = 1.0
 # A server keeps at most this many late replies. A further late reply removes the oldest.
 _MAX_ANSWERS = 32
 
 
 class RepeatedRequests:
-    """Requests in progress and late replies of a server. Any thread may call the methods."""
+    """Stores a server's running requests and late replies. Any thread may call the methods."""
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
@@ -31,7 +31,9 @@ class RepeatedRequests:
         self._answered: OrderedDict[bytes, Callable[[zenoh.Query], None]] = OrderedDict()
 
     def is_new(self, request: bytes, query: zenoh.Query, arrived_s: float) -> bool:
-        """Return whether a request is new. A repeated request gets the same reply, now or later.
+        """Return whether a request is new. A repeated request gets the reply of the first request.
+
+        If the callback still runs, the reply is sent later.
 
         Args:
             request: The request's number and its client's gid. Every repetition has the same bytes.
@@ -51,7 +53,10 @@ class RepeatedRequests:
     def end(
         self, request: bytes, query: zenoh.Query, reply: Callable[[zenoh.Query], None]
     ) -> zenoh.Query:
-        """Return the latest query, which needs the reply. Keep a late reply for a repetition."""
+        """End a request, and return its latest query, to which the reply must be sent.
+
+        A late reply is kept, because the client may repeat the request.
+        """
         with self._lock:
             latest, arrived_s = self._working.pop(request, (query, 0.0))
             if time.monotonic() - arrived_s > _LATE_S:

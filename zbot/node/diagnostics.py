@@ -142,7 +142,7 @@ class Diagnostics:
                     self._compare_pair(token, other, logger_name)
 
     def _check_shared(self, token: Token, logger_name: str) -> None:
-        """Warn a student that only the teacher can let others receive messages below /class/."""
+        """Warn that others get a student's messages below /class/ only if the teacher allows it."""
         is_speaking = token.kind in {EntityKind.PUBLISHER, EntityKind.SERVICE}
         if self._context.is_student and is_speaking and token.domain == SHARED_DOMAIN:
             self._warn(
@@ -198,7 +198,8 @@ class Diagnostics:
             self._warn(logger_name, about, difference_text(self._context, mine, other))
 
     def _check_silence(self, token: EndpointToken, logger_name: str) -> None:
-        # The nodes of commands are hidden: a command itself says that its topic is silent.
+        # A node of a command has a hidden name, which contains `/_` or begins with `_`. It needs no
+        # warning here, because the command itself reports a topic without a publisher.
         if token.key not in self._own or is_hidden(token.name) or is_hidden(token.node):
             return
         if Snapshot(self._context.graph.known()).publishers(token.name):
@@ -216,7 +217,11 @@ class Diagnostics:
             )
 
     def _warn_of_unreachable(self, token: EndpointToken, logger_name: str) -> bool:
-        """Warn of a publisher that only the router can reach. Return whether there is one."""
+        """Warn if a publisher's messages can reach the router, but not this program.
+
+        Returns:
+            Whether the topic has such a publisher.
+        """
         unreachable = Snapshot(tuple(self._context.unreachable_tokens()))
         publishers = unreachable.publishers(token.name)
         for publisher in publishers[:1]:
@@ -237,7 +242,7 @@ class Diagnostics:
 
 
 def _is_standard(token: Token) -> bool:
-    """Return whether every node has this publisher. Its name and type cannot be mistaken."""
+    """Return whether this is a publisher of every node, e.g. of /rosout. It needs no check."""
     if not isinstance(token, EndpointToken) or token.kind is not EntityKind.PUBLISHER:
         return False
     return token.type_name == _STANDARD_TYPES.get(token.name)

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class Endpoint:
-    """Part of a node that the graph shows. The end of a `with` block destroys the endpoint."""
+    """Publisher, subscription, service or client. The end of a `with` block destroys it."""
 
     _context: Context
     _token: EndpointToken
@@ -23,7 +23,7 @@ class Endpoint:
 
     @property
     def context(self) -> Context:
-        """The context whose session carries the messages."""
+        """The context whose session sends and receives the messages."""
         return self._context
 
     @property

@@ -35,7 +35,7 @@ EntityT = TypeVar("EntityT")
 
 
 class _Listing:
-    """Read-only view of a node's entities, e.g. `timers`. A `Node` subclass may replace it."""
+    """Iterator over entities of a node, e.g. `timers`. A `Node` subclass may override it."""
 
     def __init__(self, attribute: str) -> None:
         self._read: Callable[[Any], list[Any]] = attrgetter(f"_zbot_state.{attribute}")
@@ -126,7 +126,7 @@ class NodeEntities(PrivateAliases):
             event_callbacks: Callbacks for QoS events, a `SubscriptionEventCallbacks`.
             qos_overriding_options: The QoS policies that parameters may override.
             raw: Whether the callback takes each message as bytes in ROS 2's CDR. With
-                `"payload"`, it takes the bytes that were sent.
+                `"payload"`, the callback takes the bytes that were sent.
             content_filter_options: Expression that selects messages. `None` selects all messages.
 
         Raises:
@@ -176,8 +176,8 @@ class NodeEntities(PrivateAliases):
             srv_name: Relative, `~/private` or absolute name.
             callback: Takes a request and an empty response, and returns a response. The
                 callback may be a coroutine function.
-            qos_profile: A profile, or a depth for the default profile. It has no effect except in
-                the graph.
+            qos_profile: A profile, or a depth for the default profile. The graph shows the profile.
+                The profile has no other effect.
             callback_group: Group of the callback. `None` means the node's default group.
 
         Raises:
@@ -215,8 +215,8 @@ class NodeEntities(PrivateAliases):
         Args:
             srv_type: Service class.
             srv_name: Relative, `~/private` or absolute name.
-            qos_profile: A profile, or a depth for the default profile. It has no effect except in
-                the graph.
+            qos_profile: A profile, or a depth for the default profile. The graph shows the profile.
+                The profile has no other effect.
             callback_group: Group of the futures' callbacks. `None` means the node's default group.
 
         Raises:
@@ -237,8 +237,8 @@ class NodeEntities(PrivateAliases):
         )
         client.srv_name = srv_name
         handle.clients.append(client)
-        # To follow the service, a tool's session would subscribe to its tokens. After that, Zenoh
-        # answers the tool's queries for all tokens incompletely.
+        # The diagnostics do not check a tool's client, because they would subscribe to the tokens
+        # of the service. After that, Zenoh answers the tool's queries for all tokens incompletely.
         if handle.context.dialect.needs_equal_types and not handle.context.is_tool:
             handle.diagnostics.add(client.token, handle.logger_name)
         handle.add(client)
@@ -259,7 +259,7 @@ class NodeEntities(PrivateAliases):
             callback: Called without arguments, or with a `TimerInfo`.
             callback_group: Group of the callback. `None` means the node's default group.
             clock: The clock that measures the period. `None` means the node's clock.
-            autostart: Whether the timer starts now. Otherwise `reset()` starts it.
+            autostart: Whether the timer starts now. Otherwise `reset()` starts the timer.
 
         Raises:
             InvalidPeriodError: The period is negative, too large or not a number.

@@ -73,7 +73,7 @@ class ResponseTypeError(ZbotError, TypeError):
 
 
 class ServiceError(ZbotError, RuntimeError):
-    """A service call failed: there was no server, or no valid response from it.
+    """A service call failed: there was no server, or the server sent no valid response.
 
     Attributes:
         service: Full name of the service.

@@ -54,11 +54,11 @@ class PublisherEventCallbacks(_EventCallbacks):
     """Callbacks for the QoS events of a publisher. Each callback takes the event's info.
 
     Args:
-        deadline: Nothing was published for a deadline period.
-        liveliness: The lease of a `MANUAL_BY_TOPIC` profile expired.
+        deadline: Called if nothing was published for a deadline period.
+        liveliness: Called if the lease of a `MANUAL_BY_TOPIC` profile expired.
         incompatible_qos: Never called, because all profiles are compatible in zbot.
-        incompatible_type: A subscription has another type.
-        matched: A subscription of the topic was created or destroyed.
+        incompatible_type: Called if a subscription has another type.
+        matched: Called if a subscription of the topic was created or destroyed.
         use_default_callbacks: Whether `event_handlers` has handlers for default callbacks, as in
             rclpy. Different types of a topic are always logged.
     """
@@ -94,12 +94,12 @@ class SubscriptionEventCallbacks(_EventCallbacks):
     """Callbacks for the QoS events of a subscription. Each callback takes the event's info.
 
     Args:
-        deadline: Nothing was received for a deadline period.
+        deadline: Called if nothing was received for a deadline period.
         incompatible_qos: Never called, because all profiles are compatible in zbot.
-        liveliness: A publisher of the topic was created or destroyed.
-        message_lost: Messages were published but not received.
-        incompatible_type: A publisher has another type.
-        matched: A publisher of the topic was created or destroyed.
+        liveliness: Called if a publisher of the topic was created or destroyed.
+        message_lost: Called if messages were published but not received.
+        incompatible_type: Called if a publisher has another type.
+        matched: Called if a publisher of the topic was created or destroyed.
         use_default_callbacks: Whether `event_handlers` has handlers for default callbacks, as in
             rclpy. Different types of a topic are always logged.
     """

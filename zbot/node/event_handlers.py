@@ -86,7 +86,7 @@ class EventHandler:
         return self.callback(info)
 
     def assert_liveliness(self) -> None:
-        """Record that the program called the publisher's `assert_liveliness`."""
+        """Note that the program called `assert_liveliness`. Most handlers do not need this."""
 
     def destroy(self) -> None:
         """Remove the handler and its events."""
@@ -105,7 +105,7 @@ class InactiveHandler(EventHandler):
 
 
 class _EndpointHandler(EventHandler):
-    """Reports the subscriptions that match a publisher, or the publishers of a subscription."""
+    """Reports matching endpoints: subscriptions of a publisher, or publishers of a subscription."""
 
     def __init__(
         self,
@@ -229,7 +229,10 @@ class _DeadlineHandler(EventHandler):
 
 
 class _LeaseHandler(_DeadlineHandler):
-    """Reports once if a publisher sent no message in a lease and did not assert its liveliness."""
+    """Reports that a publisher's lease expired without a message and without `assert_liveliness`.
+
+    If the following leases expire too, they are not reported.
+    """
 
     _was_asserted = False
     _is_lost = False
@@ -317,7 +320,7 @@ _NO_EVENT: dict[EventKind, Any] = {
 
 
 def ignore(info: object) -> None:
-    """Callback of events that a program takes itself, or that `zbot.node.diagnostics` logs."""
+    """Do nothing: the program takes the event itself, or `zbot.node.diagnostics` logs it."""
 
 
 class EventHandle(Handle[EventHandler]):

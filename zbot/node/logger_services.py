@@ -11,7 +11,7 @@ from zbot.qos import qos_profile_services_default
 if TYPE_CHECKING:
     from zbot.node.node import Node
 
-_INVALID_LEVEL = "Failed reason: Invalid logger level."  # rclpy's words, which callers compare
+_INVALID_LEVEL = "Failed reason: Invalid logger level."  # rclpy's text, which programs compare
 
 
 class LoggingService:
@@ -20,7 +20,7 @@ class LoggingService:
     Nodes that are created with `enable_logger_service=True` have these services.
 
     Args:
-        node: The node that offers the services. Its executor runs them.
+        node: The node that offers the services. Its executor runs their callbacks.
     """
 
     def __init__(self, node: Node) -> None:

@@ -25,11 +25,11 @@ class MessageInfo(TypedDict):
     received_timestamp: int
     publication_sequence_number: int
     reception_sequence_number: int
-    publisher_gid: PublisherGid | None  #: `None` if the message names no publisher
+    publisher_gid: PublisherGid | None  #: `None` if the publisher is unknown
 
 
 def takes_info(callback: Callable[..., Any]) -> bool:
-    """Return whether a callback takes a message and its info, and not only the message.
+    """Return true if a callback takes a message and its info, or false if it takes a message only.
 
     Raises:
         CallbackSignatureError: The number of the callback's arguments is not 1 or 2.
@@ -40,7 +40,7 @@ def takes_info(callback: Callable[..., Any]) -> bool:
     try:
         signature = inspect.signature(callback)
     except (TypeError, ValueError):
-        return False  # some builtins have no signature
+        return False  # some builtins have no signature: they get only the message
     for arguments in ((None,), (None, None)):
         try:
             signature.bind(*arguments)

@@ -135,7 +135,7 @@ class Node(GraphQueries, NodeEntities, NodeParameters):
     def executor(self) -> Executor | None:
         """The executor that runs the node's callbacks, if any.
 
-        If you set it, the node moves to that executor.
+        If a program sets this property, the node moves to the new executor.
         """
         return self._zbot_state.executor
 
@@ -172,7 +172,7 @@ class Node(GraphQueries, NodeEntities, NodeParameters):
         return self._zbot_state.clock
 
     def resolve_topic_name(self, topic: str, *, only_expand: bool = False) -> str:
-        """Return the full name of a topic. It is also remapped if `only_expand` is false.
+        """Return the full name of a topic. The name is remapped if `only_expand` is false.
 
         Raises:
             InvalidTopicNameError: The name breaks ROS 2's grammar.
@@ -180,7 +180,7 @@ class Node(GraphQueries, NodeEntities, NodeParameters):
         return self._zbot_resolve(topic, only_expand=only_expand, is_service=False)
 
     def resolve_service_name(self, service: str, *, only_expand: bool = False) -> str:
-        """Return the full name of a service. It is also remapped if `only_expand` is false.
+        """Return the full name of a service. The name is remapped if `only_expand` is false.
 
         Raises:
             InvalidServiceNameError: The name breaks ROS 2's grammar.

@@ -39,7 +39,8 @@ class AsyncParameterClient:
     Args:
         node: The node that sends the requests.
         remote_node_name: The other node's name, absolute or relative to the namespace of `node`.
-        qos_profile: Profile of the six clients. The graph shows it; it has no other effect.
+        qos_profile: Profile of the six clients. The graph shows the profile. The profile has no
+            other effect.
         callback_group: Group of the callbacks. `None` means the node's default group.
     """
 
@@ -118,7 +119,7 @@ class AsyncParameterClient:
         return _sent(self._get_types, GetParameterTypes.Request(names=names), callback)
 
     def describe_parameters(self, names: list[str], callback: Callback = None) -> Future[Any]:
-        """Get descriptors."""
+        """Get the descriptors of parameters."""
         return _sent(self._describe, DescribeParameters.Request(names=names), callback)
 
     def set_parameters(
@@ -141,7 +142,7 @@ class AsyncParameterClient:
     def load_parameter_file(
         self, parameter_file: str, use_wildcard: bool = False, callback: Callback = None
     ) -> Future[Any]:
-        """Set the parameters that a file has for the other node. They are set one by one.
+        """Set the parameters that a file has for the other node, one after the other.
 
         Args:
             parameter_file: Path of the YAML file.

@@ -48,11 +48,11 @@ class ParameterEventCallbacks:
 
     def __init__(self) -> None:
         self.mutex = threading.Lock()
-        #: A key is a parameter's name and its node's full name. The latest callback comes first.
+        #: A key is a parameter's name and its node's full name. The handle added last is first.
         self.parameter_callbacks: dict[tuple[str, str], list[ParameterCallbackHandle]] = {}
         self.event_callbacks: list[
             ParameterEventCallbackHandle
-        ] = []  #: the latest callback comes first
+        ] = []  #: the handle added last is first
 
     def event_callback(self, event: ParameterEvent) -> None:
         """Call the callbacks for an event."""
@@ -108,8 +108,8 @@ def _remove(handles: list[Any], handle: Any) -> None:
 class ParameterEventHandler:
     """Subscribes to `/parameter_events` and runs callbacks, as in rclpy.
 
-    Of the callbacks for one parameter, the latest is called first. Of the callbacks for all events,
-    the latest is called first too.
+    Of the callbacks for one parameter, the handler first calls the callback that was added last.
+    The callbacks for all events are called in the same order.
 
     Args:
         node: The node that subscribes. Its executor runs the callbacks.
@@ -168,7 +168,7 @@ class ParameterEventHandler:
     def get_parameter_from_event(
         event: ParameterEvent, parameter_name: str, node_name: str
     ) -> ParameterMsg | None:
-        """Return a node's parameter if it is new or changed in an event."""
+        """Return a node's parameter if an event declares or changes it, else `None`."""
         if event.node != node_name:
             return None
         found = ParameterEventHandler.get_parameters_from_event(event)
@@ -176,7 +176,7 @@ class ParameterEventHandler:
 
     @staticmethod
     def get_parameters_from_event(event: ParameterEvent) -> Iterable[ParameterMsg]:
-        """Return the parameters that are new or changed in an event."""
+        """Return the parameters that an event declares or changes."""
         return chain(event.new_parameters, event.changed_parameters)
 
     def add_parameter_callback(

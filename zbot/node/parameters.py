@@ -43,7 +43,10 @@ deprecated. You have to either:
 
 
 class _View:
-    """Copy of a store's dict or list. A program's attribute of the same name replaces it."""
+    """Attribute that is a copy of a dict or list in the node's `ParameterStore`.
+
+    A program may use the same name for an attribute of its own.
+    """
 
     def __init__(self, attribute: str) -> None:
         self._attribute = attribute
@@ -57,7 +60,7 @@ class NodeParameters:
 
     _zbot_state: NodeState
 
-    PARAM_REL_TOL = REL_TOL  #: relative tolerance of doubles at a range's steps and ends
+    PARAM_REL_TOL = REL_TOL  #: relative tolerance of doubles at the steps and limits of a range
 
     #: rclpy's private attributes. A subclass may use these names for something else.
     _parameters = _View("values")
@@ -96,8 +99,8 @@ class NodeParameters:
         Args:
             name: Name of the parameter. Dots separate its groups.
             value: The default, or a `Parameter.Type` for a parameter without a default. An override
-                of the command line or a file replaces it.
-            descriptor: Description, range and typing. The name and type in it are ignored.
+                from the command line or from a file replaces the default.
+            descriptor: Description, range and typing. The descriptor's name and type are ignored.
             ignore_override: Whether to use the default even if there is an override.
 
         Raises:
@@ -123,7 +126,8 @@ class NodeParameters:
 
         Raises:
             ParameterListError: An element is not a tuple of this form.
-            ParameterError: See `declare_parameter`. Parameters before a rejected one stay declared.
+            ParameterError: See `declare_parameter`. The parameters before the rejected parameter
+                stay declared.
         """
         declarations = [
             _declaration_of(namespace, index, item) for index, item in enumerate(parameters)
@@ -166,7 +170,10 @@ class NodeParameters:
         return Parameter(name) if alternative_value is None else alternative_value
 
     def get_parameters_by_prefix(self, prefix: str) -> dict[str, Parameter[Any]]:
-        """Return a group's parameters by name without the prefix. An empty prefix selects all."""
+        """Return a group's parameters. The keys are the names without the prefix.
+
+        An empty prefix selects all parameters.
+        """
         return self._zbot_parameters.in_group(prefix)
 
     def get_parameter_type(self, name: str) -> Parameter.Type:
@@ -260,14 +267,14 @@ class NodeParameters:
         ).get_parameter_value()
 
     def add_pre_set_parameters_callback(self, callback: PreSet) -> None:
-        """Add a callback that gets new values before their check, and returns the list to set."""
+        """Add a callback that gets new values before the checks, and returns the list to set."""
         self._zbot_parameters.pre_set.insert(0, _checked_callback(callback))
 
     def add_on_set_parameters_callback(self, callback: OnSet) -> None:
         """Add a callback that runs before parameters are set, and can reject the new values.
 
-        It returns a `SetParametersResult`. It runs for declarations too. It must not change
-        anything, because a later callback may reject the values.
+        The callback returns a `SetParametersResult`. It runs for declarations too. It must not
+        change anything, because a later callback may reject the values.
         """
         self._zbot_parameters.on_set.insert(0, _OnSetCallback(_checked_callback(callback)))
 
@@ -301,7 +308,10 @@ class NodeParameters:
 
 
 class _OnSetCallback:
-    """On-set callback that returns the reason of a rejection, or an empty string."""
+    """Wrapper of a program's on-set callback. It returns why the callback rejects the values.
+
+    If the callback accepts the values, the wrapper returns an empty string.
+    """
 
     def __init__(self, callback: OnSet) -> None:
         self._callback = callback
@@ -319,7 +329,7 @@ class _OnSetCallback:
         return "" if result.successful else result.reason or "a callback of the node refuses it"
 
     def __eq__(self, other: object) -> bool:
-        """Return whether the other object is the same callback or wraps it."""
+        """Return whether the other object is the wrapped callback, or a wrapper of it."""
         return self._callback == (other._callback if isinstance(other, _OnSetCallback) else other)
 
     def __hash__(self) -> int:
@@ -353,7 +363,8 @@ def _declaration_of(namespace: str, index: int, item: Any) -> Declaration:
     if len(item) == 3 and not hasattr(descriptor, "dynamic_typing"):
         raise ParameterListError(index, item, "a tuple that ends with a ParameterDescriptor")
     full = f"{namespace}.{name}" if namespace else name
-    # Programs for Foxy pass (name, None) if a file has the value. This counts as a bare name too.
+    # Programs for ROS 2 Foxy declare (name, None) if a parameter file has the value. zbot treats
+    # this as a declaration with only a name.
     return _declaration(full, value, descriptor, is_bare=value is None and descriptor is None)
 
 

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 class _Alias:
-    """Read-only alias of an attribute. A program's attribute of the same name replaces it."""
+    """Read-only alias of an attribute. A program may use the alias's name for its own attribute."""
 
     def __init__(self, path: str) -> None:
         self._read: Callable[[Any], Any] = attrgetter(path)
@@ -41,6 +41,6 @@ class PrivateAliases:
 
     @property
     def default_callback_group(self) -> CallbackGroup:
-        """The group of callbacks that were created without a group. A subclass may replace it."""
+        """The group of entities that were created without a group. A subclass may override this."""
         group: CallbackGroup = self._default_callback_group
         return group

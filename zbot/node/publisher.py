@@ -34,7 +34,7 @@ _pack = LAYOUT.pack
 
 
 class Publisher(TopicEndpoint, Generic[MsgT]):
-    """Publishes messages of one type on one topic. `Node.create_publisher` creates it.
+    """Publishes messages of one type on one topic. `Node.create_publisher` creates publishers.
 
     `publish` may be called from any thread.
 
@@ -64,14 +64,16 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
         self._token = token
         self._logger_name = logger_name
         self._encode: Callable[[Any], Any] = context.dialect.codec_for(msg_type).encode
-        self.sent_count = 0  #: messages sent, and sequence number of the last message
+        self.sent_count = 0  #: number of sent messages, and sequence number of the last one
         self._gid = token.gid
         self._next_number = itertools.count(1).__next__
         self._lock = threading.RLock()  # re-entrant, because a signal handler may use it
-        # The lock costs a tenth of a small message's latency. A single thread needs no lock.
+        # The thread that has sent all messages so far. It sends without the lock, because the lock
+        # costs a tenth of a small message's latency.
         self._only_thread: int | None = None
         self._publisher: Any = declare_publisher(context, token)
-        # Latched messages do not go into shared memory, because their cache would fill it.
+        # Latched (transient local) messages do not go into shared memory, because the publisher's
+        # cache of these messages would fill the memory.
         self._is_latched = token.qos.durability is DurabilityPolicy.TRANSIENT_LOCAL
         self._put = self._put_first
         self.is_putting = False  #: whether a thread is inside a put that can block
@@ -96,9 +98,9 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
         """Send a message, or the bytes of a message in ROS 2's CDR or in zbot's encoding.
 
         The first call waits until the session has discovered the subscriptions that exist already,
-        so that they get the message. This takes at most 0.5 s and usually 2 ms. When the network
-        queue is full, a publisher with a reliable keep-all profile waits. Other publishers drop the
-        message.
+        so that these subscriptions get the message. This takes at most 0.5 s and usually 2 ms. When
+        the network queue is full, a publisher with a reliable keep-all profile waits. Other
+        publishers drop the message.
 
         Raises:
             MessageTypeError: The message has another type than the topic.
@@ -137,8 +139,9 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
     def _send_locked(self, payload: Any) -> None:
         """Send the first message, or any message after a second thread has called `publish`.
 
-        When there are two threads, both use the lock, so that sequence numbers stay in order. But
-        messages of the second thread can overtake the one message that the first thread is sending.
+        If several threads publish, all of them use the lock, so that sequence numbers stay in
+        order. But when the second thread begins, the first thread may just be sending a message
+        without the lock. The second thread's messages can overtake this one message.
         """
         with self._lock:
             self._only_thread = None
@@ -182,9 +185,9 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
 
         Returns:
             True if the publisher is best effort, if it published nothing, or if all reliable
-            subscriptions of the topic are in the publisher's own context. In its own context,
-            `publish` itself puts a message into the queues of the subscriptions. Otherwise False,
-            because it is unknown whether a message was lost.
+            subscriptions of the topic are in the publisher's own context. There, `publish` itself
+            puts each message into the queues of the subscriptions. In all other cases, the result
+            is False, because a message may have been lost.
         """
         if not self.sent_count or not _is_reliable(self._token):
             return True
@@ -207,9 +210,9 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
             handler.destroy()
         if self._liveliness is not None and not self._context.is_closed:
             self._liveliness.undeclare()
-        # Zenoh undeclares a publisher when nothing refers to it and no other thread sends with it.
-        # `undeclare()` of a latched publisher would hold the GIL, and wait up to 10 s for a thread
-        # of Zenoh that may be calling Python.
+        # Zenoh undeclares a publisher when no object refers to the publisher and no other thread is
+        # sending with it. So `undeclare()` is not called here. `undeclare()` of a latched publisher
+        # keeps the GIL and waits at most 10 s for a thread of Zenoh, which may need the GIL itself.
         del publisher
 
     def _refuse(self, payload: Any, **_: Any) -> None:  # noqa: ARG002 - signature of Zenoh's put

@@ -1,4 +1,4 @@
-"""Kinds of QoS events, and the info that each event carries, as in rclpy."""
+"""Kinds of QoS events, and the info that each event contains, as in rclpy."""
 
 from __future__ import annotations
 

@@ -31,7 +31,8 @@ if TYPE_CHECKING:
     from zbot.interfaces import InterfaceSpec
     from zbot.wire.tokens import EndpointToken
 
-#: Limit for nodes that use only other types of the wanted type's package. They are asked last.
+#: The largest number of nodes to ask that do not use the wanted type, but another type of its
+#: package. These nodes are asked last.
 _MAX_OTHER_NODES = 8
 
 
@@ -40,12 +41,12 @@ class _Provider:
     """A node that may know a type."""
 
     service: EndpointToken  #: its service `get_type_description`
-    used: str = ""  #: type of its endpoint, which is the wanted type or a part of it
+    used: str = ""  #: type of the node's endpoint: the wanted type, or a part of it
     used_hash: str = ""
 
 
 def learn_type(context: Context, name: str, *, timeout_s: float = 2.0) -> InterfaceSpec | None:
-    """Register a type that nodes of the domain use and that has no definition here.
+    """Register a type that nodes of the domain use and that has no definition on this machine.
 
     Args:
         context: The context whose session sends the requests.
@@ -58,7 +59,7 @@ def learn_type(context: Context, name: str, *, timeout_s: float = 2.0) -> Interf
 
     Raises:
         DefinitionLimitError: The only definition would make messages that are too large.
-        InterfaceConflictError: A part of the type has another definition here.
+        InterfaceConflictError: A part of the type has another definition on this machine.
     """
     context.wait_for_peers()
     refusal: DefinitionLimitError | None = None
@@ -94,7 +95,7 @@ def definitions_of(
         timeout_s: Seconds to wait for the node.
 
     Returns:
-        The definitions, without registering them. Empty if the node does not tell them.
+        The definitions, which are not registered. The list is empty if the node does not send them.
     """
     services = context.graph.query().of_kind(EntityKind.SERVICE)
     for service in services:
@@ -136,7 +137,7 @@ def _users_of_package(endpoints: Iterable[EndpointToken], name: str) -> Iterator
 
 
 def _ask(context: Context, service: EndpointToken, name: str, timeout_s: float) -> Any:
-    """Return a node's response, or `None` if it does not know the type or does not respond."""
+    """Return a node's response, or `None` if there is none or the type is unknown."""
     srv_type: Any = get_interface(SERVICE_TYPE[0])
     dialect = context.dialect
     replies = context.session.get(

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class Rosout:
-    """Publishes the log lines of a node's logger and of its children.
+    """Publishes the log lines of a node's logger and of this logger's children.
 
     Args:
         node: The node of the logger.
@@ -33,7 +33,8 @@ class Rosout:
         self._publisher: Any = node.create_publisher(Log, ROSOUT_TOPIC, qos)
         node.handle.publishers.remove(self._publisher)  # as in rclpy, the node does not list it
         self._send = self._publisher.publish  # kept, because programs may patch the class later
-        # The log lives longer than a context, and must not keep the context's nodes alive.
+        # The log exists longer than a context, and must not keep the context's nodes alive. So the
+        # log gets a function with a weak reference.
         sink = partial(_pass_on, weakref.ref(self))
         add_sink(self._name, sink)
         self._leave_log = weakref.finalize(self, remove_sink, self._name, sink)

@@ -37,7 +37,7 @@ _NUMBER = Struct("<q")  # the first field of an attachment
 
 
 class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
-    """Answers the requests of a service with a callback. `Node.create_service` creates it.
+    """Answers the requests of a service with a callback. `Node.create_service` creates services.
 
     If the callback raises an exception, the caller gets a `ServiceError`. `spin()` raises the
     exception too, as for any other callback. Requests are served in the order of arrival.
@@ -81,7 +81,7 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
         self._queries: deque[tuple[zenoh.Query, float]] = deque()
         self._repeated = RepeatedRequests()
         self._is_destroyed = False
-        # Zenoh's thread calls `_receive`. It would cost time to pass requests to another thread.
+        # Zenoh's own thread calls `_receive`. To wake another thread for each request costs time.
         receive: Any = zenoh.handlers.Callback(self._receive, indirect=False)
         self._queryable: Any = context.session.declare_queryable(self._key, receive, complete=True)
         self._liveliness = context.graph.announce(token)
@@ -106,7 +106,7 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
         return ServiceHandle(self)
 
     def take_request(self) -> tuple[RequestT, RequestHeader] | None:
-        """Take the oldest request without calling the callback. Return `None` if there is none.
+        """Remove and return the oldest request, or return `None`. The callback is not called.
 
         Raises:
             CodecError: The request cannot be decoded.
@@ -130,7 +130,7 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
 
     @called_by_zenoh
     def _receive(self, query: zenoh.Query) -> None:
-        # Zenoh's thread runs this, so it only puts the request into the queue.
+        # Zenoh's thread runs this function. So the function only puts the request into the queue.
         keep_thread_state()
         self._queries.append((query, time.monotonic()))
         if self._is_destroyed:
@@ -216,7 +216,8 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
             _number(request_id), time.time_ns(), GID_LENGTH, request_id[_NUMBER.size :]
         )
         if self._introspection is not None:
-            # This event comes before the reply, and so before the event of the reply's arrival.
+            # This event is published before the reply is sent. So the event comes before the event
+            # that the client publishes when it receives the reply.
             self._introspection.report(Step.RESPONSE_SENT, request_id, response=response)
         self._send_reply(
             request_id,
@@ -279,7 +280,7 @@ class ServiceHandle(Handle[Service[Any, Any]]):
         self,
         request_type: object = None,  # noqa: ARG002 - rclpy's signature
     ) -> tuple[Any, RequestHeader] | tuple[None, None]:
-        """Take the oldest request. Return `(None, None)` if there is none. No callback runs."""
+        """Remove and return the oldest request, or return `(None, None)`. No callback runs."""
         return self.entity.take_request() or (None, None)
 
     def service_send_response(self, response: Any, header: RequestHeader) -> None:
@@ -288,7 +289,7 @@ class ServiceHandle(Handle[Service[Any, Any]]):
 
 
 def request_id_of(query: zenoh.Query) -> bytes:
-    """Return a request's number and its client's gid, or empty bytes if there are none."""
+    """Return a request's number and its client's gid, or empty bytes if these are missing."""
     attachment = query.attachment
     facts = b"" if attachment is None else attachment.to_bytes()
     return facts[: _NUMBER.size] + facts[-GID_LENGTH:] if len(facts) == LAYOUT.size else b""

@@ -138,7 +138,7 @@ class ServiceEndpoint(Endpoint):
             )
 
     def end_introspection(self) -> None:
-        """Stop publishing service events. Nothing happens if there are no events to stop."""
+        """Stop publishing service events. Nothing happens if no events are published."""
         introspection, self._introspection = self._introspection, None
         if introspection is not None:
             introspection.destroy()

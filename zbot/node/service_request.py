@@ -19,8 +19,8 @@ if TYPE_CHECKING:
 
 ResponseT = TypeVar("ResponseT")
 
-# Zenoh keeps 0.8 kB for each query until its timeout, even if the reply came long before. So the
-# timeout is short, and the request is repeated at growing intervals (docs/wire.md).
+# Zenoh keeps 0.8 kB for each query until the query's timeout, even if the reply came long before.
+# So the timeout is short, and the request is repeated at growing intervals (docs/wire.md).
 _FIRST_TIMEOUT_S = 2.0
 _LONGEST_TIMEOUT_S = 60.0
 _TIMEOUT_REPLY = b"Timeout"  # Zenoh's own error reply after the timeout
@@ -31,8 +31,10 @@ class ServiceRequest:
 
     Args:
         payload: The encoded request.
-        attachment: Number and gid, which stay the same so that the server runs its callback once.
-        timeout_s: Seconds until the call fails. `None`: the request is repeated.
+        attachment: Number and gid of the request. Each repetition has the same number and gid, so
+            that the server runs its callback once.
+        timeout_s: Seconds until the call fails. With `None`, the call does not fail, and the
+            request is repeated.
     """
 
     __slots__ = ("_is_repeated", "attachment", "payload", "timeout_s")
@@ -79,7 +81,7 @@ class ResponseFuture(Future[ResponseT]):
     def _on_reply(self, reply: zenoh.Reply) -> None:
         keep_thread_state()
         if self._request.is_to_be_repeated(reply):
-            # One attempt may time out twice, in this session and in the server's.
+            # One attempt may time out twice: in this session and in the server's session.
             self._is_to_be_repeated = True
         else:
             self._client.complete(self, reply)

@@ -38,7 +38,7 @@ if TYPE_CHECKING:
 
 
 class NodeState:
-    """State of a node. The node keeps it in a single attribute.
+    """State of a node. The node keeps this object in a single attribute.
 
     So a `Node` subclass can use names such as `timer`, `publisher`, `name` and `_state` for itself.
 
@@ -93,7 +93,7 @@ class NodeState:
         return self.full_name[1:].replace("/", ".")
 
     def resolve(self, name: str, *, is_service: bool, only_expand: bool = False) -> str:
-        """Return the full name of a topic or service. It is remapped if `only_expand` is false."""
+        """Return the full name of a topic or service, remapped if `only_expand` is false."""
         validate_topic_name(name, is_service=is_service)
         full = expand_topic_name(name, self.token.node, self.token.namespace)
         validate_full_topic_name(full, is_service=is_service)
@@ -143,7 +143,7 @@ class NodeState:
             entity.destroy()
 
     def destroy_when_not_in_use(self) -> None:
-        """Destroy the node immediately. The name of this method is rclpy's."""
+        """Destroy the node immediately. This method's name comes from rclpy."""
         for node in self.context.nodes:
             if node.handle is self:
                 node.destroy_node()
@@ -181,7 +181,10 @@ class NodeState:
             )
 
     def destroy(self) -> None:
-        """Destroy what the node owns. Endpoints of one kind end in reverse order of creation."""
+        """Destroy all entities of the node.
+
+        Endpoints of one kind are destroyed in reverse order of creation.
+        """
         owned: tuple[Timer | Rate | GuardCondition, ...] = (
             *self.timers,
             *self.rates,

@@ -1,10 +1,11 @@
 """Subscriptions, whose samples wait in a queue of Zenoh until the executor's thread decodes them.
 
-A thread of the subscription waits for the first sample of a burst. It appends the sample to a queue
-and posts the subscription to its executor. The executor then drains Zenoh's queue itself, and lets
-the thread wait again when the queue stays empty for a moment. So a burst costs one wake-up, the two
-threads never compete, and an idle subscription uses no CPU. With keep-last, Zenoh's queue is
-a ring channel, which drops the oldest samples without Python.
+A thread of the subscription waits for the first sample of a burst. The thread appends the sample to
+the subscription's own queue, and posts the subscription to its executor. After that, the executor's
+thread takes the samples from Zenoh's queue itself. When Zenoh's queue stays empty for a moment, the
+executor's thread lets the subscription's thread wait again. So a burst costs one wake-up, the two
+threads never compete, and an idle subscription uses no CPU. With keep-last, Zenoh's queue is a ring
+channel, which drops the oldest samples without Python.
 """
 
 from __future__ import annotations
@@ -46,13 +47,14 @@ if TYPE_CHECKING:
 MsgT = TypeVar("MsgT")
 
 # Length of a keep-all queue. A full queue blocks its publishers (Zenoh's BLOCK). Such waits add a
-# tenth to a small message's latency. So the queue is long. It is short for types with sequences,
-# because a single message of such a type may take megabytes.
+# tenth to a small message's latency. So the queue is long. For types with sequences, the queue is
+# short, because a single message of such a type can take megabytes of memory.
 _KEEP_ALL_QUEUE = 8192
 _KEEP_ALL_QUEUE_OF_SEQUENCES = 256
-# How many publishers' sequence numbers are kept. Each restart of a publisher adds a number, so
-# the memory use would always grow if there was no limit.
-_MAX_REFUSALS = 3  # a wrong program may give a new reason with each message
+# The largest number of reasons to log. A wrong program may cause a new reason with each message.
+_MAX_REFUSALS = 3
+# The largest number of publishers whose sequence numbers are kept. Each restart of a publisher adds
+# a number. Without a limit, the memory use would grow for ever.
 _MAX_SOURCES = 1024
 
 
@@ -72,7 +74,9 @@ class _Source:
 
 
 class Subscription(TopicEndpoint, Generic[MsgT]):
-    """Calls a function for every message of a topic. `Node.create_subscription` creates it.
+    """Calls a function for every message of a topic.
+
+    `Node.create_subscription` creates subscriptions.
 
     Args:
         context: The context whose session receives the messages.
@@ -82,8 +86,8 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         token: The subscription's liveliness token: its node, topic, type and profile.
         ready_queue: The queue that the node's executor takes ready entities from.
         callback_group: Decides which other callbacks may run at the same time.
-        raw: Whether the callback takes each message as bytes in ROS 2's CDR. With `"payload"`, it
-            takes the bytes that were sent.
+        raw: Whether the callback takes each message as bytes in ROS 2's CDR. With `"payload"`, the
+            callback takes the bytes that were sent.
         logger_name: Name of the node's logger.
         content_filter: Selects the messages for the callback. `None` selects all messages.
         is_announced: Whether the graph shows the subscription.
@@ -132,7 +136,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         self._logger_name = logger_name
         decode = context.dialect.codec_for(msg_type).decode
         self._decode: Callable[[Any], Any] = decode
-        self._read = decode  # a filter needs it when the callback takes bytes
+        self._read = decode  # for the filter, if the callback takes bytes
         if raw:
             self._decode = bytes if raw == "payload" else context.dialect.raw_decoder(msg_type)
         self._checks_keys = context.dialect.refuses_keys(token)
@@ -200,7 +204,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         return self._filter is not None
 
     def set_content_filter(self, filter_expression: str, expression_parameters: list[str]) -> None:
-        """From the next message on, take only messages for which an expression is true.
+        """From the next message on, accept only messages for which an expression is true.
 
         The subscription filters the messages after it has received them. So a filter saves callback
         calls, but no network traffic.
@@ -244,14 +248,15 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
             if not self._is_destroyed:
                 armed.acquire()
             if self._is_destroyed or self._is_over:
-                return  # Zenoh's queue still gives the samples that it had before
+                return  # `take` can still get the samples that are in Zenoh's queue
 
     def take(self) -> zenoh.Sample | None:
-        """Return the oldest sample that the profile's history still keeps, if any."""
+        """Remove and return the oldest sample that the profile's history keeps, if any."""
         queue = self._queue
-        # A keep-last queue takes all new samples each time, so that it drops the oldest samples. A
-        # keep-all queue takes new samples only when it is empty. Each time that its full channel
-        # gets room, a blocked publisher wakes up. So few takes cause few wake-ups.
+        # With keep-last, each call moves all new samples from Zenoh's queue to this queue, so that
+        # this queue drops the oldest samples. With keep-all, samples are moved only when this queue
+        # is empty. A blocked publisher wakes up each time that Zenoh's full queue gets room. So
+        # there are few wake-ups if many samples are moved in one call.
         if self._is_waiting and not (queue and self._keep_all):
             try:
                 # This loop runs in C.
@@ -267,7 +272,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
 
     @property
     def has_work(self) -> bool:
-        """Whether there is a message to take. Only the thread that takes messages may ask."""
+        """Whether there is a message to take. Only the thread that calls `take` may read this."""
         if not self._queue and self._is_waiting:
             sample = self.take()  # from Zenoh's queue, which `_listen` does not watch now
             if sample is not None:
@@ -275,7 +280,9 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         return bool(self._queue)
 
     def take_message(self, *, raw: bool = False) -> tuple[Any, MessageInfo] | None:
-        """Take the oldest message and its info, or `None`, without calling the callback.
+        """Remove and return the oldest message and its info, or return `None`.
+
+        The callback is not called.
 
         Args:
             raw: Whether to return the message as bytes in ROS 2's CDR.
@@ -353,7 +360,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         return self._callback(message)
 
     def _is_wanted(self, payload: bytes, message: Any = None) -> bool:
-        """Return whether the content filter, if any, selects a message.
+        """Return whether the content filter selects a message. Without a filter, return true.
 
         Args:
             payload: The message's payload.
@@ -376,7 +383,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         source = self._sources.get(gid) or self._add_source(sample, sequence, gid)
         if sequence != source.next_sequence:
             self._count_loss(sequence - source.next_sequence)
-        # A late message must not lower the number. Else the next message would count as a loss.
+        # A late message must not lower the number, or the next message would count as a loss.
         source.next_sequence = max(source.next_sequence, sequence + 1)
         if self._checks_keys and self._type_refusal(sample):
             return False
@@ -386,7 +393,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         return not source.lifespan_ns or time.time_ns() - stamp_ns <= source.lifespan_ns
 
     def _refusal(self, sample: zenoh.Sample, facts: bytes | None) -> str:
-        """Return why a sample without a valid attachment is refused, or an empty string."""
+        """Return why to refuse a sample that has no valid attachment, or an empty string."""
         length = None if facts is None else len(facts)
         return self._context.dialect.attachment_refusal(length) or self._type_refusal(sample)
 
@@ -421,7 +428,8 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
             self._warn_of_loss(missing)
 
     def _warn_of_loss(self, missing: int) -> None:
-        # A warning about /rosout would go to /rosout, and drop another line from its full queue.
+        # A warning about lost lines of /rosout must not be published on /rosout, because it would
+        # push another line out of the full queue.
         own_cause = self.topic_name == ROSOUT_TOPIC
         with sinks_disabled() if own_cause else contextlib.nullcontext():
             get_logger(self._logger_name).warning(
@@ -465,7 +473,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
             handler.destroy()
         if self._liveliness is not None and not self._context.is_closed:
             self._liveliness.undeclare()
-        self._subscriber = None  # then Zenoh undeclares it, as in `Publisher.destroy`
+        self._subscriber = None  # so Zenoh undeclares it, as in `Publisher.destroy`
         if self._is_waiting:
             self._rearm()
 
@@ -478,7 +486,7 @@ class SubscriptionHandle(Handle[Subscription[Any]]):
         msg_type: object = None,  # noqa: ARG002 - rclpy's signature
         raw: bool = False,
     ) -> tuple[Any, MessageInfo] | None:
-        """Take the oldest message and its info, or `None`, without calling the callback."""
+        """Remove and return the oldest message and its info, or return `None`. No callback runs."""
         return self.entity.take_message(raw=raw)
 
     def get_topic_name(self) -> str:

@@ -23,7 +23,7 @@ class TimeSource:
 
     Args:
         node: The node that has `use_sim_time` and subscribes to `/clock`. The program can also
-            attach it later.
+            attach the node later.
     """
 
     def __init__(self, *, node: Node | None = None) -> None:
@@ -66,7 +66,7 @@ class TimeSource:
         self._subscribe()
 
     def detach_node(self) -> None:
-        """Detach the node. Clocks stay as they are, and simulated clocks stop at the last time."""
+        """Detach the node. Simulated clocks stay simulated, and keep the last time of `/clock`."""
         if self._node is not None:
             self._unsubscribe()
             self._node.handle.parameters.post_set.remove(self._follow)

@@ -32,7 +32,7 @@ SERVICE_TYPE = (
 
 
 class _ThreadedService(Service[Any, Any]):
-    """Service that runs in a separate thread, so that it works without an executor."""
+    """Service that runs each request in a new thread, so that no executor is needed."""
 
     @called_by_zenoh
     def _receive(self, query: zenoh.Query) -> None:
@@ -154,7 +154,10 @@ def _source_message(spec: InterfaceSpec) -> Any:
 
 
 def _encoding(spec: InterfaceSpec) -> str:
-    """Return the encoding of a definition. Only a definition with its own file has a text."""
+    """Return the encoding of a definition, as in `type_description_interfaces/msg/TypeSource`.
+
+    A definition without its own file has no text. Its encoding is `implicit` or `dynamic`.
+    """
     if "_" in spec.name.rpartition("/")[2]:
         return "implicit"  # a part of a service or action, because only such names have `_`
     if isinstance(spec, MessageSpec) and spec.fields and not spec.text:

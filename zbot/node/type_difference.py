@@ -1,7 +1,8 @@
 """Sentences about two endpoints that cannot hear each other, because their types differ.
 
-In ROS 2's dialect, the hash of the definition is a part of the key. So endpoints with different
-definitions of one type get nothing from each other, and no error.
+With the keys of ROS 2's rmw_zenoh, the hash of a type's definition is a part of each key. So
+endpoints with different definitions of one type get no messages from each other. Zenoh reports no
+error.
 """
 
 from __future__ import annotations
@@ -29,7 +30,7 @@ _HASH_LENGTH = 16  # characters of a hash that a sentence shows
 def difference_text(context: Context, mine: EndpointToken, other: EndpointToken) -> str:
     """Return a sentence about the definitions of two endpoints that cannot hear each other.
 
-    The other node is asked for its definition, which takes milliseconds, and at most 2 s.
+    This function asks the other node for its definition. This takes milliseconds, at most 2 s.
     """
     who = fully_qualified(other.namespace, other.node)
     if not (_has_hash(mine) and _has_hash(other)):

@@ -31,10 +31,11 @@ def wait_for_message(
 
     Args:
         msg_type: Message class.
-        node: The node that subscribes during the wait. It may also be in an executor.
+        node: The node that subscribes during the wait. The node may also be in an executor.
         topic: Relative, `~/private` or absolute name.
         qos_profile: A profile, or a depth for the default profile.
-        time_to_wait: Seconds to wait. A negative number means until the context is shut down.
+        time_to_wait: Seconds to wait. With a negative number, only the context's shutdown limits
+            the wait.
 
     Returns:
         True and the message, or False and `None` if no message came in time.

@@ -13,7 +13,8 @@ if TYPE_CHECKING:
     from zbot.qos import QoSProfile
     from zbot.wire.tokens import EndpointToken
 
-# Time from a burst to a heartbeat, as in rmw_zenoh. A heartbeat reveals missing samples.
+# Time from a burst of samples to a heartbeat, as in rmw_zenoh. A heartbeat contains the number of
+# the last sample, so subscribers find missing samples.
 _HEARTBEAT_S = 0.5
 # How many messages a keep-all publisher keeps for late subscribers. Zenoh requires a limit.
 _KEEP_ALL_CACHE = 1000

@@ -1,4 +1,4 @@
-"""Table of the ROS 2 packages whose programs zbot replaces by bundled nodes."""
+"""Table of the ROS 2 packages whose programs zbot replaces by its own nodes (bundled nodes)."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _RQT = (
     *("rqt_msg", "rqt_plot", "rqt_publisher", "rqt_reconfigure", "rqt_service_caller", "rqt_top"),
     "rqt_topic",
 )
-#: Programs on the PATH of a ROS 2 installation that are bundled nodes: the name and its package.
+#: Programs on the PATH of a ROS 2 installation that bundled nodes replace: name -> package.
 BUNDLED_PROGRAMS: Final[dict[str, str]] = {
     "rqt": "rqt_gui",
     **{name: name for name in (*_RQT, "xacro")},

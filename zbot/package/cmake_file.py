@@ -43,13 +43,14 @@ class Installation:
 
 
 def read_cmake(folder: Path) -> Installation:
-    """Return what the CMakeLists.txt of a folder installs. Empty if there is no such file.
+    """Return what the CMakeLists.txt of a folder installs, or an empty result without this file.
 
     The reader reads the commands in order, in all branches of each `if()`. It leaves out values
     that only CMake can compute.
 
     Raises:
-        SetupFileError: The file is too large, or its variables or patterns are.
+        SetupFileError: The file or its variables are too large, or its patterns search too many
+            files.
     """
     path = folder / "CMakeLists.txt"
     try:
@@ -109,7 +110,7 @@ class _Reader:
         return word.replace(_KEPT, "${")
 
     def _value(self, found: re.Match[str]) -> str:
-        # An unknown variable stays as `${NAME}`, so that `_read_install` can recognize it.
+        # An unknown variable stays as `${NAME}`, so that `_read_install` recognizes this text.
         if found[1] not in self._variables:
             return found[0].replace("${", _KEPT)
         value = ";".join(self._variables[found[1]])
@@ -138,7 +139,7 @@ class _Reader:
     def _glob(self, kind: str, pattern: str) -> list[str]:
         relative = pattern.removeprefix(f"{self._folder}/")
         if Path(relative).is_absolute():
-            return []  # the files of other folders do not belong to the package
+            return []  # files outside the package's folder do not belong to the package
         recursive = kind == "GLOB_RECURSE"
         if recursive:  # CMake searches below each folder of the pattern
             place, slash, name = relative.rpartition("/")
@@ -179,7 +180,8 @@ class _Reader:
             group[target] = path
 
     def _add_folder(self, name: str, target: str) -> None:
-        # As in CMake, `a` becomes the folder target/a. Of `a/`, only the content goes into target.
+        # As in CMake, the folder `a` becomes target/a. The content of the folder `a/` goes directly
+        # into target.
         source = self._folder / name
         start = target if name.endswith("/") else f"{target}/{source.name}"
         for path in self._search.below(source):

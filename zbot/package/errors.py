@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 class NotRunnableError(ZbotError):
     """A program is known, but zbot cannot run it, e.g. because it is written in C++.
 
-    A launch leaves it out and goes on.
+    A launch leaves the program out and goes on.
 
     Attributes:
         sentence: What is left out, why, and what does the same in zbot.
@@ -28,12 +28,12 @@ class NotRunnableError(ZbotError):
 
 
 class PackageNotFoundError(ZbotError, KeyError):
-    """A package is neither in the workspace, nor bundled, nor installed.
+    """No package with this name is in the workspace, bundled with zbot, or installed.
 
     Attributes:
         package: The package's name.
         searched: The folders that were searched.
-        hint: A question that suggests a similar name. Empty if there is no similar name.
+        hint: Advice for the user, e.g. a similar name. It is empty if there is no advice.
     """
 
     def __init__(self, package: str, searched: Iterable[Path], known: Iterable[str] = ()) -> None:

@@ -30,7 +30,7 @@ class FileSearch:
     Recursive searches do not follow symbolic links, which may form a circle.
 
     Args:
-        folder: The folder to which relative patterns belong.
+        folder: The folder in which relative patterns are searched.
     """
 
     def __init__(self, folder: Path) -> None:
@@ -38,7 +38,9 @@ class FileSearch:
         self._left = _MAX_ENTRIES
 
     def matching(self, pattern: str, *, recursive: bool = False) -> list[str]:
-        """Return the files and folders that match a pattern, sorted, in the pattern's form.
+        """Return the files and folders that match a pattern, sorted.
+
+        The paths are relative if the pattern is relative.
 
         Args:
             pattern: Pattern as for `glob.glob`.

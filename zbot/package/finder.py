@@ -52,7 +52,7 @@ class Package:
 
 
 def all_packages() -> dict[str, Package]:
-    """Return every package, sorted by name. For equal names, return only the first one found."""
+    """Return every package, sorted by name. Of packages with the same name, return the first."""
     found: dict[str, Package] = {}
     for place in (_workspace(), _added(), _bundled(), _in_prefixes()):
         for package in place:
@@ -74,7 +74,7 @@ def find_package(name: str) -> Package | None:
 
 
 def searched_folders() -> list[Path]:
-    """Return the folders in which `find_package` searches. Error messages name them."""
+    """Return the folders in which `find_package` searches, for error messages."""
     from zbot.package.workspace import search_roots  # noqa: PLC0415 - for errors only
 
     return [*(root for root, _ in search_roots()), *prefixes()]
@@ -105,7 +105,7 @@ def _bundled() -> Iterator[Package]:
         if parent.is_dir():
             folders = (entry for entry in parent.iterdir() if entry.name.isidentifier())
             yield from (_bundled_package(one, share) for one in folders if one.is_dir())
-    # Last: a name of the table may have messages or modules, which were found above.
+    # These packages come last, because a package above may have the same name and contain messages.
     for name in BUNDLED_NODES:
         yield Package(name, share / "launch" / name, Origin.BUNDLED)
 

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 _MAX_STEPS = 500_000
 _MAX_SIZE = 1_000_000  #: characters and elements of one value
 _MAX_RESULT = 10_000_000  #: estimated characters of a call's result
-_MOST_FOR_EACH = 10  #: characters that `repr` writes for one character
+_MOST_FOR_EACH = 10  #: largest number of characters that `repr` writes for one character
 # Widths such as `%9999d`, which make a text longer than its parts.
 _WIDTH = re.compile(r"\d{4}|%[^%a-zA-Z]*\*|:[^{}]*\{")
 
@@ -66,7 +66,7 @@ class Literals:
             raise LiteralLimitError
 
     def _check_size(self, value: Any) -> int:
-        """Return the number of characters and elements in a value."""
+        """Return a value's number of characters and elements. Raise an error above the limit."""
         size, waiting = 0, [value]
         while waiting:
             self._count_step()

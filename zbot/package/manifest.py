@@ -110,7 +110,7 @@ def read_tree(path: Path) -> Element:
 
 
 def _check(path: Path, source: bytes) -> None:
-    """Check entities and depth before a tree is made, whatever the encoding of the file is."""
+    """Check entities and depth before a tree is made. The check works for all encodings."""
     parser, level = expat.ParserCreate(), 0
 
     def refuse(*_: object) -> None:

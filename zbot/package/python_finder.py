@@ -1,7 +1,8 @@
 """Finder of the Python packages in the workspace, for programs whose workspace was sourced.
 
-`source install/setup.bash`, `zbot run`, `zbot launch` and `zbot test` set ZBOT_WORKSPACE. Then
-programs and their child processes can import the Python packages of the workspace from the sources.
+`source install/setup.bash`, `zbot run`, `zbot launch` and `zbot test` set ZBOT_WORKSPACE. With this
+variable, programs and their child processes can import the Python packages of the workspace from
+the sources.
 """
 
 from __future__ import annotations
@@ -26,14 +27,14 @@ _NOT_INSTALLED = {"setup", "conftest"}
 class WorkspaceFinder:
     """Finder of top-level Python packages and modules in the workspace's packages."""
 
-    #: Whether to search without ZBOT_WORKSPACE too, then in the workspace of the current folder.
+    #: Whether to search the workspace of the current folder if ZBOT_WORKSPACE is not set.
     searches_always = False
 
     @classmethod
     def find_spec(
         cls, fullname: str, path: Sequence[str] | None = None, target: ModuleType | None = None
     ) -> ModuleSpec | None:
-        """Return the spec of a module of the workspace. Python itself finds its submodules."""
+        """Return the spec of a top-level module in the workspace. Python finds its submodules."""
         if path is not None or not (cls.searches_always or os.environ.get(VARIABLE)):
             return None
         if fullname in _NOT_INSTALLED or fullname in sys.stdlib_module_names:
@@ -47,8 +48,9 @@ class WorkspaceFinder:
 def install(*, searches_always: bool = False) -> None:
     """Put the finder before Python's own. A second call does not add a second finder.
 
-    A package's folder has the name of the Python package in it. In the folder around it, Python's
-    own finder takes the outer folder for a package without modules.
+    The folder of a ROS 2 package and the Python package in it usually have the same name. If a
+    program runs in the parent of this folder, Python's own finder would import the folder as a
+    package without modules.
 
     Args:
         searches_always: Whether to search the workspace of the current folder from now on, even if

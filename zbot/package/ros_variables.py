@@ -1,4 +1,4 @@
-"""Environment variables that a ROS 2 which was sourced sets, with zbot's values for them."""
+"""Environment variables that a sourced ROS 2 sets, with zbot's values for them."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ _VALUES = {"ROS_VERSION": "2", "ROS_PYTHON_VERSION": "3", "ROS_DISTRO": DISTRO}
 
 
 def ros_variable(name: str) -> str:
-    """Return the value of an environment variable, or zbot's value, or an empty string."""
+    """Return an environment variable's value, or else zbot's value, or else an empty string."""
     return os.environ.get(name) or _VALUES.get(name, "")
 
 
 def set_ros_variables() -> None:
-    """Set the variables of this process and its children that are not set."""
+    """Set the variables that are not set yet, for this process and its child processes."""
     for name, value in _VALUES.items():
         os.environ.setdefault(name, value)

@@ -1,8 +1,9 @@
 """Installed form of source packages: prefixes that contain symbolic links to the sources.
 
-Most packages install each folder under its own name. Then the source folder is the share folder.
-If setup.py or CMakeLists.txt installs files under other names, the share folder is in a prefix.
-The links are updated each time that a caller asks for the prefix, so no package has to be built.
+Most packages install each folder under its own name. The share folder of such a package is its
+source folder. If setup.py or CMakeLists.txt installs files under other names, the share folder is
+in a prefix that zbot makes. The links are updated each time that a caller asks for the prefix, so
+no package has to be built.
 """
 
 from __future__ import annotations
@@ -118,7 +119,7 @@ def _shared(package: Package) -> dict[str, Path]:
     build` warns that ROS 2 would not find it.
     """
     if package.only:
-        # Folders further down belong to other bundled packages.
+        # Subfolders of these folders belong to other bundled packages.
         below = (file for part in package.only for file in (package.folder / part).iterdir())
         files = {_relative(file, package): file for file in below if file.is_file()}
     else:

@@ -1,4 +1,4 @@
-"""Table of well-known ROS 2 packages that do not run in zbot, with what does the same here."""
+"""Table of well-known ROS 2 packages that do not run in zbot, with a replacement for each."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ _MICRO = Unavailable(
     "a microcontroller can use Zenoh itself, see docs/wire.md",
 )
 
-#: Packages by the kind of their programs. A package of the workspace hides an entry.
+#: Packages by the kind of their programs. A package in the workspace has priority over an entry.
 _PACKAGES: Final = (
     (
         _VIEWER,
@@ -192,7 +192,8 @@ _BY_PROGRAM: Final = {
     **dict.fromkeys(("gazebo", "gzserver", "gzclient", "gz", "ign", "webots", "stage"), _SIMULATOR),
     **dict.fromkeys(("MicroXRCEAgent", "micro_ros_agent"), _MICRO),
 }
-#: Programs that end when they have done their work. What waits for their end goes on immediately.
+#: Programs that end when their work is done. If a launch leaves such a program out, actions that
+#: wait for its end go on immediately.
 _SHORT: Final = frozenset({"create", "spawn_entity.py", "spawn_entity", "remove"})
 
 
@@ -207,5 +208,5 @@ def unavailable_program(name: str) -> Unavailable | None:
 
 
 def ends_by_itself(executable: str) -> bool:
-    """Return whether a program of the table ends soon, e.g. one that puts a robot into a world."""
+    """Return whether a program ends soon in ROS 2, e.g. because it only adds a simulated robot."""
     return executable in _SHORT

@@ -32,14 +32,14 @@ SKIPPED = {"build", "install", "log", "node_modules", "site-packages", "__pycach
 _STOP_FILES = {"AMENT_IGNORE", "CATKIN_IGNORE", "COLCON_IGNORE", "pyvenv.cfg"}
 _NAME_TAG = re.compile(r"<name>\s*([a-zA-Z0-9][a-zA-Z0-9_-]*)\s*</name>")
 
-#: Folders to search, each with the number of levels below it.
+#: Folders to search, each with the number of levels to search below it.
 Roots: TypeAlias = "tuple[tuple[Path, int], ...]"
 
 
 def search_roots() -> Roots:
     """Return the folders to search: the current folder's workspace, then those of ZBOT_WORKSPACE.
 
-    If there is neither, the result is the current folder with the folders in it.
+    If there is no workspace, the result is the current folder with one level below it.
     """
     named = os.environ.get(VARIABLE, "")
     parts = [part for part in named.split(os.pathsep) if part]
@@ -57,7 +57,8 @@ def current_workspace() -> Roots:
 def build_roots() -> Roots:
     """Return the folders that a build searches.
 
-    As colcon does, a build outside of a workspace searches all levels below the current folder.
+    Outside of a workspace, a build searches 5 levels below the current folder. colcon searches all
+    levels.
     """
     here = current_workspace() or tuple((root, _MAX_DEPTH) for root, _ in _roots_here())
     return here or search_roots()  # the home folder and `/` are not searched
@@ -95,12 +96,12 @@ def package_folders(
 ) -> Iterator[Path]:
     """Yield every folder of the workspace that has a package.xml or a setup file.
 
-    A folder whose only such file is a pyproject.toml is no package if packages are in it: then the
-    file is that of a repository.
+    If a folder has a pyproject.toml, no other such file, and packages below it, it is left out: it
+    is the root of a repository and not a package.
 
     Args:
         bases: Folders to search instead of the workspace.
-        roots: The same, each with the number of levels to search.
+        roots: Folders to search instead of the workspace, each with the number of levels.
     """
     searched = [(base, _MAX_DEPTH) for base in bases] if bases else roots or search_roots()
     seen = set()
@@ -133,7 +134,7 @@ def name_in_manifest(text: str) -> str:
 def walk(root: Path, depth: int) -> Iterator[tuple[Path, set[str], list[str]]]:
     """Visit a folder and its subfolders, level by level. Each level is sorted by name.
 
-    Symbolic links are followed. Of a folder with several paths, only the first is visited.
+    Symbolic links are followed. A folder that has several paths is visited only once.
 
     Yields:
         The folder, the names of its entries, and a list of the subfolders to visit next. The caller
@@ -158,7 +159,12 @@ def walk(root: Path, depth: int) -> Iterator[tuple[Path, set[str], list[str]]]:
 
 
 def _roots_around(current: Path) -> Roots:
-    """Return a folder's workspace: a `src` around or in the folder, or the package around it."""
+    """Return the folders to search for the workspace that contains a folder.
+
+    The workspace is the folder or a parent with the name `src`. If there is none, the workspace is
+    a folder `src` in the folder or in a parent. If there is none either, it is the package that
+    contains the folder. Without a workspace, the result is the folder with one level below it.
+    """
     near = [folder for folder in (current, *current.parents)[:_MAX_PARENTS] if _may_search(folder)]
     for folder in near:
         # The `src` of a package contains its modules and is not a workspace.
@@ -190,11 +196,11 @@ def _is_python_project(folder: Path, names: set[str]) -> bool:
 def _has_project(path: Path) -> bool:
     try:
         source = path.read_bytes()
-        # Most other files only configure tools: they are not parsed.
+        # Files without the word "project" are not parsed. Most of them only configure tools.
         return b"project" in source and bool(project_table(path, source))
     except OSError:
         return False
-    except SetupFileError:  # the commands of the package report the error
+    except SetupFileError:  # commands that use this package report the error
         return "[project" in read_text(path)
 
 
@@ -208,7 +214,10 @@ def read_text(path: Path) -> str:
 
 
 def _may_search(folder: Path) -> bool:
-    """Return whether to search a folder. False for `/`, drives, the home folder and its parents."""
+    """Return whether to search a folder.
+
+    The result is False for `/`, drives, the home folder and its parents.
+    """
     home = Path(os.path.expanduser("~"))  # noqa: PTH111 - Path.home() raises if there is no home folder
     return folder != home and folder not in home.parents and folder != Path(folder.anchor)
 

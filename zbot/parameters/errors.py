@@ -93,7 +93,7 @@ class ParameterUninitializedException(ParameterError):
 
 
 class ParameterDeclarationError(ZbotError, ValueError):
-    """A declaration is not consistent, e.g. it has neither a value nor a type."""
+    """A declaration is not consistent, e.g. the value and the type are both missing."""
 
     def __init__(self, parameter: str, reason: str) -> None:
         self.parameter, self.reason = parameter, reason
@@ -117,7 +117,7 @@ class UnknownCallbackError(ZbotError, ValueError, RuntimeError):
 
 
 class InvalidQosOverridesError(ZbotError):
-    """The program checks QoS profiles after the overrides, and rejected one of them."""
+    """A callback of the program rejected a QoS profile with its overrides."""
 
     def __init__(self, what: str, reason: str) -> None:
         self.what, self.reason = what, reason

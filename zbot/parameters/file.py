@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 __all__ = ["load", "matches", "parse_value", "sections"]
 
 _KEY = "ros__parameters"
-# YAML matches a pattern at the start of a scalar, so each pattern must match up to the end.
+# PyYAML matches these patterns at the start of a scalar. `\Z` lets them match only whole scalars.
 _FLOAT = re.compile(
     r"[-+]?(?:[0-9][0-9_]*\.[0-9_]*|\.[0-9]+|[0-9]+(?=[eE]))(?:[eE][-+]?[0-9]+)?\Z"
     r"|[-+]?\.(?:inf|Inf|INF)\Z|\.(?:nan|NaN|NAN)\Z"
@@ -164,7 +164,8 @@ def _loader() -> Any:
     """Return YAML's safe loader with ROS 2's rules for scalars.
 
     Dates, `null` and `~` are strings. `1e3` is a number. Only an empty value is None. If a key
-    occurs twice with a mapping, the loader merges the mappings. Plain YAML keeps only the second.
+    occurs twice and both values are mappings, the loader merges them. PyYAML's own loader keeps
+    only the second mapping.
     """
     base = _yaml().SafeLoader
 

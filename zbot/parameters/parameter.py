@@ -89,7 +89,7 @@ class Parameter(Generic[ValueT_co]):
         ArgumentTypeError: `type_` is not a `Parameter.Type`.
     """
 
-    _zbot_stands_for = "rcl_interfaces/msg/Parameter"  # fields of this type accept this class too
+    _zbot_stands_for = "rcl_interfaces/msg/Parameter"  # message fields accept this class too
 
     class Type(IntEnum):
         """The types, with the numbers of rcl_interfaces/msg/ParameterType."""
@@ -266,7 +266,7 @@ def parameter_value_to_python(parameter_value: ParameterValue) -> AllowableParam
 
 
 def parameter_type(number: int) -> Parameter.Type:
-    """Return the type with a number of rcl_interfaces/msg/ParameterType.
+    """Return the type that has this number in rcl_interfaces/msg/ParameterType.
 
     Raises:
         UnknownParameterTypeError: There is no such type.
@@ -296,7 +296,8 @@ def infer_parameter(name: str, value: Any, text: str | None = None) -> Parameter
     Args:
         name: The parameter's name.
         value: A scalar or a list of scalars.
-        text: The YAML text of the value. A list of several types becomes this text.
+        text: The YAML text of the value. If the value is a list of several types, the parameter's
+            value is this text. Without `text`, it is `str(value)`.
     """
     try:
         return Parameter(name, value=value)

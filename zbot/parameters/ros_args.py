@@ -99,10 +99,10 @@ class Arguments(NamedTuple):
         return found
 
     def merged(self, after: Arguments) -> Arguments:
-        """Return the settings of a node, `self`, combined with those of the process, `after`.
+        """Return the settings of a node (`self`) together with those of the process (`after`).
 
-        The node's settings have priority. Of several remaps the first match is used, and of
-        several parameter values the last value is used.
+        The node's settings have priority. The first remap that matches a name is used. The last
+        value of a parameter is used.
         """
         return self._replace(
             remaps=self.remaps + after.remaps,
@@ -112,11 +112,11 @@ class Arguments(NamedTuple):
         )
 
     def node_name_for(self, name: str) -> str:
-        """Return the value of `__node:=` for a node with this original name, or else this name."""
+        """Return the value of `__node:=` for the node `name`, or `name` if no value is given."""
         return self._special("__node", name) or name
 
     def namespace_for(self, node_name: str) -> str | None:
-        """Return the value of `__ns:=` for a node with this original name, or None if not given."""
+        """Return the value of `__ns:=` for the node `node_name`, or None if no value is given."""
         return self._special("__ns", node_name)
 
     def remap_topic(self, full_name: str, node: str, namespace: str) -> str:
@@ -164,7 +164,7 @@ class Arguments(NamedTuple):
 
 
 def remove_ros_args(args: Sequence[str] | None = None) -> list[str]:
-    """Return a command line, by default `sys.argv`, without its `--ros-args ... --` parts."""
+    """Return a command line without its `--ros-args ... --` parts. The default is `sys.argv`."""
     return _split(sys.argv if args is None else args)[1]
 
 

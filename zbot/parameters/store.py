@@ -73,10 +73,14 @@ class Declaration(NamedTuple):
 class ParameterStore:
     """Parameters of a node. They are declared, set and undeclared by the rules of rclpy.
 
-    `set` has these steps. The pre-set callbacks may replace the list of parameters. The
-    descriptors and then the on-set callbacks may reject the list. The values are set. The event is
-    published. The post-set callbacks are called. In each step, the callback that was added last is
-    called first.
+    `set` has these steps:
+
+    1. The pre-set callbacks may replace the list of parameters.
+    2. The descriptors, and then the on-set callbacks, may reject the list.
+    3. The values are set, and the event is published.
+    4. The post-set callbacks are called.
+
+    In each step, the callback that was added last is called first.
 
     Args:
         publish: Function that is called with the changes after each operation.
@@ -105,8 +109,9 @@ class ParameterStore:
         """Return a parameter.
 
         Raises:
-            ParameterNotDeclaredException: It is unknown, and undeclared parameters are not allowed.
-            ParameterUninitializedException: Only its type was declared, and it has no value yet.
+            ParameterNotDeclaredException: The parameter is unknown, and undeclared parameters are
+                not allowed.
+            ParameterUninitializedException: The parameter has a type, but no value yet.
         """
         parameter = self.values.get(name)
         if parameter is None:
@@ -130,7 +135,7 @@ class ParameterStore:
         return self.values[name].type_
 
     def describe(self, name: str) -> Descriptor:
-        """Return a parameter's descriptor. With dynamic typing, it has the current value's type.
+        """Return a parameter's descriptor. With dynamic typing, its type is the value's type.
 
         Raises:
             ParameterNotDeclaredException: The parameter is unknown, and undeclared parameters are
@@ -142,7 +147,7 @@ class ParameterStore:
         return self.descriptors[name]
 
     def in_group(self, prefix: str) -> dict[str, Parameter[Any]]:
-        """Return a group's parameters by name without the prefix. An empty prefix means all."""
+        """Return a group's parameters by name without prefix. An empty prefix returns all."""
         start = f"{prefix}{PARAMETER_SEPARATOR_STRING}" if prefix else ""
         found = list(self.values.items())
         return {name[len(start) :]: one for name, one in found if name.startswith(start)}
@@ -212,7 +217,7 @@ class ParameterStore:
         self._publish(Changes(deleted=[Parameter(name)]))
 
     def set(self, parameters: Parameters) -> str:
-        """Set all given parameters, or none. If a name occurs twice, its last value is set.
+        """Set all given parameters, or set none. If a name occurs twice, its last value is set.
 
         An item without a value removes its parameter, if the parameter has dynamic typing.
 
@@ -288,7 +293,7 @@ class ParameterStore:
             ParameterNotDeclaredException: The parameter is unknown, and undeclared parameters are
                 not allowed.
             ParameterImmutableException: The parameter is read-only.
-            InvalidParameterValueException: Neither value fits the new descriptor.
+            InvalidParameterValueException: The current value and `alternative` do not fit.
         """
         present = self.get(name)
         if name not in self.values:

@@ -15,7 +15,7 @@ _STEP_TOL = 1e-6  #: fraction of a step, because a relative tolerance is too sma
 
 
 class Range(NamedTuple):
-    """Allowed range, both ends included. With a step: only the ends and `low` + n * `step`."""
+    """Allowed range with both ends. A step allows only the ends and `low` + n * `step`."""
 
     from_value: float
     to_value: float
@@ -58,7 +58,8 @@ class Descriptor(NamedTuple):
     """Descriptor of a parameter, with the fields of rcl_interfaces/msg/ParameterDescriptor.
 
     A descriptor is immutable, unlike the message. So later changes of a message do not affect the
-    parameters declared with it. Most nodes use only this class and never load the message's class.
+    parameters that were declared with the message. Most nodes use only this class, and never load
+    the message's class.
     """
 
     type: Parameter.Type = Parameter.Type.NOT_SET
@@ -126,7 +127,7 @@ def _range_messages(kind: Any, values: Range | None) -> list[Any]:
 
 
 def widened(parameter: Parameter[Any], descriptor: Descriptor) -> Parameter[Any]:
-    """Return the parameter in its declared type: integers as doubles, `[]` as any array type."""
+    """Return the parameter in its declared type, e.g. an integer as a double, `[]` as an array."""
     declared, given = descriptor.type, parameter.type_
     if descriptor.dynamic_typing or declared is given:
         return parameter

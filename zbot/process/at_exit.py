@@ -1,7 +1,7 @@
 """Exit function of the process. It closes all contexts before Python kills the other threads.
 
 Zenoh aborts the process if Python kills a thread inside Zenoh. The function first waits for the
-program's own threads. A thread may still run `spin()` when the main thread is at its end.
+program's own threads, because they may still run `spin()` when the main thread ends.
 """
 
 from __future__ import annotations
@@ -68,8 +68,8 @@ class Executor(Protocol):
 open_contexts: WeakSet[OpenContext] = WeakSet()
 
 
-#: Called when the contexts are closed. Python itself waits for threads only after that. The
-#: argument is true if a signal interrupted `wait_for_threads`.
+#: Functions that are called after the contexts were closed, and before Python itself waits for
+#: threads. The argument is true if a signal interrupted `wait_for_threads`.
 when_closed: list[Callable[[bool], None]] = []
 
 
@@ -96,8 +96,9 @@ def register() -> None:
     """Let the process close all contexts at its end. A second call does nothing."""
     if not _Process.is_registered:
         _Process.is_registered = True
-        # An atexit function would be too late. Python first joins the non-daemon threads, and
-        # Zenoh's thread ends only with its session. concurrent.futures uses _register_atexit too.
+        # An atexit function would be too late, because Python first joins the non-daemon threads.
+        # Zenoh's thread is such a thread, and it ends only when its session is closed.
+        # concurrent.futures uses _register_atexit too.
         threading._register_atexit(_end)  # type: ignore[attr-defined] # noqa: SLF001
         # If a signal comes while Python waits for threads, Python does not call `_end`. But it
         # still calls atexit functions.
@@ -107,8 +108,8 @@ def register() -> None:
 def wait_for_threads() -> None:
     """Wait for the threads that the program started, as Python does at its end.
 
-    While this function waits, a thread can start other threads and open nodes. When Python 3.12 or
-    later waits for threads, they can do neither. A signal's exception ends this function
+    While this function waits, the threads can still start other threads and create nodes. Both are
+    impossible while Python 3.12 or later waits for threads. A signal's exception ends this function
     immediately.
     """
     for thread in _program_threads():
@@ -116,7 +117,8 @@ def wait_for_threads() -> None:
 
 
 def _program_threads() -> list[threading.Thread]:
-    # Thread pools end their threads later, and Zenoh's threads end with their session.
+    # The list leaves out the threads of thread pools, which the pools end later, and Zenoh's
+    # threads, which end when their session is closed.
     pools = sys.modules.get("concurrent.futures.thread")
     pooled = () if pools is None else pools._threads_queues  # noqa: SLF001 - no public list
     return [
@@ -131,7 +133,8 @@ def _program_threads() -> list[threading.Thread]:
 
 def _end() -> None:
     _Process.main_thread_has_ended = True
-    # If a signal ends this wait, it also ends the spinning threads. Python waits for the others.
+    # If a signal ends this wait, the signal also ends the threads that spin. Python itself waits
+    # for the other threads.
     was_interrupted = True
     with contextlib.suppress(KeyboardInterrupt, SystemExit, ExternalShutdownException):
         wait_for_threads()

@@ -1,7 +1,7 @@
 """Blocked puts of publishers, and functions that cancel them so that the process can end.
 
 A put with congestion control `BLOCK` waits for at most a minute while a keep-all subscriber reads
-nothing (see `wait_before_close`). During the put no signal handler runs in its thread, and Zenoh
+nothing (see `wait_before_close`). During the put, its thread runs no signal handler, and Zenoh
 cannot close the session. So when the process ends, this module shuts down the sockets of the
 session's links. Then Zenoh sees that the other side is lost, and the put returns immediately.
 docs/design/blocked-puts.md compares this with other ways.
@@ -29,7 +29,7 @@ from zbot.transport.weak_set import WeakSet
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
-# A put that takes longer is blocked. On a busy machine, a normal put takes milliseconds.
+# A put that takes longer than this is blocked. A normal put takes milliseconds on a busy machine.
 _BLOCKED_AFTER_S = 0.2
 _RETURN_TIMEOUT_S = 1.0  # puts return within a millisecond after a link was cut
 _PAUSE_S = 0.005
@@ -62,8 +62,8 @@ class _SignalWatch:
 def watch_signals() -> None:
     """Cancel blocked puts when a signal ends the program, until `unwatch_signals`.
 
-    Publishers call this if their puts can block. It works only in the main thread, and only if no
-    event loop has Python's wake-up descriptor for signals.
+    Publishers whose puts can block call this function. The function works only in the main thread,
+    and only if no event loop has Python's wake-up descriptor for signals.
     """
     if _SignalWatch.writer or threading.current_thread() is not threading.main_thread():
         return
@@ -82,7 +82,7 @@ def watch_signals() -> None:
 
 
 def unwatch_signals() -> None:
-    """Give the wake-up descriptor back, if this is the main thread."""
+    """Undo `watch_signals`. Do nothing if this is not the main thread."""
     writer, thread = _SignalWatch.writer, _SignalWatch.thread
     if writer is None or threading.current_thread() is not threading.main_thread():
         return
@@ -96,7 +96,8 @@ def unwatch_signals() -> None:
 
 
 def _watch(reader: socket.socket) -> None:
-    # A put of the main thread delays the signal handler. A put of another thread delays the exit.
+    # A blocked put in the main thread delays the signal handler. A blocked put in another thread
+    # delays the exit. So this thread cancels the puts.
     with reader:
         while numbers := reader.recv(1):
             if signals.ends_program(numbers[0]):
@@ -107,7 +108,7 @@ def cancel_all(sessions: Iterable[zenoh.Session]) -> None:
     """Cut the links of sessions, so that all blocked puts return. Any thread may call this.
 
     Messages that are on their way are lost. The call takes at most 1.2 s if a put is blocked, and
-    at most 0.2 s if puts run without being blocked. It returns immediately if no put runs.
+    0.2 s if puts run but none of them is blocked. The call returns immediately if no put runs.
     """
     blocked = _blocked()
     if not blocked:
@@ -136,7 +137,7 @@ def _puts() -> set[tuple[int, int]]:
 
 
 def _cut(session: zenoh.Session) -> None:
-    """Shut down the sockets of a session's links. Zenoh tells only the addresses of a link."""
+    """Shut down the sockets of a session's links. The ports of a link identify its sockets."""
     with contextlib.suppress(zenoh.ZError):  # the session is closed
         links = {(port_of(str(link.src)), port_of(str(link.dst))) for link in session.info.links()}
         for end in _sockets():

@@ -1,6 +1,6 @@
-"""Exception hooks for processes of our own: `zbot run` and what it runs.
+"""Exception hooks for processes in which `zbot run` runs a program.
 
-Somebody else's process keeps its own hooks.
+A program that is started in another way, e.g. with `python`, keeps its own hooks.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ _PACKAGE = str(Path(__file__).parents[1]) + os.sep
 
 
 def install() -> None:
-    """Let tracebacks begin in the user's code, and print errors of the environment as a sentence.
+    """Let tracebacks begin in the user's code, and print a `SetupError` without a traceback.
 
     If Python drops the exception of a signal in a destructor, the signal is sent again.
     """
@@ -30,7 +30,7 @@ def install() -> None:
 
 
 def _excepthook_before(previous: Any) -> Any:
-    """Return a hook that prints no traceback of setup errors and of a shutdown.
+    """Return a hook that prints no traceback for a `SetupError` or a shutdown.
 
     The hook gives other exceptions to `previous`.
     """
@@ -49,7 +49,7 @@ def _excepthook_before(previous: Any) -> Any:
 
 
 def _thread_hook_before(previous: Any) -> Any:
-    """Return a hook that prints no traceback of a shutdown in a thread."""
+    """Return a hook that prints no traceback for a shutdown in a thread."""
 
     def thread_hook(args: threading.ExceptHookArgs) -> None:
         if not issubclass(args.exc_type, (ExternalShutdownException, KeyboardInterrupt)):
@@ -75,7 +75,8 @@ def _unraisablehook_before(previous: Any) -> Any:
 
 
 def _remove_zbot_frames(value: BaseException | None) -> None:
-    # Python prints the exception's own traceback, not the traceback that a hook passes on.
+    # The exception's own traceback is changed, because Python prints this traceback, and not the
+    # traceback that a hook gives to the next hook.
     if value is not None:
         value.__traceback__ = user_traceback(value.__traceback__)
 

@@ -15,11 +15,12 @@ _LARGEST_BYTES = 32 * 1024 * 1024 - 8192
 def keep_freed_memory() -> None:
     """Let glibc keep freed blocks. Only the first call in a process has an effect.
 
-    When a block is freed, glibc raises its threshold for large blocks to the size of this block,
-    and keeps up to twice this size for the next blocks. So one block is freed here that no code
-    writes to. Without this, glibc gives a message's block of a megabyte back to the kernel each
-    time, and the next message gets new pages from the kernel. A round trip then takes 6.2 ms
-    instead of 2.9 ms. The call takes 10 us, and does nothing without glibc.
+    When a block is freed, glibc raises its threshold for large blocks to the size of this block.
+    After that, glibc keeps at most twice this size of freed memory for the next blocks. So this
+    function allocates and frees one block. No code writes to the block. Without this function,
+    glibc gives a message's block of a megabyte back to the kernel each time, and the next message
+    gets new pages from the kernel. A round trip then takes 6.2 ms instead of 2.9 ms. The call takes
+    10 us. Without glibc, it has no effect.
     """
     bytes(_LARGEST_BYTES)
 
@@ -27,10 +28,10 @@ def keep_freed_memory() -> None:
 def freeze_garbage_collector() -> None:
     """Let the garbage collector ignore all objects that exist now.
 
-    A process of our own calls this after its imports, because modules, classes and functions exist
-    as long as the process. A full collection of these objects takes 5 ms, with numpy tens of ms. It
-    happens inside callbacks, and twice at the exit, where it is a tenth of a short command's time.
-    If Python is not CPython, the function does nothing.
+    zbot's own processes call this after their imports, because modules, classes and functions exist
+    as long as the process. A full collection of these objects takes 5 ms, and with numpy tens of
+    ms. Such a collection can happen inside a callback. It also happens twice at the exit, where it
+    takes a tenth of a short command's time. If Python is not CPython, the function does nothing.
     """
     if sys.implementation.name == "cpython":
         gc.freeze()

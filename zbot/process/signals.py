@@ -1,9 +1,9 @@
 """Signal handlers of `init()`, so that a process closes its Zenoh sessions when it ends.
 
 Python cannot end while a session with a subscriber is open. Ctrl-C raises `KeyboardInterrupt` as
-usual. SIGTERM raises `ExternalShutdownException` if the main thread spins, else `SystemExit`. All
-these exceptions are also a `SystemExit`. So Python prints no traceback if the program does not
-catch them, and the process needs no exception hook.
+usual. SIGTERM raises `ExternalShutdownException` if the main thread spins, else `SystemExit`. The
+handlers raise subclasses of these exceptions that also inherit from `SystemExit`. So Python prints
+no traceback if the program does not catch them, and the process needs no exception hook.
 """
 
 from __future__ import annotations
@@ -24,10 +24,10 @@ from zbot.transport.weak_set import WeakSet
 if TYPE_CHECKING:
     from types import FrameType
 
-#: A signal that cannot raise its exception now is sent again after this time. It is longer than a
-#: callback of Zenoh, and than the start of a thread.
+#: A signal that cannot raise its exception now is sent again after this time. A callback of Zenoh
+#: takes less time, and so does the start of a thread.
 RETRY_S = 0.005
-# A signal usually ends the main thread, within 0.1 s also on a busy machine.
+# After a signal, the main thread usually ends within 0.1 s, even on a busy machine.
 _END_TIMEOUT_S = 0.3
 
 
@@ -52,7 +52,7 @@ guard_conditions: WeakSet[GuardCondition] = WeakSet()
 
 
 class _Process:
-    """State of this process: its handlers before `install()`, and the signal that ends it."""
+    """State of this process: the handlers before `install()`, and the signal that ends it."""
 
     previous: dict[int, Any] = {}  # noqa: RUF012 - one per process
     received: int = signal.SIGINT  #: the last signal
@@ -74,7 +74,7 @@ class SignalExit(SystemExit):
 
     @property
     def code(self) -> int:  # type: ignore[override]
-        """The exit code. Python asks for it at the end of a program that caught nothing."""
+        """The exit code. If no code has caught the exception, Python reads this at the exit."""
         _Process.ends_by = self.number
         return 128 + self.number
 
@@ -90,7 +90,7 @@ class ShutdownBySignal(SignalExit, ExternalShutdownException):
 class MainThread:
     """State of the main thread for the signal handlers."""
 
-    spins = 0  #: number of executors that spin in it (a callback may spin another executor)
+    spins = 0  #: number of executors that it spins (a callback may spin another executor)
 
 
 def install(options: SignalHandlerOptions = SignalHandlerOptions.ALL) -> None:
@@ -123,7 +123,7 @@ def installed() -> SignalHandlerOptions:
 
 
 def ends_program(number: int) -> bool:
-    """Return whether a signal ends spinning, because its handler is that of `install()`."""
+    """Return whether a signal's handler is one of `install()`. Such a signal ends spinning."""
     return signal.getsignal(number) in {_on_sigint, _on_sigterm}
 
 
@@ -140,7 +140,8 @@ def _interrupt_contexts(number: int) -> None:
     for context in at_exit.open_contexts:
         context.interrupt()
     if guard_conditions:
-        # A new thread triggers them, because the interrupted thread may hold a condition's lock.
+        # A new thread triggers the guard conditions, because the interrupted thread may hold the
+        # lock of a guard condition.
         threading.Thread(target=_trigger_guards, daemon=True).start()
 
 
@@ -150,7 +151,7 @@ def _trigger_guards() -> None:
 
 
 def _is_postponed(number: int, frame: FrameType | None) -> bool:
-    """Return whether a signal must wait for the interrupted code. If so, send it again soon."""
+    """Return whether a signal must wait for the interrupted code. If so, send it again later."""
     if not is_deferring_signals(frame):
         return False
     send_again(number)
@@ -199,8 +200,9 @@ def _on_sigterm(number: int, frame: FrameType | None) -> None:
 def raise_shutdown(*, by_signal: bool) -> NoReturn:
     """Raise `ExternalShutdownException`.
 
-    If a signal ends the program, a daemon thread ends without output instead. This takes up to
-    0.3 s if the signal does not end the program.
+    After a signal, a daemon thread first waits at most 0.3 s for the end of the main thread. If the
+    main thread ends in this time, the daemon thread ends without output. Otherwise the exception is
+    raised.
 
     Args:
         by_signal: Whether a signal has interrupted the context.
@@ -221,7 +223,10 @@ def raise_not_initialized(what: str) -> NoReturn:
 
 
 def _let_signals_end(was_interrupted: bool) -> None:
-    """Let a signal end the process, although threads of the program may run for ever."""
+    """From now on, let a signal end the process immediately.
+
+    Otherwise a thread of the program could run for ever.
+    """
     for number in (signal.SIGINT, signal.SIGTERM):
         if ends_program(number):
             signal.signal(number, signal.SIG_DFL)

@@ -1,9 +1,9 @@
-"""Access rules of the teacher's hub, which passes messages between the laptops of a class.
+"""Access rules of the teacher's hub, which forwards messages between the laptops of a class.
 
 The functions return paths and values of Zenoh's configuration, in the form that
 `SessionConfig.build` takes. The rules use Zenoh's access control and allow nothing by default. They
-identify a student by the user name of the laptop's hub. So a student's programs cannot act as
-another user.
+identify a student by the user name with which the laptop's hub logs in. So a student's programs
+cannot act as another user.
 
 A class has these key spaces. `<n>` is the student's domain:
 
@@ -21,12 +21,14 @@ A class has these key spaces. `<n>` is the student's domain:
 watch tokens.
 
 A laptop that has not joined connects as the user `lobby`, whose password is public. This user may
-only query the lobby. There the class checks the PIN (`zbot.security.pin`) and returns a secret.
+only query the lobby keys. The class answers these queries: it checks the PIN (`zbot.security.pin`)
+and returns a secret.
 
-Zenoh compares the key of a declaration as a whole. A declaration does not reach the other side if
-its key is wider than the rules of the other side. So the teacher's tools subscribe and query each
-domain (`17/**`), never `**`. Zenoh reads the rules when a session opens. So the hub's session must
-be reopened after every change.
+Zenoh does not forward a declaration if its key expression includes keys that the receiver's rules
+do not allow. So the teacher's tools subscribe and query each domain (`17/**`), never `**`.
+
+Zenoh reads the rules when a session opens. So the hub's session must be reopened after every
+change.
 """
 
 from __future__ import annotations
@@ -48,7 +50,7 @@ TEACHER_SPACE = "@class/teacher"  #: the teacher's notices to all students
 
 LOBBY_SPACE = "@class/lobby"  #: queries of laptops that want to join
 LOBBY = "lobby"  #: user name of laptops that have not joined
-LOBBY_SECRET = Secret("lobby")  #: public: it exists only because Zenoh requires a password
+LOBBY_SECRET = Secret("lobby")  #: not secret; it exists only because Zenoh requires a password
 
 #: Maximum size of a message between laptops (bytes): two uncompressed 4K images.
 MAX_MESSAGE_SIZE = 64 * 1024 * 1024
@@ -60,10 +62,10 @@ ACCEPT_PENDING = 2000
 #: connection completely, and 1 s on bad Wi-Fi.
 ACCEPT_TIMEOUT_MS = 3000
 
-# All connections belong to the region below the hub ("south"). In the hub's own region, Zenoh
-# ignores the access rules and sends the names of all keys to all routers. A laptop there would
-# get the name of every topic and node of the class. In the region below the hub, a router gets
-# only the names that it may read.
+# Zenoh assigns each connection to a region. All connections of the hub belong to the region below
+# the hub ("south"), where a router gets only the keys that it may read. In the hub's own region,
+# Zenoh ignores the access rules and sends all keys to all routers. A laptop there would get the
+# name of every topic and node of the class.
 _REGIONS: dict[str, Any] = {"south": [{}]}
 
 _WRITE_MESSAGES = ("put", "delete", "reply", "declare_queryable", "liveliness_token")
@@ -113,7 +115,7 @@ def teacher_access(
         students: The domain of each user name.
         shared_is_open: Whether students may publish in the shared space too.
         shares: The domains that the teacher has shared between students.
-        drivers: The robot that a user drives now, by user name.
+        drivers: The robot that each user drives now. The keys are user names.
 
     Returns:
         Zenoh's configuration paths, each with its value.
@@ -166,14 +168,14 @@ def limits() -> dict[str, Any]:
 def credentials(user: str, secret: Secret, accepted: Path | None = None) -> dict[str, Any]:
     """Return the configuration of a session that logs in with a user name.
 
-    If a machine has joined with a PIN, all its sessions need this, also the sessions of its nodes.
-    A session with a user name refuses sessions without a user name.
+    If a machine has joined with a PIN, all its sessions need this configuration, also the sessions
+    of its nodes. A session with a user name refuses sessions without a user name.
 
     Args:
         user: The session's user name.
         secret: The user's password.
-        accepted: File of the users that the session accepts (`accepted_users`). A session that
-            listens needs it.
+        accepted: File of the users that the session accepts (`accepted_users`). Only a session
+            that listens needs the file.
 
     Raises:
         UserNameError: The user name is invalid.
@@ -223,8 +225,8 @@ def _space(first_chunk: str) -> tuple[str, ...]:
 
 
 def _robot_space(robot: str) -> tuple[str, ...]:
-    # In a token, the name of a topic is one chunk, `%class%robot%cmd_vel`. The chunks before it are
-    # ids, a kind, an enclave, a namespace and a node.
+    # In a token, the name of a topic is one chunk, `%class%robot%cmd_vel`. The chunks before this
+    # chunk are ids, a kind, an enclave, a namespace and a node.
     keys = f"{SHARED_SPACE}/{robot}/**", f"{SHARED_SPACE}/{robot}/**/@adv/**"
     return (*keys, f"@zbot/{SHARED_SPACE}/*/*/*/*/*/*/*/%{SHARED_SPACE}%{robot}%$*/**")
 

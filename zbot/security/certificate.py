@@ -1,4 +1,4 @@
-"""X.509 certificates: functions that make certificates and check certificates.
+"""X.509 certificates: functions that make and check certificates.
 
 Keys are on the curve P-256, and signatures are ECDSA with SHA-256. Every TLS library accepts both.
 """
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 MAX_DAYS = 3650  #: ten years
 AUTHORITY_NAME = "zbot keystore"
-#: A certificate's validity begins this long before its creation, because clocks may be slow.
+#: A certificate is valid from this long before its creation, because other clocks may be slow.
 _CLOCK_TOLERANCE = timedelta(days=1)
 _HOST_NAME = re.compile(
     r"(?=.{1,253}$)[A-Za-z0-9_]([A-Za-z0-9_-]{0,62})(\.[A-Za-z0-9_][A-Za-z0-9_-]{0,62})*"
@@ -51,7 +51,7 @@ class Facts:
     since: datetime
     until: datetime
     addresses: tuple[str, ...]  #: host names and IP addresses at which others reach the machine
-    is_server: bool  #: whether others may join the machine
+    is_server: bool  #: whether other machines may join the machine
     fingerprint: str  #: SHA-256 of the certificate in DER form, in hexadecimal digits
 
 
@@ -64,7 +64,7 @@ class Validity:
 
     @classmethod
     def days(cls, count: int) -> Validity:
-        """Return a period of some days from now. It begins a day earlier, for slow clocks.
+        """Return a period of `count` days from now. It begins one day earlier, for slow clocks.
 
         Raises:
             CertificateRequestError: The number is not from 1 to 3650.
@@ -76,7 +76,7 @@ class Validity:
 
 
 def make_authority(validity: Validity) -> KeyPair:
-    """Return a new authority: a key to sign certificates, and a certificate to check them."""
+    """Return a new authority: a key that signs certificates, and a certificate that checks them."""
     from cryptography import x509  # noqa: PLC0415 - slow to import
     from cryptography.hazmat.primitives.asymmetric import ec  # noqa: PLC0415 - slow to import
 
@@ -92,17 +92,17 @@ def make_authority(validity: Validity) -> KeyPair:
 
 
 def issue(authority: KeyPair, name: str, addresses: Iterable[str], validity: Validity) -> KeyPair:
-    """Return a new key and a certificate for it.
+    """Return a new key and its certificate.
 
     Args:
         authority: Key pair that signs the certificate.
         name: The machine's name, which becomes the certificate's common name.
         addresses: Host names and IP addresses at which others reach the machine. A certificate
-            without addresses is for a client. A client can join others, but others cannot join it.
+            without addresses is for a client: it can join other machines, but they cannot join it.
         validity: Period in which the certificate is valid.
 
     Raises:
-        CertificateRequestError: A text is neither a host name nor an IP address.
+        CertificateRequestError: An address is not a host name or an IP address.
     """
     from cryptography import x509  # noqa: PLC0415 - slow to import
     from cryptography.hazmat.primitives.asymmetric import ec  # noqa: PLC0415 - slow to import
@@ -242,7 +242,7 @@ def check(certificate: Path, key: Path, authority: Path, now: datetime | None = 
         certificate: File of the certificate.
         key: File of the certificate's key.
         authority: File of the certificate of the keystore's authority.
-        now: The time at which the certificate must be valid, by default the present.
+        now: The time at which the certificate must be valid. The default is the present time.
 
     Raises:
         MissingFileError: A file does not exist.
@@ -269,7 +269,7 @@ def check_issued(der: bytes, shown_by: str, authority: Path, now: datetime | Non
         der: The certificate in DER form.
         shown_by: `HOST:PORT` of the other machine, used in error messages.
         authority: File of the certificate of the keystore's authority.
-        now: The time at which the certificate must be valid, by default the present.
+        now: The time at which the certificate must be valid. The default is the present time.
 
     Raises:
         CertificateError: The certificate is not valid (see `check`).
@@ -322,7 +322,7 @@ def _certificate(path: Path) -> x509.Certificate:
 
     try:
         found = x509.load_pem_x509_certificate(_content(path, "certificate"))
-        _facts(found)  # it reads the extensions, which may be damaged too
+        _facts(found)  # this reads the extensions, which may be damaged too
     except ValueError as exc:
         raise InvalidFileError(path, "certificate", "it is damaged") from exc
     return found

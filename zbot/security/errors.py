@@ -28,7 +28,7 @@ class KeystoreExistsError(SecurityError, FileExistsError):
 
 
 class NoKeystoreError(SecurityError, FileNotFoundError):
-    """A folder is not a keystore, or a keystore has no key to sign with."""
+    """A folder is not a keystore, or a keystore does not have the authority's key."""
 
     def __init__(self, root: Path, reason: str) -> None:
         self.root, self.reason = root, reason
@@ -36,7 +36,7 @@ class NoKeystoreError(SecurityError, FileNotFoundError):
 
 
 class UnknownEnclaveError(SecurityError, LookupError):
-    """A keystore has no enclave, or several enclaves but none with this machine's host name."""
+    """A keystore is empty, or it has several enclaves but none with this machine's host name."""
 
     def __init__(self, root: Path, known: list[str]) -> None:
         self.root, self.known = root, known
@@ -81,7 +81,7 @@ class MissingFileError(CertificateError, FileNotFoundError):
 
 
 class InvalidFileError(CertificateError, ValueError):
-    """A file is not a valid certificate, or not the key of its certificate."""
+    """A file is not a valid certificate, or is not the key of the certificate beside it."""
 
     def __init__(self, path: Path, what: str, reason: str) -> None:
         self.what, self.reason = what, reason
@@ -118,7 +118,7 @@ class ForeignCertificateError(CertificateError, ValueError):
 
 
 class CertificateAddressError(CertificateError, ValueError):
-    """A hub's certificate does not name the address of the hub.
+    """A hub's certificate does not contain the address of the hub.
 
     Attributes:
         address: The address at which others reach the hub.

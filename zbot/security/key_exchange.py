@@ -1,9 +1,10 @@
 """SPAKE2: two sides that know the same short password agree on long keys.
 
-An eavesdropper cannot test passwords offline with the messages. An attacker who takes the place of
-one side can test one password in each exchange, and the other side notices this. The package
-`spake2` computes the exchange, `cryptography` derives keys from it and seals documents with them.
-The module only computes. It sends and stores nothing.
+Somebody who records the messages cannot use them to test passwords. An attacker who pretends to be
+one side can test one password in each exchange, and the other side notices a wrong password. The
+package `spake2` computes the exchange. The package `cryptography` derives keys from the result and
+seals documents, so that nobody else can read or change them. This module does not send or store
+anything.
 """
 
 from __future__ import annotations
@@ -16,12 +17,12 @@ import time
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Literal
 
-PUBLIC_BYTES = 33  #: a letter for the side, and a point of Curve25519
+PUBLIC_BYTES = 33  #: one byte for the side, and a point of Curve25519
 PROOF_BYTES = 32
-SEAL_BYTES = 28  #: how much longer a sealed text is than the text: nonce and tag
+SEAL_BYTES = 28  #: a nonce and a tag, which a sealed text has in addition to the text
 
 _MEASUREMENTS = 3
-_LONGEST_S = 0.1  #: a machine that is busy for a moment would measure more
+_LONGEST_S = 0.1  #: the limit for `exchange_s`, because a busy machine measures too much
 _KEY_BYTES = 32
 _NONCE_BYTES = 12
 _LAPTOP = b"laptop"
@@ -37,7 +38,7 @@ class ExchangeError(ValueError):
 
 
 class WrongProofError(ExchangeError):
-    """The other side has other keys: it does not know the password, or has another identity."""
+    """The other side has other keys, because it used another password or another identity."""
 
 
 class KeyExchange:
@@ -59,14 +60,14 @@ class KeyExchange:
     def keys(self, public: bytes, context: list[Any]) -> Keys:
         """Return the keys that both sides get if password, identity and context are the same.
 
-        An object can compute keys once.
+        Call this only once for each object.
 
         Args:
             public: The other side's message.
-            context: Values for JSON that both sides know.
+            context: Values that both sides know. JSON must be able to store them.
 
         Raises:
-            ExchangeError: The message is not from the other side, or not a valid point.
+            ExchangeError: The message is not from the other side, or it is not a valid point.
         """
         from spake2 import SPAKEError  # noqa: PLC0415
         from spake2.ed25519_basic import NotOnCurve  # noqa: PLC0415
@@ -94,7 +95,7 @@ def exchange_s() -> float:
 
 @dataclass(frozen=True)
 class Keys:
-    """Keys of one exchange. Each purpose (name of a message) has a proof and a key of its own."""
+    """Keys of one exchange. Each purpose (name of a message) has its own proof and its own key."""
 
     _shared: bytes = field(repr=False)
     _context: list[Any]
@@ -112,7 +113,7 @@ class Keys:
         """Return the text that the other side has sealed.
 
         Raises:
-            ExchangeError: The text was changed, or sealed for another purpose.
+            ExchangeError: The text was changed, or it was sealed for another purpose.
             WrongProofError: The other side has other keys, so it does not know the password.
         """
         from cryptography.exceptions import InvalidTag  # noqa: PLC0415

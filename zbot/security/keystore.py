@@ -1,7 +1,7 @@
 """Keystore: a folder that has a certificate authority and an enclave for each machine.
 
-    KEYSTORE/public/ca.cert.pem            the authority's certificate, to check certificates
-    KEYSTORE/private/ca.key.pem            the authority's key, to sign certificates (never copied)
+    KEYSTORE/public/ca.cert.pem            the authority's certificate, which checks certificates
+    KEYSTORE/private/ca.key.pem            the authority's key, which signs them (never copied)
     KEYSTORE/enclaves/NAME/cert.pem        a machine's certificate
                            key.pem         its key
                            ca.cert.pem     a copy of the authority's certificate
@@ -77,7 +77,7 @@ class Identity:
         """Check the certificate as other machines will check it, and return its contents.
 
         Raises:
-            CertificateError: The certificate is missing, damaged, expired, foreign, ...
+            CertificateError: The certificate is not valid (see `certificate.check`).
         """
         return check(self.certificate, self.key, self.authority)
 
@@ -118,7 +118,7 @@ class Keystore:
             for name in ("public", "private", "enclaves"):
                 make_private_folder(root / name)
             write_private(root / "private" / "ca.key.pem", made.key)
-            # This file is written last, because `is_keystore` is true from here on.
+            # Write this file last, because `is_keystore` returns True when this file exists.
             write_private(root / "public" / _AUTHORITY, made.certificate)
         except OSError as exc:
             raise KeystoreWriteError(root, exc) from exc
@@ -136,15 +136,15 @@ class Keystore:
 
         Args:
             name: The machine's name, such as `ana` or `/robots/one`.
-            addresses: Host names and IP addresses at which others join the machine. A machine that
-                only joins others needs no address.
-            validity: The certificate's validity. By default it ends in a year.
+            addresses: Host names and IP addresses at which others join the machine. Leave them out
+                for a machine that only joins others.
+            validity: The period of the certificate. By default, it ends in a year.
             renew: Replace an existing key and certificate.
 
         Raises:
             CertificateRequestError: The name or an address is invalid.
-            KeystoreExistsError: There is a certificate of that name.
-            NoKeystoreError: The keystore has no key to sign with.
+            KeystoreExistsError: A certificate of that name exists, and `renew` is False.
+            NoKeystoreError: The keystore does not have the authority's key.
             KeystoreWriteError: The files cannot be written.
         """
         plain = enclave_name(name)
@@ -202,11 +202,11 @@ def identity(folder: Path) -> Identity:
     """Return the folder of this machine's key and certificates.
 
     Args:
-        folder: A machine's folder, or a keystore. In a keystore, the only enclave is chosen. If it
-            has several enclaves, the enclave that has this machine's host name is chosen.
+        folder: A machine's folder, or a keystore. If a keystore has one enclave, this enclave is
+            chosen. Otherwise the enclave with this machine's host name is chosen.
 
     Raises:
-        UnknownEnclaveError: The keystore has no enclave, or several but none with the host name.
+        UnknownEnclaveError: The keystore is empty, or no enclave has the host name.
         MissingFileError: The folder does not exist.
     """
     if not is_keystore(folder):
@@ -239,7 +239,8 @@ def _swap(draft: Path, target: Path) -> None:
     if not target.exists():
         draft.rename(target)
         return
-    # Replace the files but not the folder. It may contain other machines' folders (/robots/one).
+    # Replace the files, but keep the folder, because it may contain folders of other machines
+    # (/robots/one).
     for name in (_AUTHORITY, _KEY, _CERTIFICATE):
         (draft / name).replace(target / name)
 

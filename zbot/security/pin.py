@@ -1,8 +1,8 @@
-"""PIN check of a class: a laptop proves that it knows the PIN, and gets a secret of its own.
+"""PIN check of a class. A laptop proves that it knows the PIN, and gets a secret of its own.
 
 The student's laptop (`PinClient`) and the teacher's hub (`PinServer`) exchange four documents. The
-transport may be unencrypted, because nobody can read the PIN, the request or the answer in the
-documents. If somebody records a document and sends it again, it is refused.
+documents do not need an encrypted connection, because nobody else can read the PIN, the request or
+the answer in them. If somebody records a document and sends it again, the hub refuses it.
 
     student                                  teacher
     hello   {protocol, hub, public}  ->
@@ -10,12 +10,14 @@ documents. If somebody records a document and sends it again, it is refused.
     claim   {visit, claim, proof}    ->
             {answer, tag}            <-      admit, seal
 
-The keys come from SPAKE2 (`zbot.security.key_exchange`). Each guess of the PIN needs an attempt of
-its own, and the server counts wrong PINs. `proof` and `tag` show that both sides have the same
+The keys come from SPAKE2 (`zbot.security.key_exchange`). Each guess of the PIN needs a new attempt
+(`visit`), and the server counts wrong PINs. `proof` and `tag` show that both sides have the same
 keys. So a program that does not know the PIN cannot impersonate the teacher or read which laptop
-sends a claim. The keys also depend on the hub that the laptop has dialled. The class refuses a hub
-that is not its own, so a program between laptop and hub, at another address, cannot admit a laptop.
-docs/design/pin-exchange.md gives the reasons.
+sends a claim.
+
+The keys also depend on `hub`, the address or certificate to which the laptop has connected. The
+class refuses a `hub` that is not its own. So a program at another address that forwards the
+documents cannot admit a laptop. docs/design/pin-exchange.md gives the reasons.
 """
 
 from __future__ import annotations
@@ -64,9 +66,9 @@ _SIZES = {
 }
 _LONGEST_HUB = 300  #: characters (a host name has at most 253)
 _MAX_ATTEMPTS = 256  #: open attempts (thirty students who join together need thirty attempts)
-_ATTEMPT_S = 30.0  #: seconds for an attempt (the student types the PIN before the attempt)
-_FREE_GUESSES = 10  #: wrong PINs without a delay, because several students may mistype together
-_GUESS_S = 2.0  #: seconds for each wrong PIN after that (999,999 PINs take 23 days)
+_ATTEMPT_S = 30.0  #: longest time of an attempt (the student types the PIN before it begins)
+_FREE_GUESSES = 10  #: wrong PINs without a delay, because several students may mistype at a time
+_GUESS_S = 2.0  #: seconds between further wrong PINs (999,999 PINs take 23 days)
 
 
 class PinError(SetupError, PermissionError):
@@ -118,10 +120,10 @@ class PinVersionError(PinError):
 
 
 class ForeignHubError(PinError):
-    """The laptop has dialled a hub that is not the hub of the class.
+    """The laptop has connected to a hub that is not the hub of the class.
 
     Attributes:
-        hub: What the laptop has dialled.
+        hub: The address or certificate to which the laptop has connected.
     """
 
     def __init__(self, hub: str) -> None:
@@ -139,7 +141,7 @@ class PinClient:
     Args:
         pin: The PIN as it was typed.
         class_name: The class's name, as the hub gave it.
-        hub: Identity of the hub that this laptop has dialled: an address or a certificate.
+        hub: The address or certificate of the hub to which this laptop has connected.
     """
 
     def __init__(self, pin: Secret, class_name: str, hub: str) -> None:
@@ -205,7 +207,7 @@ class PinServer:
     Args:
         pin: The PIN of the class.
         class_name: The class's name.
-        is_own_hub: Takes what a laptop has dialled, and returns whether this is the class's hub.
+        is_own_hub: Returns whether an address or certificate is that of the class's hub.
         now: A monotonic clock in seconds. Tests replace it.
         sleep: Waits for some seconds. Tests replace it.
     """
@@ -235,7 +237,7 @@ class PinServer:
         Raises:
             PinMessageError: The document is invalid.
             PinVersionError: The laptop has another version of the PIN check.
-            ForeignHubError: The laptop has dialled a hub that is not the class's.
+            ForeignHubError: The laptop has connected to a hub that is not the class's.
             TooManyGuessesError: Too many PINs were wrong.
         """
         found = _protocol(hello)
@@ -260,8 +262,8 @@ class PinServer:
 
         Raises:
             WrongPinError: The client does not know the PIN.
-            PinMessageError: The claim is damaged, or its attempt does not exist, has expired or was
-                used before.
+            PinMessageError: The claim is damaged. Or its attempt does not exist, has expired, or
+                was used before.
             TooManyGuessesError: Too many PINs were wrong.
         """
         attempt, sealed = _bytes(claim, "visit").hex(), _Sealed.of(claim, "claim")
@@ -288,7 +290,8 @@ class PinServer:
     def _steady_time(self) -> Iterator[None]:
         """Let a `with` block always take the same time.
 
-        The time of a computation with the PIN depends on the PIN, and anybody can measure it often.
+        The time of a computation with the PIN depends on the PIN. Without this, an attacker could
+        measure the time often, and find out the PIN.
         """
         end = time.perf_counter() + exchange_s()
         try:
@@ -310,7 +313,7 @@ def random_pin() -> Secret:
 
 
 def _password(pin: Secret) -> bytes:
-    # Text from the environment may contain single surrogates. UTF-8 cannot encode them.
+    # Text from the environment may contain surrogate characters, which UTF-8 cannot encode.
     return pin.reveal().strip().encode(errors="backslashreplace")
 
 
@@ -325,7 +328,7 @@ def _keys(side: KeyExchange, public: bytes, attempt: str) -> Keys:
         raise PinMessageError("no valid public") from None
 
 
-_PROOFS = {"claim": "proof", "answer": "tag"}  #: field of the proof, by the field of the seal
+_PROOFS = {"claim": "proof", "answer": "tag"}  #: proof field of each sealed field
 
 
 @dataclass(frozen=True)

@@ -56,8 +56,8 @@ class Secret:
 def make_private_folder(folder: Path) -> None:
     """Make a folder that only its owner can list, and make its missing parents.
 
-    An existing folder gets the same mode. On Windows the mode has no effect, but folders inside the
-    user's folder are private already.
+    If the folder exists, only its mode changes. On Windows, the mode has no effect, but folders
+    inside the user's folder are private already.
 
     Raises:
         OSError: The folder cannot be made.

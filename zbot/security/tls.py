@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 _HANDSHAKE_S = 1.5  #: short, so that an error is reported within two seconds
-#: In TLS 1.3 a server refuses a client's certificate after the handshake, one round trip later.
+#: In TLS 1.3, a server refuses a client's certificate after the handshake, one round trip later.
 _REFUSAL_S = 0.4
 
 
@@ -25,8 +25,9 @@ def tls_settings(identity: Identity) -> dict[str, Any]:
     """Return Zenoh's configuration paths and values for a hub with a keystore.
 
     Both sides show a certificate of the same authority. A hub's certificate must be a server's
-    certificate, and must name the address that was dialled. A link ends when a certificate expires.
-    The settings apply to endpoints that begin with `tls/`, not to `tcp/` (loopback).
+    certificate, and must contain the address to which the other side connects. A link ends when a
+    certificate expires. The settings apply to endpoints that begin with `tls/`, not to `tcp/`
+    (loopback).
     """
     values = {
         "root_ca_certificate": str(identity.authority),
@@ -46,12 +47,12 @@ def check_listening(identity: Identity, address: str) -> Facts:
 
     Args:
         identity: The machine's key and certificates.
-        address: The address at which others reach the machine. If a certificate contains a host
-            name, it is accepted for any address, because others may use the host name.
+        address: The address at which others reach the machine. A certificate that contains a host
+            name is accepted for any address, because others may use the host name.
 
     Raises:
-        CertificateError: The certificate is missing, damaged, expired or foreign. Or it is a
-            client's certificate, or it is for other addresses.
+        CertificateError: The certificate is not valid (see `certificate.check`). Or it is a
+            client's certificate, or a certificate for other addresses.
     """
     said = identity.check()
     if not said.is_server:
@@ -66,12 +67,12 @@ def check_dialling(
 ) -> Facts:
     """Check both certificates in a TLS handshake with a hub.
 
-    This function reports whose certificate is wrong and why. Zenoh does not report this. The
-    function sends only the handshake.
+    This function reports which certificate is wrong, and why, because Zenoh does not report this.
+    It sends only the handshake.
 
     Args:
         identity: This machine's key and certificates.
-        host: The hub's host, as Zenoh will dial it.
+        host: The hub's host, as in the endpoint to which Zenoh will connect.
         port: The hub's port.
         timeout_s: Seconds for each step of the handshake.
 
@@ -102,8 +103,8 @@ def check_dialling(
 
 def _context(identity: Identity) -> ssl.SSLContext:
     context = ssl.SSLContext(ssl.PROTOCOL_TLS_CLIENT)
-    # `_checked_server` checks the certificate, because its errors are clearer than OpenSSL's. Later
-    # Zenoh checks the certificate again.
+    # OpenSSL does not check the hub's certificate here. `_checked_server` does, because its errors
+    # are clearer. Later, Zenoh checks the certificate again.
     context.check_hostname = False
     context.verify_mode = ssl.CERT_NONE
     context.load_cert_chain(identity.certificate, identity.key)

@@ -57,7 +57,7 @@ else:
 def pressed_keys(is_reading: Callable[[], bool]) -> Iterator[str]:
     """Yield each character that is typed, until the input ends or `is_reading` returns false.
 
-    An arrow key gives several characters, of which the last is `A` (up), `B` (down), `C` (right)
-    or `D` (left). The settings of the terminal are restored afterwards.
+    An arrow key gives one or several characters. The last of these is `A` (up), `B` (down), `C`
+    (right) or `D` (left). At the end, the settings of the terminal are restored.
     """
     return _keys(is_reading)

@@ -12,7 +12,7 @@ _COLOUR: Final = re.compile(r"(\x1b\[[0-9;:]*m)")
 
 
 def single_line(text: str, longest: int) -> str:
-    """Return a text in one line, without control or direction characters.
+    """Return a text in one line, without characters that control the terminal or text direction.
 
     Every character that is not printable becomes a space. Several spaces become one space.
 
@@ -36,7 +36,7 @@ def escape_control_characters(text: str, *, keep_colours: bool = False) -> str:
     if text.replace("\n", "").replace("\t", "").isprintable():
         return text
     if keep_colours:
-        parts = _COLOUR.split(text)  # text and colours take turns
+        parts = _COLOUR.split(text)  # texts have even indexes, colours odd ones
         parts[::2] = map(escape_control_characters, parts[::2])
         return "".join(parts)
     return "".join(char if char.isprintable() or char in "\n\t" else _shown(char) for char in text)
@@ -50,7 +50,7 @@ class TerminalStream:
     """Text stream of a terminal that writes control characters as escapes.
 
     It can replace `sys.stdout` and `sys.stderr`. Everything except writing works as for the
-    original stream. `write_styled` writes text whose control characters are our own.
+    original stream. zbot writes its own control characters with `write_styled`.
 
     Args:
         stream: The original stream.
@@ -60,12 +60,12 @@ class TerminalStream:
         self.stream = stream  #: the original stream
 
     def write(self, text: str) -> int:
-        """Write a text without its control characters."""
+        """Write a text. Write its control characters as escapes."""
         self.stream.write(escape_control_characters(text))
         return len(text)
 
     def writelines(self, lines: Iterable[str]) -> None:
-        """Write texts without their control characters."""
+        """Write several texts. Write their control characters as escapes."""
         for line in lines:
             self.write(line)
 
@@ -74,7 +74,7 @@ class TerminalStream:
 
 
 def write_styled(stream: TextIO | TerminalStream, text: str) -> None:
-    """Write a text with control characters of our own, also to a `TerminalStream`.
+    """Write a text with zbot's own control characters, also to a `TerminalStream`.
 
     The caller must escape all parts of the text that come from other programs.
     """

@@ -125,7 +125,7 @@ def projection_matrix(
         normal: The normal of the plane.
         direction: Direction of the rays. The default is at right angles to the plane.
         perspective: Point from which the rays start, instead of a direction.
-        pseudo: Whether a perspective keeps the order of depths.
+        pseudo: Whether a perspective projection keeps the order of the points in depth.
     """
     across = unit_vector(vector3(normal))
     height = vector3(point) @ across
@@ -182,7 +182,7 @@ def clip_matrix(  # noqa: PLR0917 - the order of OpenGL, and of tf_transformatio
     far: float,
     perspective: bool = False,
 ) -> Matrix:
-    """Return the matrix that maps a box to -1 ... 1. With `perspective`, it maps a frustum.
+    """Return the matrix that maps a box, or with `perspective` a frustum, to the range -1 to 1.
 
     Raises:
         ValueError: The box has no volume, or the near plane of the frustum is behind the eye.

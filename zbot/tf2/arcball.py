@@ -33,7 +33,7 @@ def arcball_map_to_sphere(point: Any, center: Any, radius: float) -> Vector:
 
 
 def arcball_constrain_to_axis(point: Any, axis: Any) -> Vector:
-    """Return the point of an axis's great circle that is nearest to a given point."""
+    """Return the point nearest to `point` on the great circle at right angles to an axis."""
     along = np.asarray(axis, dtype=float)
     aside = np.asarray(point, dtype=float) - along * (along @ np.asarray(point, dtype=float))
     length = float(np.linalg.norm(aside))
@@ -47,7 +47,7 @@ def arcball_constrain_to_axis(point: Any, axis: Any) -> Vector:
 
 
 def arcball_nearest_axis(point: Any, axes: Sequence[Any]) -> Any:
-    """Return the axis whose great circle passes nearest to a point."""
+    """Return the axis whose great circle is nearest to a point."""
     where = np.asarray(point, dtype=float)
     return max(axes, key=lambda axis: float(arcball_constrain_to_axis(where, axis) @ where))
 
@@ -78,7 +78,7 @@ class Arcball:
         self._center, self._radius = np.asarray(center, dtype=float)[:2], float(radius)
 
     def setaxes(self, *axes: Any) -> None:
-        """Set the axes of rotation for the constrained ball. Without arguments, all are allowed."""
+        """Set the axes for a constrained ball. Without arguments, any rotation is allowed."""
         self._axes = [unit_vector(axis) for axis in axes] or None
 
     def setconstrain(self, constrain: bool) -> None:

@@ -43,7 +43,7 @@ class TransformBroadcaster:
 
 
 class StaticTransformBroadcaster:
-    """Publisher of static transforms on `/tf_static`, which late subscribers receive too.
+    """Publisher of static transforms on `/tf_static`. Late subscribers receive the transforms too.
 
     Args:
         node: The node that publishes.
@@ -59,7 +59,7 @@ class StaticTransformBroadcaster:
     def sendTransform(  # noqa: N802 - tf2_ros' name
         self, transform: TransformStamped | Iterable[TransformStamped]
     ) -> None:
-        """Publish transforms, and again the latest transform of every other child frame."""
+        """Publish transforms together with the latest transform of every other child frame."""
         sent = {one.child_frame_id: one for one in self.net_message.transforms}
         # Keep copies, because programs may change and send the same message object again.
         sent.update((one.child_frame_id, copy.deepcopy(one)) for one in _listed(transform))

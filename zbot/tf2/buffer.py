@@ -39,7 +39,7 @@ class Buffer(BufferCore, BufferInterface):
         self.node = node
         if node is not None:
             self.srv = self._frames_service(node)
-        self.subscriptions: list[Subscription[Any]] = []  #: subscriptions of its listener
+        self.subscriptions: list[Subscription[Any]] = []  #: subscriptions of the buffer's listener
         self.is_fed: Callable[[], bool] = lambda: True  #: whether transforms can still arrive
         self._waiting: list[tuple[Callable[[], Any], Future[Any]]] = []
         self._is_in_message = False
@@ -84,9 +84,11 @@ class Buffer(BufferCore, BufferInterface):
         fixed_frame: str,
         timeout: Duration = NO_WAIT,
     ) -> Any:
-        """Return the transform of `source_frame` at one time in `target_frame` at another time.
+        """Return the transform of `source_frame` in `target_frame`, with a time for each frame.
 
-        `fixed_frame` must not move between the two times. For errors see `lookup_transform`.
+        The result is the pose of `source_frame` at `source_time`, relative to `target_frame` at
+        `target_time`. `fixed_frame` must not move between the two times. The errors are those of
+        `lookup_transform`.
         """
         ends = (target_frame, target_time, source_frame, source_time, fixed_frame)
         self._wait(lambda: self.can_transform_full(*ends), timeout)
@@ -148,7 +150,7 @@ class Buffer(BufferCore, BufferInterface):
         return self._later(known)
 
     async def lookup_transform_async(self, target_frame: str, source_frame: str, time: Any) -> Any:
-        """Wait without a limit for a transform, and return it."""
+        """Wait for a transform without a time limit, and return it."""
         await self.wait_for_transform_async(target_frame, source_frame, time)
         return self.lookup_transform_core(target_frame, source_frame, time)
 
@@ -160,7 +162,7 @@ class Buffer(BufferCore, BufferInterface):
         source_time: Any,
         fixed_frame: str,
     ) -> Any:
-        """Wait without a limit for a transform between two times, and return it."""
+        """Wait without a time limit for the transform of `lookup_transform_full`, and return it."""
         ends = (target_frame, target_time, source_frame, source_time, fixed_frame)
         await self._later(lambda: self.can_transform_full(*ends) or None)
         return self.lookup_transform_full_core(*ends)
@@ -193,7 +195,7 @@ class Buffer(BufferCore, BufferInterface):
 
     def _notify_waiting(self) -> None:
         for future, found in self._found() if self._waiting else ():
-            future.set_result(found)  # without the lock, because it may call callbacks
+            future.set_result(found)  # without the lock, because this may call callbacks
 
     def _found(self) -> list[tuple[Future[Any], Any]]:
         """Remove the futures whose transforms are known now. Return them and the transforms."""

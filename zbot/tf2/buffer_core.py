@@ -85,7 +85,7 @@ class BufferCore:
         Args:
             target_frame: The frame of the coordinates.
             source_frame: The frame whose position and orientation are returned.
-            time: The time of the transform. Zero means the latest time at which it is known.
+            time: The time of the transform. Zero means the latest time with a known transform.
 
         Raises:
             InvalidArgumentException: A name is empty or begins with a slash.
@@ -105,9 +105,10 @@ class BufferCore:
         source_time: Any,
         fixed_frame: str,
     ) -> Any:
-        """Return the transform of `source_frame` at one time in `target_frame` at another time.
+        """Return the transform of `source_frame` in `target_frame`, with a time for each frame.
 
-        `fixed_frame` must not move between the two times. For errors see
+        The result is the pose of `source_frame` at `source_time`, relative to `target_frame` at
+        `target_time`. `fixed_frame` must not move between the two times. The errors are those of
         `lookup_transform_core`.
         """
         with self._changed:
@@ -139,7 +140,7 @@ class BufferCore:
         source_time: Any,
         fixed_frame: str,
     ) -> tuple[bool, str]:
-        """Return whether a lookup between two times would succeed, and the reason if not."""
+        """Return whether `lookup_transform_full_core` would succeed, and the reason if not."""
         with self._changed:
             answer = self.can_transform_core(fixed_frame, source_frame, source_time)
             if answer[0]:
@@ -195,8 +196,8 @@ class BufferCore:
     ) -> tuple[dict[str, Rigid], ExtrapolationException | None]:
         """Return the transform from a frame to itself and to each of its ancestors.
 
-        The search ends at a frame in `ends`, or at the root of the tree. If the transform of a
-        frame is unknown at that time, the search ends there, and the error is returned too.
+        The search ends at a frame in `ends`, or at the root of the tree. It also ends at a frame
+        whose transform is unknown at that time. The second result is then the error.
         """
         pose = Rigid()
         poses = {name: pose}
@@ -249,7 +250,7 @@ class BufferCore:
         return line
 
     def _path(self, target: str, source: str) -> tuple[list[str], list[str]]:
-        """Return the frames from source and target up to the common ancestor, which is left out."""
+        """Return the frames below the common ancestor, from source and from target upwards."""
         from_source, from_target = self._ancestors(source), self._ancestors(target)
         for place, name in enumerate(from_source):
             if name in from_target:

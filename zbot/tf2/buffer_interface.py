@@ -1,4 +1,4 @@
-"""Interface of buffers. It transforms objects of registered classes."""
+"""Interface of buffers, with methods that transform objects of registered classes."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class BufferInterface:
         fixed_frame: str,
         timeout: Duration = NO_WAIT,
     ) -> Any:
-        """Return the transform of `source_frame` at one time in `target_frame` at another time."""
+        """Return the transform of `source_frame` in `target_frame`, with a time for each frame."""
         raise NotImplementedException(f"{type(self).__name__} has no lookup_transform_full")
 
     def transform(
@@ -71,7 +71,7 @@ class BufferInterface:
         timeout: Duration = NO_WAIT,
         new_type: type[Any] | None = None,
     ) -> Any:
-        """Return a stamped point, vector or pose in another frame at another time."""
+        """Return a stamped point, vector or pose in `target_frame` at `target_time`."""
         do_transform = conversion.registered(type(object_stamped))
         header = object_stamped.header
         when = Time.from_msg(header.stamp)

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 def transform_points(point_cloud: ArrayLike, transform: Any) -> NDArray[np.float64]:
-    """Return an array of shape (points, 3) in the transform's parent frame."""
+    """Return points in the transform's parent frame, as an array of shape (points, 3)."""
     import numpy as np  # noqa: PLC0415 - part of an extra
 
     motion = conversion.rigid(transform)

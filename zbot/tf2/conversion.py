@@ -19,7 +19,7 @@ from geometry_msgs.msg import (
     WrenchStamped,
 )
 
-#: Function with two arguments, a stamped object and a `TransformStamped`. Returns a new object.
+#: Function of a stamped object and a `TransformStamped`. The function returns a new object.
 Transformation = Callable[[Any, Any], Any]
 
 _EPSILON = sys.float_info.epsilon

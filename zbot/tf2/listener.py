@@ -31,9 +31,9 @@ class TransformListener:
         spin_thread: Whether the listener starts a thread that spins the node.
         qos: Quality of service for `/tf`. The default is depth 100.
         static_qos: Quality of service for `/tf_static`. The default is transient local.
-        tf_topic: Another topic than `/tf`.
-        tf_static_topic: Another topic than `/tf_static`.
-        static_only: Do not subscribe to `/tf`.
+        tf_topic: The topic to use in place of `/tf`.
+        tf_static_topic: The topic to use in place of `/tf_static`.
+        static_only: Whether to subscribe only to static transforms.
     """
 
     def __init__(
@@ -130,7 +130,7 @@ class StaticTransformListener(TransformListener):
         node: The node that subscribes.
         spin_thread: Whether the listener starts a thread that spins the node.
         static_qos: Quality of service. The default is transient local.
-        tf_static_topic: Another topic than `/tf_static`.
+        tf_static_topic: The topic to use in place of `/tf_static`.
     """
 
     def __init__(

@@ -113,7 +113,7 @@ class BufferClient(BufferInterface):
 
         Raises:
             TimeoutException: The action has no server.
-            TransformException: The server's buffer raised this error.
+            TransformException: The lookup in the server's buffer failed with this error.
         """
         return self._ask(
             timeout,
@@ -131,7 +131,10 @@ class BufferClient(BufferInterface):
         fixed_frame: str,
         timeout: Duration = NO_WAIT,
     ) -> Any:
-        """Return the transform of `source_frame` at one time in `target_frame` at another time."""
+        """Return the transform of `source_frame` in `target_frame`, with a time for each frame.
+
+        See `Buffer.lookup_transform_full`. The errors are those of `lookup_transform`.
+        """
         return self._ask(
             timeout,
             target_frame=target_frame,

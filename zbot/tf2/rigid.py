@@ -8,7 +8,7 @@ from typing import NamedTuple
 Vector = tuple[float, float, float]
 Quaternion = tuple[float, float, float, float]
 
-_NEARLY_PARALLEL = 0.9995  # a cosine; above it, weights from sines would be too close to 0
+_NEARLY_PARALLEL = 0.9995  # a cosine; above this value, the sine of the angle is too close to 0
 
 
 def multiply(a: Quaternion, b: Quaternion) -> Quaternion:

@@ -1,7 +1,8 @@
-"""Rotations of ROS 2's tf_transformations, over transforms3d. Quaternions are x y z w.
+"""Rotations of ROS 2's tf_transformations, based on transforms3d. Quaternions are x y z w.
 
 Names of axes are those of transforms3d. `sxyz` rotates about the fixed axes x, y, z in this order.
-`rzyx` rotates about the axes z, y, x of the rotating body. The encoded tuples work too.
+`rzyx` rotates about the axes z, y, x of the rotating body. The tuples of transforms3d, such as
+(0, 0, 0, 0) for `sxyz`, are valid too.
 """
 
 from __future__ import annotations
@@ -39,7 +40,7 @@ def vector_norm(data: Any, axis: int | None = None, out: Any = None) -> Any:
 
     Args:
         data: A vector or an array of vectors.
-        axis: The axis of the vectors. The default is the length of all numbers together.
+        axis: The axis of the vectors. Without an axis, all numbers together are one vector.
         out: An array for the lengths. The function then returns `None`.
     """
     numbers = np.array(data, dtype=float)
@@ -53,11 +54,11 @@ def vector_norm(data: Any, axis: int | None = None, out: Any = None) -> Any:
 
 
 def unit_vector(data: Any, axis: int | None = None, out: Any = None) -> Any:
-    """Return a vector of length 1 in the same direction, or many of them.
+    """Return a vector of length 1 in the same direction, or an array of such vectors.
 
     Args:
         data: A vector or an array of vectors.
-        axis: The axis of the vectors. The default divides by the length of all numbers together.
+        axis: The axis of the vectors. Without an axis, all numbers together are one vector.
         out: An array for the result, which may be `data`. The function then returns `None`.
     """
     numbers = np.array(data, dtype=float)
@@ -111,7 +112,7 @@ def compose_matrix(
     translate: Any = None,
     perspective: Any = None,
 ) -> Matrix:
-    """Return the matrix that scales, shears, rotates, translates and projects, in this order.
+    """Return the matrix that shears, scales, rotates, translates and projects, in this order.
 
     Args:
         scale: Factors along x, y and z.
@@ -158,7 +159,7 @@ def euler_matrix(ai: float, aj: float, ak: float, axes: Any = "sxyz") -> Matrix:
 
 def euler_from_matrix(matrix: Any, axes: Any = "sxyz") -> tuple[float, float, float]:
     """Return the three angles of a rotation matrix, in rad."""
-    # Its own conversion to an array fails with numpy 2.
+    # transforms3d's own conversion to an array fails with numpy 2.
     a, b, c = _with_axes(euler.mat2euler, np.array(matrix, dtype=float), axes=axes)
     return float(a), float(b), float(c)
 

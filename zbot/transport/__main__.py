@@ -1,4 +1,4 @@
-"""Router of a domain in a background process. Programs run `python -m zbot.transport DOMAIN`."""
+"""Background process with the router of a domain. zbot runs `python -m zbot.transport DOMAIN`."""
 
 from __future__ import annotations
 
@@ -14,15 +14,15 @@ from zbot.transport.process_facts import process_facts
 from zbot.transport.session import MeetingPoint
 from zbot.version import __version__
 
-# The router stays this long without a program, because commands and tests often follow each other.
+# Time that the router waits for a new program. Commands and tests often follow each other.
 _LINGER_S = 2.0
-# A port may be refused for a moment after its process was killed.
+# The system may refuse the port for a moment after the last process on the port was killed.
 _BIND_TIMEOUT_S = 2.0
 _BIND_PAUSE_S = 0.02
 
 
 def main() -> int:
-    """Run the router until no program was linked for 2 s. Return 1 if the port is taken."""
+    """Run the router until no program was linked for 2 s. Return 1 if the port is not free."""
     domain = int(sys.argv[1])
     lock = router_process.hold_lock(domain)
     facts = process_facts(__version__)

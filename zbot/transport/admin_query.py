@@ -1,8 +1,8 @@
 """Queries to all sessions of a domain. The queue of each query is large enough for all replies.
 
-Zenoh stops a whole session while the queue of a query is full. Before `get` returns, the session
+Zenoh blocks a whole session while the queue of a query is full. Before `get` returns, the session
 puts the replies that it already knows into the queue, but no thread reads the queue yet. Zenoh's
-default queue for 256 replies would therefore stop a session for ever in a domain with 30 nodes.
+default queue for 256 replies would therefore block a session for ever in a domain with 30 nodes.
 """
 
 from __future__ import annotations
@@ -18,7 +18,8 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
     from typing import TypeGuard
 
-# A class of thirty students has 2,000 tokens. A queue takes memory only for the replies in it.
+# A class of thirty students has 2,000 liveliness tokens. A queue takes memory only for the replies
+# in it.
 _QUEUE_LENGTH = 1_000_000
 _ZID = re.compile("[0-9a-f]{1,32}")
 _MAX_TIME_NS = 1 << 63
@@ -49,16 +50,16 @@ class RouterFacts(NamedTuple):
     """Facts that a router gives about itself."""
 
     sessions: dict[str, str]  #: `peer` or `client` for the id of each linked session
-    started_ns: int  #: start of its process, nanoseconds since the epoch; 0 if it is not zbot's
-    is_replacement: bool  #: whether the router before it was killed
+    started_ns: int  #: nanoseconds since the epoch; 0 if the router is not zbot's
+    is_replacement: bool  #: whether it replaces a router that was killed
 
 
 def routers(session: zenoh.Session, router: str, timeout_s: float) -> Iterator[RouterFacts]:
     """Ask a router, or all routers (`*`), for facts about themselves.
 
     Never query a router's `subscriber`, `publisher`, `queryable` or `token`. During such a query,
-    Zenoh 1.10 holds a lock, and takes it again for the reply. If a session declares something in
-    between, Zenoh blocks for ever (pull request 2619 of eclipse-zenoh/zenoh).
+    Zenoh 1.10 holds a lock, and locks the same lock again for the reply. If a session declares
+    something in between, Zenoh blocks for ever (pull request 2619 of eclipse-zenoh/zenoh).
     """
     for _, text in answers(session, f"@/{router}/router", timeout_s):
         try:
@@ -87,7 +88,7 @@ def router_facts(text: bytes) -> RouterFacts:
 
 
 def zbot_facts(facts: dict[str, Any]) -> dict[str, Any]:
-    """Return the facts about a zbot process in an answer. Empty if another program answered."""
+    """Return an answer's facts about the zbot process, or `{}` if another program answered."""
     return _map(_map(facts.get("metadata")).get("zbot"))
 
 
@@ -105,7 +106,7 @@ def _list(value: object) -> list[Any]:
 
 
 def sessions(session: zenoh.Session, router: str, timeout_s: float) -> dict[str, str]:
-    """Return `peer` or `client` for each session that is linked to a router, or to all (`*`)."""
+    """Return the sessions that one router or all routers (`*`) list: `peer` or `client` by id."""
     found: dict[str, str] = {}
     for facts in routers(session, router, timeout_s):
         found |= facts.sessions

@@ -1,4 +1,4 @@
-"""Background process of zbot. It keeps running when its starter or its terminal ends."""
+"""Background process of zbot. It still runs after the program that started it has ended."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from typing import IO, Any
 
 from zbot.transport import membership
 
-# On Windows, no other process can read a locked byte, so this byte is far behind the text.
+# On Windows, no other process can read a locked byte, so the locked byte is far behind the text.
 _LOCKED_BYTE = 1 << 20
-_forgotten: set[int] = set()  #: ids of processes that may outlive this one
+_forgotten: set[int] = set()  #: ids of processes that may run longer than this one
 
 
 def lock_path(name: str) -> Path:
@@ -43,11 +43,11 @@ def lock(file: IO[str]) -> bool:
 
 
 def start(module: str, *words: str, **options: Any) -> subprocess.Popen[str]:
-    """Start `python -m module words` without a terminal and without this process's signals.
+    """Start `python -m module words` without a terminal. Ctrl-C does not reach the process.
 
     Args:
         module: A module of zbot.
-        words: Its arguments. Every user of the machine can read them.
+        words: Arguments of the module. Every user of the machine can read them.
         options: Options of `subprocess.Popen`.
     """
     reap()
@@ -62,15 +62,15 @@ def start(module: str, *words: str, **options: Any) -> subprocess.Popen[str]:
 
 
 def forget(process: subprocess.Popen[str]) -> None:
-    """Let the process outlive this process. Otherwise Python warns that it still runs."""
+    """Let a process run longer than this one. Python then does not warn that it still runs."""
     process.returncode = 0
     _forgotten.add(process.pid)
 
 
 def reap() -> None:
-    """Let the system forget the processes of this program that have ended.
+    """Let the system forget the processes that this program started and that have ended.
 
-    Otherwise they stay in the list of processes, as zombies, until this program ends.
+    Otherwise they stay in the system's list of processes, as zombies, until this program ends.
     """
     if sys.platform == "win32":
         return
@@ -84,7 +84,7 @@ def reap() -> None:
 
 
 def _environment() -> dict[str, str]:
-    """Return this process's environment without the PIN, but with a path to zbot."""
+    """Return this process's environment without `ZBOT_PIN`. In a checkout, add zbot's path."""
     kept = {name: value for name, value in os.environ.items() if name != "ZBOT_PIN"}
     root = Path(__file__).parents[2]
     if root.name != "site-packages":  # a checkout, which may be importable only from its folder

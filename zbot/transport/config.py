@@ -14,25 +14,26 @@ from zbot.transport import membership
 from zbot.transport.errors import ConfigError, DiscoveryRangeError, DomainIdError, PortError
 
 MAX_DOMAIN_ID = 232  #: ROS 2's own limit, so that lesson sheets for ROS 2 are valid here
-MEETING_PORT = 7450  #: meeting port of domain 0 on 127.0.0.1 (of domain n: 7450 + n)
-# Time that a put with `DROP` waits for space in the queue. The queue is soon full if a busy machine
-# does not run the sending thread. With Zenoh's default of 1000 us, bursts lost 14 to 37 % of their
-# messages beside six busy processes. With 20 ms, one burst was lost. DDS waits 100 ms by default
-# too. A subscriber that stands still makes its publisher wait once, and not at each message.
+MEETING_PORT = 7450  #: port of the router of domain 0 on 127.0.0.1 (domain n: 7450 + n)
+# Time that a put with Zenoh's congestion control `DROP` waits for space in the queue. The queue is
+# soon full if a busy machine does not run the sending thread. Beside six busy processes, bursts
+# lost 14 to 37 % of their messages with Zenoh's default of 1000 us. With 20 ms, one burst was lost.
+# DDS also waits 100 ms by default. A suspended subscriber makes its publisher wait only once, and
+# not at each message.
 DROP_WAIT_US = 100_000
-# A link takes 5 ms, and more than a second on a busy machine. Zenoh may give up in a moment in
-# which the link is half open for ever: it sends, and reads nothing (docs/design/zenoh-faults.md).
-# With Zenoh's own limit of 10 s, close() would wait for so long for a program on the port that
-# accepts a link and never answers.
+# Zenoh opens a link in 5 ms, on a busy machine in more than a second. If this limit is reached in
+# the last step, the link stays half open: one side never reads (docs/design/zenoh-faults.md). A
+# program on the port may accept a link and never answer. With Zenoh's default limit of 10 s,
+# close() would then wait for 10 s.
 OPEN_TIMEOUT_MS = 5000
-#: Only one of two peers dials the other, which halves the work when many programs start.
+#: Only one of two peers connects to the other. This halves the work when many programs start.
 ONE_DIALS = {"peer": {"to_router": "always", "to_peer": "greater-zid"}}
 HUB_PORT = 7447  #: Zenoh's router port, on which hubs listen
 
 _PACKAGED = "the packaged zenoh.json5"
 _FILE_VARIABLES = ("ZBOT_CONFIG", "ZENOH_CONFIG")
 _DOMAIN_VARIABLES = ("ZBOT_DOMAIN_ID", "ROS_DOMAIN_ID")
-#: Domain of one command, and of the programs that it starts. `zbot --domain` sets it.
+#: Variable with the domain of a command and of its programs. `zbot --domain` sets the variable.
 COMMAND_DOMAIN = "ZBOT_COMMAND_DOMAIN"
 _MAX_PORT = 65535
 _RANGE_VARIABLES = ("ZBOT_DISCOVERY_RANGE", "ROS_AUTOMATIC_DISCOVERY_RANGE")
@@ -73,7 +74,7 @@ def domain_id(given: int | None = None) -> int:
 
 
 def domain_variable() -> tuple[str, str] | None:
-    """Return the variable for the domain that is set, and its text."""
+    """Return the environment variable that sets the domain, and its text, or `None`."""
     return _first_set(_DOMAIN_VARIABLES)
 
 
@@ -90,7 +91,7 @@ def _checked_domain(source: str, value: object) -> int:
 def hub_port() -> int:
     """Return the port of this machine's own hub.
 
-    It is the port at which the machine joined, else `$ZBOT_HUB_PORT`, else 7447.
+    It is the port in the membership file, else `$ZBOT_HUB_PORT`, else 7447.
 
     Raises:
         PortError: The variable does not hold a port.
@@ -105,7 +106,7 @@ def hub_port() -> int:
 
 
 def discovery_range() -> DiscoveryRange:
-    """Return the range in `$ZBOT_DISCOVERY_RANGE` or ROS 2's variable, by default LOCALHOST.
+    """Return the range in `$ZBOT_DISCOVERY_RANGE`, else in ROS 2's variable, else LOCALHOST.
 
     Raises:
         DiscoveryRangeError: The variable holds an unknown word.
@@ -120,7 +121,7 @@ def discovery_range() -> DiscoveryRange:
 
 
 def range_variable() -> tuple[str, str] | None:
-    """Return the variable for the discovery range that is set, and its text."""
+    """Return the environment variable that sets the discovery range, and its text, or `None`."""
     return _first_set(_RANGE_VARIABLES)
 
 
@@ -169,7 +170,7 @@ class SessionConfig(NamedTuple):
 
 
 def load() -> SessionConfig:
-    """Return the file that a variable names, else `./zenoh.json5`, else the packaged file.
+    """Return the file in `$ZBOT_CONFIG` or `$ZENOH_CONFIG`, else `./zenoh.json5`, else zbot's.
 
     Raises:
         ConfigError: The file cannot be read.
@@ -182,7 +183,7 @@ def load() -> SessionConfig:
 
 
 def named_by(variables: tuple[str, ...]) -> SessionConfig | None:
-    """Return the file that the first of the set variables names. `None`: none is set.
+    """Return the file in the first environment variable that is set, or `None`.
 
     Raises:
         ConfigError: The file cannot be read.

@@ -1,4 +1,4 @@
-"""Settings of a process's environment that differ from what the machine has joined."""
+"""Settings of a process that do not fit the class or hub that the machine has joined."""
 
 from __future__ import annotations
 
@@ -18,16 +18,16 @@ _LOOPBACK = ("127.0.0.1", "localhost", "[::1]")
 
 
 class Difference(NamedTuple):
-    """A setting that differs from what the machine has joined."""
+    """A setting that does not fit the class or hub that the machine has joined."""
 
     setting: str  #: e.g. `ROS_DOMAIN_ID=7`
-    text: str  #: what zbot does with it, and what the user can do
+    text: str  #: what zbot does with the setting, and what the user can do
     hides: bool = False  #: whether the class or other machine does not see this process's nodes
     is_logged: bool = True  #: whether a program with nodes logs the text when it starts
 
 
 def differences(domain_id: int | None = None) -> list[Difference]:
-    """Return the settings that differ from what the machine has joined.
+    """Return the settings that do not fit the class or hub that the machine has joined.
 
     Args:
         domain_id: The domain that the program itself has chosen, or `None`.
@@ -46,14 +46,14 @@ def differences(domain_id: int | None = None) -> list[Difference]:
 
 
 def warn(domain_id: int | None) -> None:
-    """Log, once a process, the differences that a program with nodes should tell. See above."""
+    """Log the differences that have `is_logged`. A process logs them only once."""
     texts = [one.text for one in differences(domain_id) if one.is_logged]
     if texts:
         get_logger("zbot").warning("\n".join(texts), once=True)
 
 
 def place(joined: Membership) -> str:
-    """Return the name of what the machine has joined: `class "Robots"`, or another machine."""
+    """Return the name of the joined class or hub: `class "Robots"` or `the hub at 10.0.0.2`."""
     return f'class "{joined.class_name}"' if joined.in_class else f"the hub at {joined.host}"
 
 
@@ -83,7 +83,7 @@ def _ignored_domain(joined: Membership) -> Difference | None:
 
 
 def own_number(joined: Membership) -> str:
-    """Return a sentence that tells the domain of this machine in a class."""
+    """Return a sentence with the domain of this machine in a class."""
     if joined.role == "teacher":
         return f"this machine is the teacher's in {place(joined)}, and uses domain 0"
     return f"this laptop has number {joined.number} in {place(joined)}"
@@ -142,6 +142,6 @@ def _connects_elsewhere(file: config.SessionConfig, joined: Membership) -> bool:
     listed = [str(one) for found in lists for one in found]
     ports = (config.MEETING_PORT + config.domain_id(), config.hub_port())
     own = {f"{host}:{port}" for host in _LOOPBACK for port in ports}
-    # With a user name, a session may also connect to the class's hub itself.
+    # A session with a user name may also connect directly to the joined hub.
     own |= {f"{joined.host}:{joined.port}"} if joined.user else set()
     return bool(listed) and not any(any(one in endpoint for one in own) for endpoint in listed)

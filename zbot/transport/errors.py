@@ -49,7 +49,7 @@ class SessionError(SetupError, OSError):
 
 
 class RmwError(SetupError, ValueError):
-    """A program chose a middleware that zbot does not speak."""
+    """A program chose a middleware that zbot does not support."""
 
     def __init__(self, name: str, known: tuple[str, ...]) -> None:
         self.name, self.known = name, known
@@ -68,7 +68,7 @@ class RouterAttemptsError(SetupError, ValueError):
 
 
 class NoRouterError(SetupError, OSError):
-    """No Zenoh router answers, and without a router a program of ROS 2 finds no other program."""
+    """No Zenoh router answers. Programs of ROS 2 need a router to find each other."""
 
     def __init__(self, endpoints: list[str]) -> None:
         self.endpoints = endpoints
@@ -106,5 +106,5 @@ class FileLimitError(SetupError, OSError):
 
 
 def _first_part(reason: str) -> str:
-    """Return Zenoh's error text without the place in Zenoh's source code that follows it."""
+    """Return Zenoh's error text. Leave out the place in Zenoh's source code after the text."""
     return " ".join(reason.split(" at /", maxsplit=1)[0].split())

@@ -53,7 +53,7 @@ class Membership:
 
     @property
     def in_class(self) -> bool:
-        """Whether the machine is in a class, which has numbers and a shared space."""
+        """Whether the machine is in a class. Otherwise it has joined a hub without a class."""
         return self.role != "partner"
 
 
@@ -88,7 +88,7 @@ def _parsed(path: Path, text: str) -> Membership:
 
 
 def save(membership: Membership, users: Iterable[tuple[str, str]] = ()) -> None:
-    """Write this machine's membership to files that only its user can read.
+    """Write this machine's membership to files that only their owner can read.
 
     Args:
         membership: The membership.
@@ -103,7 +103,7 @@ def save(membership: Membership, users: Iterable[tuple[str, str]] = ()) -> None:
 
 
 def save_users(users: Iterable[tuple[str, str]]) -> None:
-    """Write the users that may log in to sessions that are opened from now on."""
+    """Write the users that may log in to this machine's sessions. Open sessions do not change."""
     from zbot.security.secret import write_private  # noqa: PLC0415 - rarely needed
 
     lines = "".join(f"{user}:{secret}\n" for user, secret in users)
@@ -129,8 +129,8 @@ def login(membership: Membership | None) -> str:
 def session_settings(membership: Membership | None) -> dict[str, Any]:
     """Return the Zenoh settings that a session of this machine needs to log in to other sessions.
 
-    A session with a user name refuses sessions without a user name. So all sessions of a machine
-    need these settings.
+    If one session has a user name, it refuses sessions without a user name. So all sessions of a
+    machine need these settings.
     """
     if membership is None or not membership.user:
         return {}

@@ -1,8 +1,9 @@
 """Mesh of a domain: the sessions that are linked to each other, and not only to the router.
 
-Each link takes memory and work in two sessions, so a mesh of 60 sessions uses a CPU for itself.
-A domain's first sessions are in its mesh: their messages take the shortest way, and arrive while
-the router is replaced. Later sessions are clients of the router (docs/design/meeting-point.md).
+Each link takes memory and work in two sessions, so the links of 60 sessions keep one CPU busy. A
+domain's first sessions are in its mesh. Their messages do not go through the router, so they also
+arrive while the router is replaced. Later sessions are clients of the router
+(docs/design/meeting-point.md).
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ from typing import IO
 
 from zbot.transport import background_process, membership
 
-PLACES = 12  #: sessions of one user in the mesh of a domain
+PLACES = 12  #: the most sessions of one user in the mesh of a domain
 
 
 class Mesh:
@@ -27,9 +28,9 @@ class Mesh:
         self._place: IO[str] | None = None
 
     def enter(self) -> bool:
-        """Take a place until `leave`, or until this process ends. Return `False` if all are taken.
+        """Reserve a place until `leave` or the end of this process. Return `False` if none is free.
 
-        If the files of the places cannot be written, the answer is always `True`.
+        Each place has a file. If the files cannot be written, this returns `True`.
         """
         try:
             membership.folder().mkdir(parents=True, exist_ok=True)

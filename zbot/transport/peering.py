@@ -1,8 +1,8 @@
 """Peering of a session: keeps a router on the domain's port, and links the session to all peers.
 
-The router tells each two peers of a domain about each other once. Then one of them tries once to
-connect to the other. If one of them is too busy to answer in time, for example on a laptop that
-starts twenty programs, Zenoh does not try again. This module then tries again.
+The router tells each pair of peers in a domain about each other once. Then one peer of the pair
+tries once to connect to the other. If a peer is too busy to answer in time, for example on a laptop
+that starts twenty programs, Zenoh does not try again. This module does.
 """
 
 from __future__ import annotations
@@ -27,25 +27,25 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
 # Pause between attempts to open the router. When two processes take a port within the same
-# microseconds, Linux may refuse it to both. This happens in 6 of 100 starts of launch files.
+# microseconds, Linux may refuse the port to both. This happens in 6 of 100 starts of launch files.
 _HOLD_PAUSE_S = 0.1
 # Zenoh changes its lists of links a short time after it reports a new or lost link.
 _LINK_PAUSE_S = 0.005
 _LISTING_TIMEOUT_S = 0.1
 _ANSWER_TIMEOUT_S = 1.0  # a router answers within 3 ms, on a busy machine within half a second
 _LONGEST_PAUSE_S = 1.0
-# A peer that was linked for this time has sent its declarations, even if it gives no answer.
+# After this time, a linked peer has sent its declarations, even if it does not answer queries.
 _SILENT_S = 0.1
 # A session whose links have not changed for this time looks for peers that it has no link to.
 _CHECK_DELAY_S = 1.0
-# A session introduces each of these peers at most this number of times. The pause doubles after
-# each introduction. Dead peers are introduced too, because the router lists them for 10 s.
+# A session introduces each peer without a link at most this number of times. The pause doubles
+# after each introduction. Dead peers are introduced too, because the router lists them for 10 s.
 _MAX_INTRODUCTIONS = 5
 _INTRODUCTION_TIMEOUT_S = 2.0  # an introduction usually takes 50 ms
 _INTRODUCTION_PAUSE_S = 0.02
-# The clients of a router check whether it is suspended. A single client can replace the router. So
-# each client checks rarely, and all clients together check eight times a second. A peer does not
-# check, because its messages do not go through the router.
+# A router's clients check whether the router is suspended. One client is enough to replace the
+# router. So each client checks rarely, and all clients together check eight times a second. A peer
+# does not check, because its messages do not go through the router.
 _WATCH_PAUSE_S = 1.0
 _WATCHES_PER_S = 8
 _LONGEST_WATCH_PAUSE_S = 10.0
@@ -61,7 +61,7 @@ class Meeting(Protocol):
         ...
 
     def start_router(self) -> bool:
-        """Start the router if there is none and a program may start it."""
+        """Start the router if no router runs and a program may start it."""
         ...
 
     def end_stuck_router(self) -> bool:
@@ -82,7 +82,7 @@ class Meeting(Protocol):
 
 
 class Peering:
-    """Keeps the meeting port open, and a session linked to all peers, until the session is closed.
+    """Keeps a router on the domain's port, and links to all peers, until the session is closed.
 
     One thread waits, without polling, for links to appear and disappear. When the link to the
     router disappears, the thread tries to open a router on the port, and exactly one of the
@@ -92,7 +92,7 @@ class Peering:
 
     Args:
         session: The session.
-        meeting: The meeting point of the session's domain.
+        meeting: The place where the sessions of the domain find each other.
         receiver: Turns a function into a callback that Zenoh calls until the session is closed.
     """
 
@@ -139,9 +139,9 @@ class Peering:
             timeout_s = None if pause_s is None else pause_s * (1 + self._extra_delay)
 
     def _attempt(self, work: Callable[[], float | None]) -> float | None:
-        """Do a part of the thread's work, or let the thread check everything later.
+        """Do a part of the thread's work. If it fails, let the thread check everything later.
 
-        The work needs files, and the process may have no free descriptor at this moment.
+        The work opens files, and fails if the process has no free file descriptor at this moment.
         """
         try:
             return work()
@@ -159,15 +159,15 @@ class Peering:
 
     def _replace_router(self, gone: str) -> None:
         self._wait(lambda: gone not in self._routers(), _LISTING_TIMEOUT_S)
-        # A killed process loses its links a short time before its port. And after another process
-        # has taken the port, this session needs a short time to link to that process.
+        # The links of a killed process end a short time before its port is free. After another
+        # process has got the port, this session needs a short time to link to that process.
         pause_s = _LINK_PAUSE_S
         while not (self._session.is_closed() or self._routers()):
             self._meeting.start_router()
             if self._closing.wait(pause_s):
                 return
             if pause_s == _LONGEST_PAUSE_S:
-                self._meeting.end_stuck_router()  # it has the port, but links nobody
+                self._meeting.end_stuck_router()  # it has the port, but accepts no links
             pause_s = min(2 * pause_s, _LONGEST_PAUSE_S)
 
     def _own(self) -> str:
@@ -183,7 +183,7 @@ class Peering:
         """Wait until the session is linked to the domain's router, and start one if necessary.
 
         Args:
-            is_over: Returns whether the context was shut down, which ends the wait.
+            is_over: Returns whether the context was shut down. If it was, the wait ends.
         """
         meeting, deadline = self._meeting, time.monotonic() + LINK_TIMEOUT_S
         pause_s = _HOLD_PAUSE_S
@@ -209,7 +209,7 @@ class Peering:
         A client waits only for the router, because the router already has the declarations of all
         peers. An answer arrives after all declarations that its sender made before. So after the
         last answer, a published message reaches all subscriptions that the peers had when they
-        answered. The wait takes 5 to 30 ms after a session was opened.
+        answered. For a session that was just opened, the wait takes 5 to 30 ms.
         """
         deadline = time.monotonic() + timeout_s
         if not self.wait_for_router(timeout_s):
@@ -260,7 +260,7 @@ class Peering:
     def _check(self) -> float | None:
         """Check the router and the links. Return the seconds until the next check."""
         if self._watch_pause_s is not None:
-            self._meeting.end_stopped_router()  # then its link disappears
+            self._meeting.end_stopped_router()  # then the session loses its link to the router
             return self._watch_pause_s
         background_process.reap()  # a router that this process had started may have been killed
         # If an error occurs, the session was closed or the router has ended. The end of the router
@@ -278,15 +278,15 @@ class Peering:
             if listed.get(self._own()) == "peer":
                 return self._introduce_unlinked()
             if not self._session.is_closed():
-                # The router accepts links, but does not answer. If it is killed, its link
-                # disappears.
+                # The router accepts links, but does not answer. When it is killed, the session
+                # loses its link to the router.
                 self._meeting.end_stuck_router()
                 return _CHECK_DELAY_S
         return None
 
     def _introduce_unlinked(self) -> float | None:
         """Introduce the peers that are not linked. Return the seconds until the next check."""
-        # There is a maximum, because a program with its own configuration may be unreachable.
+        # The number is limited, because a program with its own configuration may be unreachable.
         counts = self._introductions
         unlinked = [zid for zid in self._unlinked() if counts[zid] < _MAX_INTRODUCTIONS]
         if not unlinked:

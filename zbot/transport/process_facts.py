@@ -26,5 +26,6 @@ def process_facts(version: str) -> dict[str, Any]:
 def command_line() -> str:
     """Return the command line of this process, with the program's name and without its folder."""
     command = " ".join([Path(sys.argv[0]).name, *sys.argv[1:]]) if sys.argv else ""
-    # Python represents bytes that are not UTF-8 by surrogates. Zenoh's JSON parser refuses them.
+    # Python replaces bytes that are not UTF-8 by surrogate characters. Zenoh's JSON parser refuses
+    # these characters.
     return command.encode(errors="replace").decode()

@@ -1,4 +1,4 @@
-"""Choice of the middleware whose dialect a program speaks: zbot's own, or ROS 2's."""
+"""Choice of a program's middleware: zbot's own, or ROS 2's. Each has its own wire format."""
 
 from __future__ import annotations
 
@@ -21,20 +21,20 @@ IDENTIFIERS = (ZBOT_IDENTIFIER, RMW_ZENOH)
 def dialect_of_rmw(
     given: str | None, *, in_class: bool, file: SessionConfig | None = None
 ) -> Dialect:
-    """Return the dialect that a context speaks.
+    """Return the dialect (wire format) of a context's middleware.
 
-    It is that of `given`, else that of `$RMW_IMPLEMENTATION`, else that of the configuration file.
-    Other middlewares of ROS 2 are ignored in the variable, because a user of ROS 2 may have set
-    them for other programs.
+    The middleware is `given`, else `$RMW_IMPLEMENTATION`, else the value in the configuration file.
+    If the variable has another middleware of ROS 2, it is ignored, because the user may have set it
+    for other programs.
 
     Args:
         given: Name of a middleware.
         in_class: Whether the machine is in a class.
-        file: The Zenoh configuration file, if it was read. Its
-            `metadata` may have the field `rmw_implementation`.
+        file: The Zenoh configuration file, if it was read. Its `metadata` may have the field
+            `rmw_implementation`.
 
     Raises:
-        RmwError: `given` or the file names an unknown middleware.
+        RmwError: The middleware in `given` or in the file is unknown.
         ConfigError: The file is not a valid Zenoh configuration.
     """
     found = given or _of_variable() or (file and _of_file(file))
@@ -47,10 +47,10 @@ def dialect_of_rmw(
 
 
 def known(name: str) -> str:
-    """Return the name of a middleware that zbot speaks.
+    """Return a middleware's name if zbot supports this middleware.
 
     Raises:
-        RmwError: zbot does not speak it.
+        RmwError: zbot does not support the middleware.
     """
     if name not in IDENTIFIERS:
         raise RmwError(name, IDENTIFIERS)
@@ -65,7 +65,7 @@ def _of_variable() -> str | None:
 def _of_file(file: SessionConfig) -> str | None:
     if "rmw_implementation" not in file.text or file.is_packaged:
         return None
-    from zbot.transport.config import setting  # noqa: PLC0415 - few files say it
+    from zbot.transport.config import setting  # noqa: PLC0415 - few files have it
 
     metadata = setting(file.build({}), "metadata")
     name = metadata.get("rmw_implementation") if isinstance(metadata, dict) else None

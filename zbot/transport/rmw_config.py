@@ -1,6 +1,7 @@
-"""Configuration of sessions that speak ROS 2's Zenoh dialect, and the variables that change it.
+"""Configuration of sessions that speak ROS 2's Zenoh dialect.
 
-The variables are those of `rmw_zenoh_cpp`, so a user of ROS 2 need not set others.
+The environment variables that change it are the same as for `rmw_zenoh_cpp`, so a user of ROS 2
+does not have to set other variables.
 """
 
 from __future__ import annotations
@@ -22,9 +23,9 @@ _OVERRIDE = "ZENOH_CONFIG_OVERRIDE"
 _ATTEMPTS = "ZENOH_ROUTER_CHECK_ATTEMPTS"
 _MAX_DIGITS = 9
 
-# The values of rmw_zenoh's own configuration files, which are equal in all distributions. Only
-# sessions have other timeouts: with ROS 2's lease of 60 s, a program that is blocked by a standing
-# subscriber could not end.
+# The values of rmw_zenoh's own configuration files, which are equal in all distributions. Only the
+# timeouts of sessions differ: with ROS 2's lease of 60 s, a program could not end while a suspended
+# subscriber blocks it.
 _COMMON: dict[str, Any] = {
     "adminspace/enabled": True,
     "queries_default_timeout": 600_000,
@@ -63,7 +64,7 @@ _ROUTER: dict[str, Any] = {
 
 
 class RmwConfig:
-    """Configuration of ROS 2's sessions on this machine: files, then the override variable.
+    """Configuration of ROS 2's sessions on this machine. The override variable overrides the files.
 
     Raises:
         ConfigError: A file cannot be read, or an override is not valid.
@@ -78,7 +79,7 @@ class RmwConfig:
 
     @property
     def names_mode(self) -> bool:
-        """Whether the override variable says whether sessions are peers or clients."""
+        """Whether the override variable sets the mode of sessions, e.g. `client`."""
         return "mode" in self._overrides
 
     def session(self, fill: dict[str, Any], force: dict[str, Any] | None = None) -> zenoh.Config:
@@ -124,7 +125,7 @@ def _overrides() -> dict[str, str]:
 
 
 def router_attempts() -> int | None:
-    """Return how often a program looks for a router at its start. `None` means until one answers.
+    """Return how often a program looks for a router at its start. `None` means without a limit.
 
     Raises:
         RouterAttemptsError: The variable is not a whole number.
@@ -139,7 +140,7 @@ def router_attempts() -> int | None:
 def endpoints(built: zenoh.Config, path: str) -> list[str]:
     """Return the endpoints in a configuration, e.g. at the path `connect/endpoints`."""
     value = config.setting(built, path)
-    if isinstance(value, dict):  # for each mode
+    if isinstance(value, dict):  # a list for each mode
         value = value.get(config.setting(built, "mode")) or []
     return [str(one["endpoint"] if isinstance(one, dict) else one) for one in value]
 

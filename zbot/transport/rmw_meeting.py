@@ -1,7 +1,7 @@
 """Sessions that speak ROS 2's Zenoh dialect, and the router where they find each other.
 
-Such sessions find each other through a router on port 7447, as the nodes of ROS 2 do. zbot does not
-start this router by itself: it is `rmw_zenohd` of ROS 2, or `zbot hub --rmw`.
+Such sessions find each other through a router on port 7447, as the nodes of ROS 2 do. The user
+starts this router: `rmw_zenohd` of ROS 2, or `zbot hub --rmw`.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ _ROUTER_LISTENS = "tcp/[::]:7447"
 
 
 class RmwMeeting:
-    """Router of ROS 2 for one domain, and the sessions that use it.
+    """Router of ROS 2, and the sessions of one domain that use the router.
 
     Args:
         reach: With OFF, no other program is found.
@@ -71,19 +71,19 @@ class RmwMeeting:
         self.is_client = (
             False  #: whether the session that was opened last is a client of the router
         )
-        self._tokens: list[str] = []  # that the router had at the start
+        self._tokens: list[str] = []  # keys of the tokens that the router had at the start
 
     @property
     def dialect(self) -> Dialect:
-        """The dialect of the distribution of ROS 2 whose nodes the router had at the start."""
+        """The dialect that fits the ROS 2 distribution of the nodes at the router at the start."""
         return dialect_of(self._tokens, distro=os.environ.get("ROS_DISTRO", ""))
 
     def open_node_session(self) -> zenoh.Session:
         """Open the session of a process with nodes.
 
-        It is a peer, as in ROS 2, if the router is on this machine. It is a client if the router is
-        on another machine, or if the session cannot be linked to all peers of the router: a router
-        of ROS 2 passes nothing on between two peers.
+        If the router is on this machine, the session is a peer, as in ROS 2. If the router is on
+        another machine, or if the session cannot be linked to all peers of the router, the session
+        is a client, because a router of ROS 2 does not forward messages between two peers.
 
         Raises:
             SessionError: Zenoh cannot open the session.
@@ -125,7 +125,7 @@ class RmwMeeting:
         return self._open({}, force)
 
     def _find_router(self) -> bool:
-        """Look for a router, as often as the variable says. Return whether one answers."""
+        """Look for a router, at most `router_attempts()` times. Return whether a router answers."""
         attempts = router_attempts()
         number = 0
         while attempts is None or number < max(attempts, 1):
@@ -152,7 +152,7 @@ class RmwMeeting:
         return list(itertools.chain.from_iterable(asked))
 
     def router_tokens(self) -> list[str]:
-        """Return the keys of the tokens that the router has now. Empty if it does not answer."""
+        """Return the keys of the router's tokens. If no router answers, return the last keys."""
         self._ask_router()
         return self._tokens
 
@@ -234,12 +234,12 @@ class RmwMeeting:
 
 
 class RmwRouter:
-    """Router as ROS 2's `rmw_zenohd`.
+    """Router like ROS 2's `rmw_zenohd`.
 
     Args:
-        listen: Zenoh endpoints. If there are none, those of the configuration file are used, else
-            all interfaces at port 7447.
-        connect: Zenoh endpoints of other routers, besides those of the configuration file.
+        listen: Zenoh endpoints to listen on. If empty, the endpoints of the configuration file are
+            used, else port 7447 of all interfaces.
+        connect: Zenoh endpoints of other routers, in addition to those of the configuration file.
 
     Raises:
         ConfigError: A configuration file or the override variable is not valid.

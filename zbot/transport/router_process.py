@@ -1,8 +1,9 @@
 """Router process of a domain: a background process that introduces the domain's programs.
 
-The domain's first program starts it, and it ends soon after the last one. It belongs to no
-terminal, so Ctrl-C and Ctrl-Z in a terminal do not reach it. If it does not answer, a program kills
-it and starts another. The programs then link to the new router, and their own links stay.
+The domain's first program starts the router, and the router ends soon after the last program. The
+router belongs to no terminal, so Ctrl-C and Ctrl-Z in a terminal do not reach it. If the router
+does not answer, a program kills it and starts another. The programs then link to the new router.
+The links between the programs stay.
 """
 
 from __future__ import annotations
@@ -19,11 +20,11 @@ from typing import IO
 from zbot.transport import background_process, membership
 
 _PROC = Path("/proc")
-# A router that waits for ever uses no processor. On a busy machine, it uses or awaits a processor.
-_IDLE_SHARE = 0.05
+# A blocked router uses no processor. A router that works uses a processor, or waits for one.
+_IDLE_SHARE = 0.05  # a process that uses less than this share of a processor is idle
 _BUSY_THREADS = 2
 _BUSY_FACTOR = 10
-_BUSY_SAMPLES = 5  # a single sample of ten nodes at 100 Hz is often above the mean
+_BUSY_SAMPLES = 5  # with ten nodes at 100 Hz, a single sample is often too high
 _SAMPLE_PAUSE_S = 0.02
 _END_TIMEOUT_S = 1.0  # a killed process ends within 20 ms
 _PAUSE_S = 0.002
@@ -32,10 +33,10 @@ REPLACEMENT = "replacement"  #: argument of a router if the router before it was
 
 
 def start(domain: int) -> bool:
-    """Start the domain's router process, unless it runs. Return whether this call started it."""
+    """Start the domain's router process if it does not run. Return whether this call started it."""
     try:
         membership.folder().mkdir(parents=True, exist_ok=True)
-        # This mode neither truncates nor appends, so that a full disk cannot keep the file empty.
+        # `os.open` does not truncate the file. On a full disk, a truncated file would stay empty.
         number = os.open(_path(domain), os.O_RDWR | os.O_CREAT, 0o666)
         with os.fdopen(number, "r+", encoding="utf-8") as file:
             return _start_locked(domain, file)
@@ -62,9 +63,9 @@ def _start(domain: int, *files: IO[str], is_replacement: bool = False) -> subpro
 
 
 def hold_lock(domain: int) -> IO[str] | None:
-    """Return the locked file that shows that this process is the domain's router.
+    """Lock the file that shows that this process is the domain's router, and return the file.
 
-    On POSIX the process inherited the lock, so the result is `None`.
+    On POSIX, the process has inherited the locked file, so the result is `None`.
     """
     if sys.platform != "win32":
         return None
@@ -121,7 +122,7 @@ def _write(domain: int, text: str) -> None:
 
 
 def _overwrite(file: IO[str], text: str) -> None:
-    """Replace the contents of a file. On a full disk, a file that had contents has room for it."""
+    """Replace the contents of a file. On a full disk, this works if the file was not empty."""
     with contextlib.suppress(OSError):  # a new file on a full disk: it stays empty
         os.lseek(file.fileno(), 0, os.SEEK_SET)
         os.write(file.fileno(), text.encode())
@@ -150,19 +151,19 @@ def kill(domain: int, number: int) -> bool:
     except (ProcessLookupError, PermissionError):
         return False
     deadline = time.monotonic() + _END_TIMEOUT_S
-    # Another program may have started the next router already: its process id is in the file then.
+    # Another program may already have started the next router. Then the file has the new id.
     while _read(domain) == _KILLED and _is_locked(domain) and time.monotonic() < deadline:
         time.sleep(_PAUSE_S)
     return True
 
 
 def is_stopped(number: int) -> bool:
-    """Return whether SIGSTOP, Ctrl-Z or a debugger has stopped a process. On Windows: `False`."""
+    """Return whether SIGSTOP, Ctrl-Z or a debugger has suspended a process (Windows: `False`)."""
     return any(state in "Tt" for state, _ in _threads(number))
 
 
 class IdleWatch:
-    """Watch of a process: whether it neither uses nor awaits a processor from now on.
+    """Watch of a process from now on. An idle process does not use a processor or wait for one.
 
     Args:
         number: The process id.
@@ -170,12 +171,12 @@ class IdleWatch:
 
     def __init__(self, number: int) -> None:
         self.number = number
-        self.saw_busy_machine = is_machine_busy()  #: whether it was busy at the begin or the end
+        self.saw_busy_machine = is_machine_busy()  #: when the watch began or ended
         self._begin_s = time.monotonic()
         self._begin = _threads(number)
 
     def is_idle(self, watch_s: float) -> bool:
-        """Return whether the process was idle. On Windows: `False`.
+        """Return whether the process was idle. On Windows, return `False`.
 
         On a busy machine, the process may wait for other processes, so it is watched ten times as
         long.
@@ -194,10 +195,10 @@ class IdleWatch:
 
 
 def is_machine_busy(samples: int = 1) -> bool:
-    """Return whether more than two threads use or await each processor.
+    """Return whether more than two threads for each processor run or wait for a processor.
 
     Args:
-        samples: The mean of this number of samples counts. Each further one takes 20 ms.
+        samples: The number of samples of which the mean is used. Each further sample takes 20 ms.
     """
     running = _running_threads()
     for _ in range(samples - 1):
@@ -208,7 +209,7 @@ def is_machine_busy(samples: int = 1) -> bool:
 
 def _running_threads() -> float:
     loads = _PROC / "loadavg"
-    if loads.exists():  # the fourth field is e.g. 3/1326: 3 of 1326 threads
+    if loads.exists():  # the fourth field is e.g. 3/1326: 3 of 1326 threads run or wait
         return float(loads.read_text(encoding="ascii").split()[3].partition("/")[0])
     if sys.platform != "win32":
         return os.getloadavg()[0]
@@ -216,7 +217,7 @@ def _running_threads() -> float:
 
 
 def _threads(number: int) -> list[tuple[str, float]]:
-    """Return the state and the used processor time (s) of a process's threads, if known."""
+    """Return the state and the processor time (s) of a process's threads (Windows: `[]`)."""
     if _PROC.is_dir():
         found = []
         for path in _PROC.glob(f"{number}/task/*/stat"):

@@ -15,11 +15,11 @@ _ANSWER_TIMEOUT_S = 0.3  # a router answers within 3 ms
 
 
 class RouterState(NamedTuple):
-    """Links of a session's router, or of all routers, and the age of the youngest."""
+    """Links of a session's router, or of all routers, and the age of the youngest router."""
 
     links: frozenset[str]
     age_s: float
-    is_replacement: bool  #: whether the router before one of them was killed
+    is_replacement: bool  #: whether one of the routers replaces a router that was killed
 
     @classmethod
     def of(

@@ -1,8 +1,9 @@
-"""Registry of this user's running programs: a file for each open session, with what it has joined.
+"""Registry of this user's running programs: a file for each open session, with its class.
 
 A program reads the membership file when it starts. If the machine joins or leaves a class later,
-the program does not notice, and it is invisible for the class. The registry finds such programs.
-Each file is locked while its session is open, so the files of killed programs are recognised.
+the program does not notice this, and the class does not see the program. The registry finds such
+programs. Each file is locked while its session is open. So a file without a lock belongs to a
+program that was killed.
 """
 
 from __future__ import annotations
@@ -29,7 +30,7 @@ if TYPE_CHECKING:
 _FOLDER = "programs"
 _LOCK_TIMEOUT_S = 0.2  # another program may hold the lock for a moment to read the file
 _PAUSE_S = 0.005
-_YOUNG_S = 5.0  # a file of this age may not be locked yet
+_YOUNG_S = 5.0  # a younger file may not be locked yet
 _MOST_LISTED = 5
 
 
@@ -45,7 +46,7 @@ class RunningProgram:
     in_class: bool
     class_name: str
     login: str  #: see `membership.login`
-    hidden_by: str  #: setting that hides the program's nodes from what the machine has joined
+    hidden_by: str  #: settings that hide the program's nodes from the class or hub, or `""`
     nodes: list[str] = field(default_factory=list)  #: full names
 
     @property
@@ -54,7 +55,7 @@ class RunningProgram:
         return [name for name in self.nodes if not is_hidden(name)]
 
     def reason(self, joined: Membership | None) -> str:
-        """Return why a class or hub does not see the program's nodes. Empty if it sees them."""
+        """Return why a class or hub does not see the program's nodes, or `""` if it sees them."""
         if self.login != membership.login(joined) or self.in_class != (
             joined is not None and joined.in_class
         ):
@@ -129,7 +130,7 @@ def _folder() -> Path:
 
 
 def _locked_file(path: Path) -> IO[str]:
-    # `make_private_folder` would import modules that take 8 ms.
+    # The import of `make_private_folder` would take 8 ms.
     path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
     descriptor = os.open(path, os.O_RDWR | os.O_CREAT | os.O_EXCL, 0o600)
     file = os.fdopen(descriptor, "w+", encoding="utf-8")
@@ -163,17 +164,20 @@ def _read(path: Path) -> RunningProgram | None:
             None if is_over else RunningProgram(**{k: document[k] for k in known & set(document)})
         )
     except (OSError, ValueError, TypeError):
-        return None  # the program ends or writes now
+        return None  # the program ends or writes the file at this moment
 
 
 def outside() -> list[RunningProgram]:
-    """Return the programs with nodes that what this machine has joined does not see."""
+    """Return the running programs whose nodes this machine's class or hub does not see.
+
+    If the machine has left a class, these are the programs that still use the class.
+    """
     joined = membership.load()
     return [one for one in running() if one.nodes and one.reason(joined)]
 
 
 def outside_text() -> str:
-    """Return a sentence about the programs of `outside()` that says what to do, or nothing."""
+    """Return a sentence about the programs of `outside()` and what to do, or `""` if none run."""
     programs, joined = outside(), membership.load()
     if not programs:
         return ""

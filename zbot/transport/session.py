@@ -1,8 +1,9 @@
 """Zenoh sessions, and the meeting point where the sessions of one domain find each other.
 
-A small router process listens on the domain's meeting port. Sessions with nodes connect to it: the
-first ones are Zenoh peers, which the router introduces to each other (see `Mesh`). Later ones are
-clients of the router, as the command line's sessions are.
+A small router process listens on the domain's meeting port, a TCP port of this machine. Sessions
+with nodes connect to this router. The first sessions are Zenoh peers, and the router introduces
+them to each other (see `Mesh`). Later sessions, and the sessions of commands, are clients of the
+router.
 """
 
 from __future__ import annotations
@@ -35,22 +36,22 @@ LOOPBACK = "127.0.0.1"
 #: A router answers within 10 ms, or within seconds when 40 nodes start together on two cores.
 LINK_TIMEOUT_S = 5.0
 _TAKEN_TIMEOUT_S = 0.1
-_QUESTIONS = 3  # a router that has just started may not hear the first one
+_QUESTIONS = 3  # a router that has just started may not answer the first question
 _NEW_ROUTER_TIMEOUT_S = 2.0  # a router takes 0.1 s to start, and more on a busy machine
 _LINK_PAUSE_S = 0.01
-_YOUNG_S = 1.0  # a router of this age may not have all links yet
+_YOUNG_S = 1.0  # a younger router may not have all links yet
 _RELINK_PAUSE_S = 0.2  # longer than the pause between two tries to connect
-_RECONNECTION_PAUSE_S = 0.4  # nodes try every 0.1 s, and on a busy machine they are late
+_RECONNECTION_PAUSE_S = 0.4  # nodes try every 0.1 s, and less often on a busy machine
 _FOUND_PAUSE_S = 0.25  # enough for all machines to answer multicast and then send their tokens
 _WATCH_S = 0.3  # to see whether the router process does anything
 _HUB_CLIENT_OPEN_TIMEOUT_MS = 500
 _CLIENT_OPEN_TIMEOUT_MS = 300  # a router accepts a client within 5 ms if the machine is not busy
 _BUSY_OPEN_TIMEOUT_MS = 2000
-_CLIENT_TIMEOUT_MS = 2000  # of each try of a program that is a client
+_CLIENT_TIMEOUT_MS = 2000  # the limit for one try to open a client session with nodes
 _LINKED_CLIENT_TIMEOUT_S = 10.0
 _NO_FILE = SessionConfig("the configuration between hubs", "{}")
 _RETRY = {"period_init_ms": 20, "period_max_ms": 500, "period_increase_factor": 2}
-# A new router opens the port within 0.1 s. A try that nobody answers is cheap on one machine.
+# A new router opens the port within 0.1 s. On one machine, a failed try takes little work.
 _RETRY_MEETING = {"period_init_ms": 20, "period_max_ms": 100, "period_increase_factor": 1.5}
 # The router tries less often to connect to the hub, because most machines have no hub, and each try
 # wakes an idle node three times.
@@ -84,7 +85,7 @@ def open_hub(
     Args:
         listen: Zenoh endpoints that must be free.
         connect: Zenoh endpoints to connect to. The hub retries while they do not answer.
-        settings: Zenoh's configuration paths and values for the hub, besides those of all sessions.
+        settings: Zenoh's configuration paths and values of the hub, besides those of all sessions.
         facts: See `process_facts`.
 
     Raises:
@@ -173,7 +174,7 @@ class MeetingPoint:
         self._mesh = Mesh(domain)
         self._login = membership.login(membership.load())
         self.port = MEETING_PORT + domain
-        self.dialect: Dialect | None = None  #: the context's own, whoever is in the domain
+        self.dialect: Dialect | None = None  #: `None`: the context's own dialect
         self.is_client = True  #: whether the session of a command is a client of the router
         self.shares_memory = False  #: whether nodes may use shared memory for large messages
         self._closed = False
@@ -225,13 +226,13 @@ class MeetingPoint:
             Whether this call started the process. The port is open about 0.1 s later.
         """
         self.end_stopped_router()
-        # A router of another user name would not accept this process's sessions.
+        # A router with another user name would not accept this process's sessions.
         is_possible = self._login == membership.login(membership.load())
         is_needed = is_possible and self.uses_port and not self.is_taken()
         return is_needed and router_process.start(self._domain)
 
     def end_stuck_router(self) -> bool:
-        """Kill the domain's router process if it is stopped, or waits for ever and answers nothing.
+        """Kill the domain's router process if it is suspended, or if it is idle without an answer.
 
         A router that works is not killed. A router of another user cannot be killed.
 
@@ -250,11 +251,11 @@ class MeetingPoint:
                 return False
         if not watch.is_idle(_WATCH_S):
             return False
-        # On a busy machine, this process may be the one that is too slow.
+        # Ask again on a busy machine, because this process itself may have been too slow.
         return not (watch.saw_busy_machine and self._answers()) and self._end_router(number)
 
     def end_stopped_router(self) -> bool:
-        """Kill the domain's router process if it is stopped. Return whether it was killed."""
+        """Kill the domain's router process if it is suspended. Return whether it was killed."""
         number = router_process.pid(self._domain) if self.uses_port else None
         is_stopped = number is not None and router_process.is_stopped(number)
         return number is not None and is_stopped and self._end_router(number)
@@ -286,7 +287,7 @@ class MeetingPoint:
 
     @property
     def uses_port(self) -> bool:
-        """Whether the domain's programs meet on the port, and this point is not closed."""
+        """Whether the domain's programs meet on the port. After `close`, this is `False`."""
         return self._reach is not DiscoveryRange.OFF and not self._closed
 
     def is_taken(self) -> bool:
@@ -325,7 +326,7 @@ class MeetingPoint:
         return open_session("a Zenoh session", built)
 
     def _open_linked_client(self, fill: dict[str, Any]) -> zenoh.Session:
-        """Open a client, which is open only when it is linked. The router may end meanwhile.
+        """Open a client session and link it to the router. Restart a router that ends meanwhile.
 
         Raises:
             SessionError: Zenoh cannot open the session within 10 s.
@@ -367,7 +368,7 @@ class MeetingPoint:
         is_wanted = self.uses_port and (wait or self.reaches_out)
         while session is None and (is_wanted or self.is_expected()):
             if time.monotonic() > deadline or self.is_foreign():
-                session = self._open_client(hub_endpoint())  # it knows the nodes of the class
+                session = self._open_client(hub_endpoint())  # the hub knows the nodes of the class
                 if session is None:
                     self.warn_unanswered()
                 return session
@@ -379,7 +380,7 @@ class MeetingPoint:
     def _open_client_of_hub(self, deadline: float) -> zenoh.Session | None:
         """Open a client session of this machine's hub, which knows the nodes of other machines.
 
-        The hub does not answer questions about itself.
+        Do not ask the hub for its state, because a hub does not answer questions about itself.
         """
         session = self._open_client(hub_endpoint())
         while session is None and membership.load() is not None and _is_taken(hub_port()):
@@ -444,7 +445,7 @@ class MeetingPoint:
             time.sleep(_LINK_PAUSE_S)
 
     def open_new_client(self) -> zenoh.Session | None:
-        """Start the router, and open a client session of it. Return `None` after 2 s."""
+        """Start the router, and open a client session. Return `None` if this fails for 2 s."""
         deadline = time.monotonic() + _NEW_ROUTER_TIMEOUT_S
         while time.monotonic() < deadline:
             self.start_router()
@@ -464,7 +465,7 @@ class MeetingPoint:
 
     @staticmethod
     def router_tokens() -> list[str]:
-        """Return nothing: a session of zbot gets the tokens of all others itself."""
+        """Return an empty list: a session of zbot gets the tokens of all other sessions itself."""
         return []
 
     def close(self) -> None:

@@ -1,8 +1,8 @@
 """Shared memory: all programs of one machine can read the large messages in it.
 
 Zenoh itself also moves large messages into shared memory, but first copies them into a buffer.
-Without this copy, a message of one megabyte takes a quarter less time. Readers on other machines
-get the same bytes over the network.
+This module avoids that copy, so a message of one megabyte takes a quarter less time. Readers on
+other machines get the same bytes over the network.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ def place(payload: bytes) -> Any:
     if block is None:
         return payload  # the messages in the pool are not read yet, or the payload is too large
     block[0 : len(payload)] = payload
-    return zenoh.ZBytes(block)  # in contrast to a block, it can be sent several times
+    return zenoh.ZBytes(block)  # unlike a block, `ZBytes` can be sent several times
 
 
 def _block(pool: ShmProvider, size: int) -> ZShmMut | None:
@@ -45,8 +45,8 @@ def _block(pool: ShmProvider, size: int) -> ZShmMut | None:
 def _tidied(pool: ShmProvider) -> ShmProvider:
     """Free all blocks that were read, join the free blocks, and return the pool.
 
-    In one call, a Zenoh allocation policy frees blocks or joins them, but not both. So it finds
-    no space for a block that is larger than the earlier blocks.
+    Zenoh's allocation policies free blocks or join blocks, but do not do both in one call. So they
+    find no space for a block that is larger than the earlier blocks.
     """
     pool.garbage_collect()
     pool.defragment()
@@ -55,7 +55,7 @@ def _tidied(pool: ShmProvider) -> ShmProvider:
 
 @functools.cache
 def _pool() -> ShmProvider | None:
-    """Return this process's pool. `None` if the system or this Zenoh has no shared memory."""
+    """Return this process's pool, or `None` if the system or Zenoh does not have shared memory."""
     from zenoh.shm import ShmProvider  # noqa: PLC0415
 
     try:

@@ -2,7 +2,7 @@
 
 A sleeping thread takes 10 to 30 us to wake, which is a large part of a small message's time. So if
 a thread's last wait was short, it polls for a short time before it sleeps, and yields its core
-between the polls. Round trips take half the time then. If its last wait was longer, such as for the
+between the polls. This halves the time of round trips. If its last wait was longer, such as for the
 messages of a 1 kHz topic, the thread sleeps immediately. While small messages come every 0.1 to
 0.5 ms, or large messages every 3 ms, busy waiting uses a core that would be idle otherwise.
 """
@@ -65,7 +65,7 @@ class BusyWait:
 
 
 class BinarySemaphore:
-    """Semaphore that is set or not set. Any thread may call `set`, but only one `wait`."""
+    """Semaphore that is set or not set. Any thread may call `set`, but only one may call `wait`."""
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
@@ -74,7 +74,7 @@ class BinarySemaphore:
         self._busy_wait = BusyWait()
 
     def set(self) -> None:
-        """Let the present or the next `wait` return. Until then, more calls change nothing."""
+        """Let the current or the next `wait` return. More calls before that have no effect."""
         try:
             self._lock.release()
         except RuntimeError:

@@ -1,4 +1,4 @@
-"""Zenoh session: how every session of zbot is opened. Only this module calls `zenoh.open()`."""
+"""Opening of Zenoh sessions. Only this module of zbot calls `zenoh.open()`."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ _FILES = 40  # a session opens 19, and links and imported modules need more
 
 
 def open_session(what: str, config: zenoh.Config) -> zenoh.Session:
-    """Open a session. `what` is its name in the error's sentence.
+    """Open a session. `what` is the session's name in the error's text.
 
     Raises:
-        SessionError: Zenoh cannot open it.
+        SessionError: Zenoh cannot open the session.
         FileLimitError: The process may open too few files.
     """
     if "RUST_LOG" in os.environ:
@@ -30,7 +30,7 @@ def open_session(what: str, config: zenoh.Config) -> zenoh.Session:
 
 
 def _check_file_limit() -> None:
-    """Check that enough files can be opened. Otherwise Zenoh would abort, even later.
+    """Check that enough files can be opened. Otherwise Zenoh aborts the process, now or later.
 
     Raises:
         FileLimitError: The limit of the process is too low.

@@ -36,18 +36,20 @@ def run(
     *,
     rosbridge: bool = False,
 ) -> None:
-    """Serve pages until a signal. Call it only once in a process, as NiceGUI's state is global.
+    """Serve pages until a signal ends the server.
+
+    Call this function only once in a process, because NiceGUI's state is global.
 
     Args:
         system: The running system that the pages show.
         listener: A listening socket.
-        protect: Takes an application (ASGI) and returns an application that checks requests.
+        protect: Function that wraps an application (ASGI) in one that checks requests.
         on_startup: Called when the server starts to accept requests.
         rosbridge: Whether web programs can connect with the protocol of rosbridge.
     """
     add_pages(system)
     application = FastAPI(docs_url=None, redoc_url=None, openapi_url=None)
-    # Before NiceGUI, which answers all other paths.
+    # These paths must come before NiceGUI, which answers all other paths.
     bridge = _add_rosbridge(application, system) if rosbridge else None
     ui.run_with(
         application,
@@ -56,7 +58,7 @@ def run(
         reconnect_timeout=_RECONNECT_S,
         message_history_length=_REPEATED_MESSAGES,
         gzip_middleware_factory=None,  # on one machine, sending is faster without compression
-        tailwind=False,  # it would process every change of the page
+        tailwind=False,  # Tailwind would process every change of the page
         show_welcome_message=False,
     )
     # Uvicorn would log an error about browsers that are still connected at the end.

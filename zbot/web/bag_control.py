@@ -1,4 +1,7 @@
-"""Recording and playback of the live page. All browsers share them."""
+"""Recording and playback of bags in the live page.
+
+All browsers share one recording and one playback.
+"""
 
 from __future__ import annotations
 
@@ -49,16 +52,18 @@ class FoundBag:
     """A bag in the page's folder."""
 
     name: str
-    metadata: BagMetadata | None  #: `None` if it cannot be read
+    metadata: BagMetadata | None  #: `None` if the bag cannot be read
     problem: str = ""
 
 
 class BagControl:
-    """Bags in a folder, and the recording and the playback of the page. Any thread may call.
+    """Bags in a folder, and the recording and the playback of the page.
+
+    Any thread may call the methods.
 
     Args:
         system: The running system.
-        folder: The folder in which the page looks for bags and records.
+        folder: The folder in which the page looks for bags and records new bags.
     """
 
     def __init__(self, system: System, folder: Path) -> None:
@@ -70,9 +75,10 @@ class BagControl:
         self._known: dict[str, tuple[object, FoundBag]] = {}
 
     def bags(self) -> dict[str, FoundBag]:
-        """Return the bags in the folder by name, the newest first. Reading takes a while.
+        """Return the bags in the folder by name. The newest bag comes first.
 
-        The bag that is being recorded is left out: it would be read again and again.
+        The call takes a while, because bags are read. The bag that is being recorded is left out,
+        because each call would read it again.
         """
         recording = self.recording
         present = recording.path if recording is not None and recording.is_running else None
@@ -86,19 +92,20 @@ class BagControl:
         Raises:
             BagNameError: There is no such bag in the folder.
         """
-        # Other programs give bags any names, e.g. with spaces. The folder never lists `..`.
+        # A bag of another program may have any name, e.g. with spaces, so `_checked` is not used.
+        # The name `..` is not found, because the folder does not list it.
         path = next((one for one in self.folder.iterdir() if one.name == name), None)
         if path is None or not _is_bag(path):
             raise BagNameError(name, "there is no bag with this name")
         return path
 
     def record(self, name: str, topics: Collection[str] | None) -> None:
-        """Begin to record topics. `None` means all, also topics that appear later.
+        """Begin to record topics. `None` means all topics, also topics that appear later.
 
         Raises:
             ReadOnlyError: The page is read-only.
             BagNameError: The name has characters of a path, or is empty.
-            BagExistsError: There is a file or a folder with the name.
+            BagExistsError: There is a file or a folder with this name already.
             BusyError: A recording runs already.
         """
         self._check_writable("recording")
@@ -125,13 +132,13 @@ class BagControl:
     def play(
         self, name: str, *, offset_s: float, rate: float, topics: Collection[str] | None
     ) -> None:
-        """Play a bag, instead of another one.
+        """Play a bag. If another playback runs, end it first.
 
         Args:
-            name: The bag.
-            offset_s: Seconds from the start of the bag.
-            rate: Seconds of the recording in a second.
-            topics: Names of topics. `None` means all.
+            name: The name of the bag.
+            offset_s: The start of the playback, in seconds from the start of the bag.
+            rate: The speed, e.g. 2.0 for twice as fast as the recording.
+            topics: Names of topics. `None` means all topics.
 
         Raises:
             ReadOnlyError: The page is read-only.
@@ -157,7 +164,7 @@ class BagControl:
             raise BagError(self.playback.error)
 
     def playing(self, name: str) -> BackgroundPlayback | None:
-        """Return the playback of a bag if it runs."""
+        """Return the playback of a bag, or `None` if this bag is not being played."""
         playback = self.playback
         if playback is None or playback.path.name != name or not playback.is_running:
             return None
@@ -170,7 +177,9 @@ class BagControl:
             self._stop_playing()
 
     def seek(self, name: str, offset_s: float) -> None:
-        """Continue a playback at a time, in seconds from the start of the bag.
+        """Move the playback of a bag to a time, in seconds from the start of the bag.
+
+        If this bag is not being played, do nothing.
 
         Raises:
             ReadOnlyError: The page is read-only.
@@ -222,7 +231,7 @@ _CONTROLS: WeakKeyDictionary[System, BagControl] = WeakKeyDictionary()
 
 
 def control_of(system: System) -> BagControl:
-    """Return the recording and playback of a page's system, in the folder of this process."""
+    """Return the `BagControl` of a system. Its folder is the working folder of this process."""
     control = _CONTROLS.get(system)
     if control is None:
         control = _CONTROLS[system] = BagControl(system, Path.cwd())
@@ -245,12 +254,12 @@ def _is_bag(path: Path) -> bool:
 def _modified_s(path: Path) -> float:
     try:
         return path.stat().st_mtime
-    except OSError:  # it was removed meanwhile
+    except OSError:  # the bag was removed meanwhile
         return 0.0
 
 
 def _state(path: Path) -> object:
-    """Return a value that changes when a bag changes. `None` if it was removed meanwhile."""
+    """Return a value that changes when a bag changes, or `None` if the bag was removed."""
     try:
         files = sorted(path.iterdir()) if path.is_dir() else [path]
         return [(one.name, one.stat().st_size, one.stat().st_mtime_ns) for one in files]

@@ -33,7 +33,7 @@ class BagDetails:
     Args:
         section: The section of the page.
         control: The recording and playback of the page.
-        name: The bag.
+        name: The name of the bag.
     """
 
     def __init__(self, section: Section, control: BagControl, name: str) -> None:
@@ -67,7 +67,7 @@ class BagDetails:
 
     @property
     def player(self) -> Player | None:
-        """The player of this bag if it runs."""
+        """The player of this bag, or `None` if this bag is not being played."""
         playback = self.control.playing(self.name)
         return None if playback is None else playback.player
 
@@ -133,7 +133,7 @@ class BagDetails:
             try:
                 fields = fields_of(one.topic.type_name, only_numbers=True)
             except LookupError:
-                continue  # its definition is only in the bag
+                continue  # the type's definition is only in the bag
             found += [f"{one.topic.name}.{field}" for field in fields]
         return found
 
@@ -180,7 +180,7 @@ class BagDetails:
         await run_in_thread(start)
 
     async def step(self) -> None:
-        """Pause, or publish the next message."""
+        """Start or pause the playback. If it is paused already, publish the next message."""
         self.control.check_player()
         player = self.player
         if player is None:
@@ -207,16 +207,16 @@ class BagDetails:
             player.set_rate(float(event.value))
 
     def drag(self, event: Any) -> None:
-        """Do not move the timeline while the user drags it."""
+        """Note whether the user drags the timeline. Meanwhile, `update` does not move it."""
         self.is_dragged = event.args == "start"
 
     async def seek(self, event: Any) -> None:
-        """Continue where the user has dragged the timeline."""
+        """Move the playback to the time to which the user has dragged the timeline."""
         self.is_dragged = False
         self.control.seek(self.name, float(event.args))
 
     async def draw(self, event: Any) -> None:
-        """Read the chosen curves from the bag, and draw them immediately."""
+        """Read the chosen curves from the bag, and draw them without a playback."""
         names = list(event.value or ())
         self.chart.set_visibility(bool(names))
         series = [await run_in_thread(self.read_curve, name) for name in names]
@@ -249,7 +249,7 @@ class BagDetails:
         await self.save(export_video, "avi", "video/x-msvideo")
 
     async def save(self, export: Any, suffix: str, media_type: str) -> None:
-        """Send the chosen part of the chosen topic to the browser, in the form of `export`."""
+        """Convert the chosen part of the chosen topic with `export`. Send it to the browser."""
         topic = str(self.topic.value)
         start_ns = self.metadata.start_ns if self.metadata else 0
         part = (

@@ -29,10 +29,10 @@ class ExportError(BagError, ValueError):
 
 
 def export_csv(path: Path, topic: str, start_ns: int, end_ns: int) -> bytes:
-    """Return a topic as CSV.
+    """Return a part of a topic as CSV.
 
     Raises:
-        ExportError: There are more than 500 MB.
+        ExportError: The CSV has more than 500 MB.
         BagError: The bag cannot be read.
     """
     parts, total = [], 0
@@ -46,10 +46,13 @@ def export_csv(path: Path, topic: str, start_ns: int, end_ns: int) -> bytes:
 
 
 def export_video(path: Path, topic: str, start_ns: int, end_ns: int) -> bytes:
-    """Return the images of a topic as a video in AVI, with their mean rate.
+    """Return the images in a part of a topic as an AVI video.
+
+    The frame rate of the video is the mean rate of the images.
 
     Raises:
-        ExportError: There are no images, or an image cannot be read.
+        ExportError: There are no images, an image cannot be read, the images do not all have the
+            same size, or the video is too long.
         BagError: The bag cannot be read.
         ImageError: An encoding is not known.
     """

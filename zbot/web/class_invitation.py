@@ -12,13 +12,13 @@ if TYPE_CHECKING:
     from zbot.classroom.invitation import Invitation
     from zbot.web.panel import Page
 
-_QUIET_ZONE = 4  # modules around a QR code, from ISO/IEC 18004
+_QUIET_ZONE = 4  # white border of a QR code, in squares of the code (ISO/IEC 18004)
 
 
 class ClassInvitation:
     """Button in the toolbar, and the invitation that it shows.
 
-    Only a browser on the teacher's machine shows it, because it contains the PIN.
+    Only a browser on the teacher's machine shows the invitation, because it contains the PIN.
 
     Args:
         page: The page of the browser.
@@ -38,7 +38,8 @@ class ClassInvitation:
                 self._command = ui.label().classes("zb-invitation-command")
                 self._pin = ui.label().classes("zb-invitation-command")
                 self._address = ui.label().classes("zb-muted")
-        # Hidden from the start: a button that comes, goes and comes again would lose a fast click.
+        # The button is hidden until an invitation is known. Otherwise the button would appear,
+        # disappear and appear again, and a fast click would be lost.
         self.show(None)
 
     def _toggle(self) -> None:

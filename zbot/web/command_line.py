@@ -1,4 +1,4 @@
-"""Command line of `zbot` that does the same as a click in the page. The user can copy it."""
+"""Command line of `zbot` that does the same as a click in the page. The user can copy the line."""
 
 from __future__ import annotations
 
@@ -11,9 +11,10 @@ _UNSAFE_IN_DOUBLE_QUOTES = re.compile(r"[\"$`\\!]")
 
 
 def command_line(*words: str) -> str:
-    """Return the command line for words: `zbot topic pub /a std_msgs/msg/Bool "{data: true}"`.
+    """Return the command line of `zbot` with these words.
 
-    Words get double quotes where possible, because all shells understand them, also on Windows.
+    An example is `zbot topic pub /a std_msgs/msg/Bool "{data: true}"`. Words get double
+    quotes where possible, because all shells understand double quotes, also on Windows.
     """
     return " ".join(("zbot", *map(_quoted, words)))
 

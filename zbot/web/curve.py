@@ -46,7 +46,7 @@ def split_curve(word: str, topics: Iterable[str]) -> tuple[str, str]:
 
     Raises:
         CurveError: The topic is missing.
-        FieldPathError: The field is not a path.
+        FieldPathError: The field is not a valid path.
     """
     name, _, field = word.strip().partition(".")
     name = "/" + name.strip("/")
@@ -70,7 +70,7 @@ def numeric_fields(message: Any) -> list[str]:
 def thinned(
     times: Sequence[float], values: Sequence[float], count: int
 ) -> list[tuple[float, float]]:
-    """Return at most `count` points, whose curve looks the same.
+    """Return at most `count` points of a curve. A curve through these points looks the same.
 
     The curve is cut into parts. The lowest and the highest point of each part are returned.
     """
@@ -120,7 +120,10 @@ class Curve:
         return f"{self.topic}.{self.field}"
 
     def value(self, message: Any) -> float | None:
-        """Return the field's value in a message. If there is none, set `problem`, return None."""
+        """Return the field's value in a message.
+
+        If the message has no such number, set `problem` and return None.
+        """
         try:
             self.last = value_at(message, self.path)
         except FieldPathError as error:
@@ -161,14 +164,14 @@ class Curves:
 
     @property
     def waiting(self) -> list[str]:
-        """Topics that were added without a field and of which no message was read yet."""
+        """The topics that were added without a field, until their first message is read."""
         return list(self._wholes)
 
     def add(self, topic: str, field: str) -> None:
         """Add a curve. If the field is empty, add curves for the numbers of the first message.
 
         Raises:
-            FieldPathError: The field is not a path.
+            FieldPathError: The field is not a valid path.
         """
         if field:
             curve = Curve(topic, field)
@@ -179,7 +182,7 @@ class Curves:
             self._topics[topic] = _Topic(self._watcher.watch(topic, keep=KEPT_MESSAGES))
 
     def remove(self, name: str) -> None:
-        """Remove a curve, or a topic that was added without a field, if it exists."""
+        """Remove a curve, or a topic that was added without a field. Ignore an unknown name."""
         self._curves.pop(name, None)
         if name in self._wholes:
             self._wholes.remove(name)

@@ -14,8 +14,8 @@ Branch = dict[str, Any]
 def curve_tree(fields: Mapping[str, Iterable[str]]) -> list[Branch]:
     """Return the branches for `ui.tree`, with a branch for each topic.
 
-    The id of a leaf is the name of its curve, e.g. `/turtle1/pose.x`. The id of a topic without
-    known numbers is its name, which stands for all numbers of its first message.
+    The id of a leaf is the name of its curve, e.g. `/turtle1/pose.x`. A topic without known numbers
+    is a leaf too. Its id is the name of the topic, which means all numbers of its first message.
 
     Args:
         fields: The paths of each topic's numbers, e.g. `linear.x` and `covariance[0]`.
@@ -38,7 +38,7 @@ def _put(branch: Branch, path: str, name: str) -> None:
 
 def _child(branch: Branch, label: str, key: str) -> Branch:
     children: list[Branch] = branch.setdefault("children", [])
-    if children and children[-1]["label"] == label:  # fields come in the order of the message
+    if children and children[-1]["label"] == label:  # the fields of a child follow each other
         return children[-1]
     children.append({"id": key, "label": label})
     return children[-1]

@@ -1,7 +1,7 @@
 """Form for a message type. The form has an input for each field and creates the message.
 
-The form is independent of the page. Inputs take the text that the user typed. `Input.problem`
-returns a sentence about wrong text before a message is sent.
+This module works without a page. `form_view` shows the inputs in the page. An input converts the
+text that the user typed, and `Input.problem` checks the text before a message is sent.
 """
 
 from __future__ import annotations
@@ -61,7 +61,7 @@ class Input:
 
     @property
     def bounds(self) -> tuple[int, int] | None:
-        """The smallest and the largest value of an integer field. None for other fields."""
+        """The smallest and the largest value of an integer field, or None for other fields."""
         return integer_range(self.type.base) if self.kind is InputKind.INTEGER else None
 
     @property
@@ -151,13 +151,13 @@ class Form:
         return {path: problem for path, problem in found.items() if problem is not None}
 
     def entries(self, message: Any) -> dict[str, str]:
-        """Return the texts, by path, that the inputs show for a message."""
+        """Return the texts that the inputs show for a message, by path."""
         return {one.path: show(one.type, _follow(message, one.path)) for one in self.inputs}
 
     def yaml(self, entries: Mapping[str, Entry]) -> str:
         """Return the message as YAML for a command line: `{linear: {x: 2.0}}`.
 
-        The YAML does not contain fields with their default values, and `now` stays `now`.
+        The YAML leaves out each field that has its default value. The text `now` stays `now`.
 
         Raises:
             EntryError: An entry does not fit its field.

@@ -31,7 +31,7 @@ _FALSE = frozenset({"false", "no", "off", "0", ""})
 _YAML_NUMBERS = {".nan": "nan", ".inf": "inf", "-.inf": "-inf"}
 _LONGEST_SHOWN_ARRAY = 16
 _NANOSECONDS = 10**9
-_MOST_SECONDS = 1e12  # every time and duration is shorter
+_MOST_SECONDS = 1e12  # larger than every time and duration
 
 
 class EntryError(ZbotError, ValueError):
@@ -48,7 +48,7 @@ class EntryError(ZbotError, ValueError):
 
 
 def integer_range(base: str) -> tuple[int, int] | None:
-    """Return the smallest and the largest value of an integer type. None for other types."""
+    """Return the smallest and the largest value of an integer type, or None for other types."""
     return _BYTE_RANGE if base == "byte" else INTEGER_RANGES.get(base)
 
 
@@ -248,7 +248,7 @@ def _shown_scalar(value: Any) -> str:
 
 
 def flow(value: Any) -> str:
-    """Return plain values as YAML on one line, which a command line can contain."""
+    """Return a plain value (see `plain`) as YAML on one line, e.g. for a command line."""
     text = yaml.safe_dump(
         value, default_flow_style=True, allow_unicode=True, sort_keys=False, width=2**31 - 1
     )

@@ -1,4 +1,4 @@
-"""Form in the page for a message type. It checks inputs while the user types."""
+"""Form for one message type, shown in the page. It checks inputs while the user types."""
 
 from __future__ import annotations
 
@@ -56,7 +56,10 @@ class FormView:
         return self.form.message(self._entries)
 
     def maker(self) -> Callable[[], Any]:
-        """Return a function that makes a message of the present values. Any thread may call it."""
+        """Return a function that makes a message with the present values of the inputs.
+
+        Any thread may call the returned function.
+        """
         return partial(self.form.message, dict(self._entries))
 
     def yaml(self) -> str:

@@ -16,7 +16,8 @@ if TYPE_CHECKING:
 
 _MODES = {Mode.NODES: "Nodes", Mode.ACTIVE: "Active", Mode.ALL: "All"}
 _FILTER_HINT = "names or regular expressions, separated by commas; to leave names out: -/rqt.*"
-#: Options of `zbot graph`: name, rqt_graph's word, tooltip, whether a checked box sets the option.
+#: Options of `zbot graph`. Each has its name, the text of its box (as in rqt_graph), a tooltip, and
+#: whether a checked box sets the option (otherwise an unchecked box sets it).
 _HIDE = (
     ("no-dead-sinks", "Dead sinks", "topics without subscriptions", True),
     ("no-leaf-topics", "Leaf topics", "topics with one connection", True),

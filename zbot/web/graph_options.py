@@ -19,7 +19,7 @@ MOST_NAMESPACES = 9
 _NAMESPACES = "group-namespaces"
 _TEXTS = ("nodes", "topics")
 
-#: Options of `zbot graph`, with the field in `filters` or `grouping` and the value it gets.
+#: Options of `zbot graph`. Each sets a field of `filters` or of `grouping` to a value.
 FLAGS: dict[str, tuple[str, str, bool]] = {
     "debug-topics": ("filters", "debug", False),
     "params": ("filters", "params", False),

@@ -12,7 +12,8 @@ if TYPE_CHECKING:
     from zbot.web.panel import Section
     from zbot.web.watch import Watch
 
-#: Limit of topics with a rate (each needs a subscription). Users can choose topics with a filter.
+#: The largest number of topics with a rate, because each of them needs a subscription. Users can
+#: choose topics with a filter.
 MOST_WATCHED = 300
 
 

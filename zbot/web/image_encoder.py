@@ -1,7 +1,7 @@
 """Encoder of `sensor_msgs/Image` as JPEG, with Pillow.
 
-It reads the common encodings of camera drivers. Large images are made smaller, to send less data to
-the browser. The page sends a `CompressedImage` to the browser without changes.
+The encoder reads the common encodings of camera drivers. It makes large images smaller, to send
+less data to the browser. The page sends a `CompressedImage` to the browser without changes.
 """
 
 from __future__ import annotations
@@ -17,13 +17,15 @@ from zbot.errors import ZbotError
 if TYPE_CHECKING:
     from PIL.Image import Image as Picture
 
-#: In pixels. The sides of larger images are divided by a whole number.
+#: Longest side of a sent image, in pixels. The sides of a larger image are divided by a whole
+#: number.
 LONGEST_SIDE = 640
-#: The same for images whose numbers are scaled one by one, which takes 0.2 us a pixel.
+#: Longest side of a sent image whose encoding is in `_NUMBERS`. This limit is lower, because Python
+#: scales the numbers of these images one by one, which takes 0.2 us a pixel.
 _LONGEST_SIDE_OF_NUMBERS = 480
 _QUALITY = 90
 
-#: For each encoding that Pillow reads: mode, raw mode, bytes of a pixel.
+#: Encodings that Pillow reads. Each has its mode and raw mode in Pillow, and the bytes of a pixel.
 _RAW_MODES: dict[str, tuple[str, str, int]] = {
     "rgb8": ("RGB", "RGB", 3),
     "bgr8": ("RGB", "BGR", 3),
@@ -40,7 +42,8 @@ _RAW_MODES: dict[str, tuple[str, str, int]] = {
     "uyvy": ("LA", "LA", 2),
     "yuv422_yuy2": ("LA", "LA", 2),
     "yuyv": ("LA", "LA", 2),
-    # For 16 bits, Pillow reads the upper byte. The letter of the byte order follows the raw mode.
+    # For 16 bits, Pillow uses only the upper byte. `_from_bytes` appends the letter of the byte
+    # order to the raw mode.
     "mono16": ("L", "L;16", 2),
     "rgb16": ("RGB", "RGB;16", 6),
     "bgr16": ("RGB", "RGB;16", 6),
@@ -55,7 +58,7 @@ _RAW_MODES |= dict.fromkeys(("nv12", "nv21", "nv24", "yuv420", "i420"), ("L", "L
 _SECOND_BYTE = frozenset({"yuv422", "uyvy"})
 _BLUE_FIRST = frozenset({"bgr16", "bgra16"})
 #: Encodings without a fixed range: each image has its own smallest and largest number.
-#: The values are the array typecode and the positions of the colours.
+#: Each has its typecode of `array`, and the positions of red, green and blue (or grey) in a pixel.
 _NUMBERS: dict[str, tuple[str, tuple[int, ...]]] = {
     "16UC1": ("H", (0,)),
     "16SC1": ("h", (0,)),
@@ -136,7 +139,7 @@ def _from_bytes(image: Any) -> Picture:
 
 
 def _from_numbers(image: Any, factor: int) -> Picture:
-    """Return every `factor`-th row and column, scaled to the range of the numbers in them."""
+    """Return a picture of every `factor`-th row and column, with numbers scaled to 0 to 255."""
     from PIL import Image  # noqa: PLC0415 - as above
 
     typecode, positions = _NUMBERS[image.encoding]
@@ -161,7 +164,7 @@ def _from_numbers(image: Any, factor: int) -> Picture:
 
 
 def _rows(image: Any, pixel: int) -> tuple[bytes, int]:
-    """Return the data with complete rows, and the number of bytes from one row to the next.
+    """Return the data, filled up to complete rows, and the bytes from one row to the next.
 
     Args:
         image: The message.

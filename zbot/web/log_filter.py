@@ -16,7 +16,7 @@ LEVELS = {10: "Debug", 20: "Info", 30: "Warn", 40: "Error", 50: "Fatal"}
 
 
 def level_of(line: LogLine) -> int:
-    """Return a line's level (0 to 255), rounded down to a key of `LEVELS` but at least 10."""
+    """Return a key of `LEVELS`: the line's level, rounded down, but at least 10."""
     return min(max(line.level // 10 * 10, 10), 50)
 
 
@@ -56,7 +56,10 @@ def counts(lines: Iterable[LogLine]) -> Counter[int]:
 
 
 def newest(lines: list[LogLine], most_characters: int) -> list[LogLine]:
-    """Return the last lines that have at most this number of characters, but at least one line."""
+    """Return the last lines, which have at most `most_characters` characters together.
+
+    The newest line is returned even if it is longer.
+    """
     begin = len(lines)
     while begin and (begin == len(lines) or most_characters >= lines[begin - 1].characters):
         begin -= 1

@@ -1,6 +1,7 @@
-"""Ring buffer of the last log lines of all nodes. Readers ask for the lines after a number.
+"""Ring buffer of the last log lines of all nodes.
 
-Any program may publish log lines, so the buffer has limits for their sizes, too.
+Each line has a number, and readers ask for the lines after a number. Any program may publish log
+lines, so the buffer also limits the sizes of the lines.
 """
 
 from __future__ import annotations

@@ -53,7 +53,7 @@ def origin_of(address: str) -> str:
         raise OriginError(address) from None
     if parts.scheme not in {"http", "https"} or not parts.hostname or parts.username is not None:
         raise OriginError(address)
-    # Browsers leave out the scheme's own port.
+    # In an origin, browsers leave out the default port of the scheme.
     is_usual = port in {None, {"http": 80, "https": 443}[parts.scheme]}
     name = f"[{parts.hostname}]" if ":" in parts.hostname else parts.hostname
     return f"{parts.scheme}://{name}" if is_usual else f"{parts.scheme}://{name}:{port}"

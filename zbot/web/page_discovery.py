@@ -39,7 +39,9 @@ def announce(node: Node, address: str) -> None:
 
 
 def running_page(node: Node) -> str | None:
-    """Return the address of this machine's page for the node's domain. None if there is no page.
+    """Return the address of this machine's page for the node's domain.
+
+    Return None if there is no page.
 
     Args:
         node: The node that subscribes. Executors must not spin this node.
@@ -56,7 +58,10 @@ def running_page(node: Node) -> str | None:
 
 
 def address_in(text: str) -> str | None:
-    """Return the address in an announcement. None if it is invalid or from another machine."""
+    """Return the address in an announcement.
+
+    Return None if the announcement is invalid or from another machine.
+    """
     try:
         facts = read_json_object(text)
     except JsonError:

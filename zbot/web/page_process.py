@@ -1,7 +1,7 @@
 """Process that serves the page until the program that started it ends.
 
 The program runs `python -m zbot.web.page_process PATH`. The standard input of this process is a
-pipe from the program, which closes when the program ends.
+pipe from the program. The pipe closes when the program ends.
 """
 
 from __future__ import annotations
@@ -22,7 +22,8 @@ if TYPE_CHECKING:
 _CLOSE_TIMEOUT_S = 5.0
 _PATIENCE_S = 30.0
 # If several page processes start together, only the process that can bind a certain port serves the
-# page. The port's number is the domain's meeting port plus this number.
+# page. The port's number is this number plus the domain's meeting port, which is the local port
+# where programs of the domain find each other.
 _ABOVE_MEETING_PORT = 2000
 
 
@@ -59,7 +60,10 @@ class PageProcess:
 
 
 def main() -> None:
-    """Serve until standard input closes. If another process serves the page, open its page."""
+    """Serve the page until standard input closes.
+
+    If another process serves the page already, only open that page in the browser.
+    """
     from zbot.process.signals import SignalHandlerOptions, install  # noqa: PLC0415 - only in the page process
     from zbot.web.server import serve  # noqa: PLC0415 - as above
 

@@ -62,8 +62,9 @@ class Section:
         """Call a function when the browser is about to draw, at most `max_hz` times a second.
 
         The function runs in NiceGUI's loop and changes elements. It must be quick. If `Watch.count`
-        and `System.revision` show no news, it should not change elements, so that the browser asks
-        less often. If it raises an error, the page shows the error and does not call it again.
+        and `System.revision` are unchanged, the function should not change elements, so that the
+        browser asks less often. If the function raises an error, the page shows the error and does
+        not call the function again.
 
         Returns:
             A function that ends the calls. A second call of this function does nothing.
@@ -102,7 +103,8 @@ class Section:
         """Call a function when the section is closed.
 
         Returns:
-            A function that calls the callback early, not at the close. A second call does nothing.
+            A function that calls the callback immediately instead of at the close. A second call
+            of this function does nothing.
         """
         key = object()
         self._endings[key] = callback
@@ -115,7 +117,7 @@ class Section:
         return end
 
     def section(self) -> Section:
-        """Return an inner section. Its own `close` or the end of this section closes it."""
+        """Return an inner section. Its own `close` closes it, or the end of this section."""
         section = Section(self.page)
         self._endings[section] = section.close
         return section
@@ -132,7 +134,7 @@ class Page(Section):
     """Page of one browser, which shows one panel.
 
     The browser asks for changes when it is about to draw, and asks again after it has drawn them.
-    The server sends nothing else, so nothing queues up for a hidden, slow or disconnected browser.
+    The server sends changes only then, so no data waits for a hidden, slow or disconnected browser.
     The page is closed when the user closes or reloads it, or when its browser stays disconnected.
 
     Args:
@@ -208,7 +210,7 @@ class Page(Section):
     def call(self, function: str, *arguments: Any) -> None:
         """Call a function of the page's scripts with JSON values, e.g. `page.call("zbot.f", 1)`.
 
-        Use it for data that does not belong to an element of NiceGUI.
+        Use this method for data that does not belong to an element of NiceGUI.
         """
         # JSON is valid JavaScript. So a string in a message stays a string and cannot run as code.
         words = ",".join(json.dumps(one) for one in arguments)

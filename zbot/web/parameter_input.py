@@ -42,7 +42,8 @@ class ParameterInput:
         self._waiting: Any = None  # the next value to send, while the node has not answered yet
         self._showers: list[Callable[[Any], object]] = []
         row = ui.element("div").classes("zb-parameter")
-        # Names are never written into a text of properties: a quote in it would begin another one.
+        # The name is not part of a text for `row.props()`, because a quote in the name would end
+        # the property.
         row.props["data-name"] = parameter.name
         with row:
             with ui.element("div").classes("zb-row"):

@@ -1,4 +1,4 @@
-"""Subscriptions that keep messages as bytes until someone wants to see them."""
+"""Subscriptions that deliver messages as bytes, to decode only the messages that are needed."""
 
 from __future__ import annotations
 
@@ -20,17 +20,19 @@ def subscribe_to_payloads(
     take: Callable[[bytes, MessageInfo], object],
     profile: QoSProfile,
 ) -> Subscription[Any]:
-    """Return a subscription whose callback takes payloads as they came. Lost ones are counted.
+    """Return a subscription whose callback receives undecoded payloads.
+
+    The subscription counts lost messages.
 
     The decoder for the payloads is `context.dialect.codec_for(message_type).decode`.
     """
     subscription = node.create_subscription(message_type, topic, take, profile, raw="payload")
-    # A raw subscription does not check the type of a sample. With `raw = False` it does.
-    # Without this check, messages of other types on the topic would be decoded as zeros.
+    # With `raw = False`, the subscription checks the type of each sample. A raw subscription does
+    # not check it, and messages of other types on the topic would be decoded as zeros.
     subscription.raw = False
     subscription.report_losses_to(_ignore)
     return subscription
 
 
 def _ignore(_missing: int) -> None:
-    """Ignore lost messages. The subscription counts them, and a page shows their number."""
+    """Do nothing. With this listener, the subscription does not log a warning of lost messages."""

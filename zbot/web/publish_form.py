@@ -19,7 +19,7 @@ _FASTEST_HZ = 1000.0
 
 
 def add_publish_form(section: Section, watch: Watch) -> None:
-    """Add a form for a topic's messages to the current element as soon as the type is known."""
+    """Add a form for a topic's messages. Its inputs appear when the topic's type is known."""
     # The form is open at first if the topic has no publisher.
     is_open = not section.system.snapshot().publishers(watch.topic)
     expansion = ui.expansion("Publish", icon="send", value=is_open)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 _WINDOW_NS = 5 * 10**9
 _BUCKET_NS = 10**8
-#: The rate falls after this many periods without a message: the publisher is slower or stopped.
+#: The rate falls after this many periods without a message: the publisher is slower or has ended.
 _SILENT_PERIODS = 2
 
 
@@ -42,7 +42,7 @@ class RateMeter:
             bucket.size += size
 
     def rates(self, now_ns: int) -> tuple[float, float]:
-        """Return arrivals and bytes a second. Both are 0 for less than two arrivals in 5 s."""
+        """Return arrivals and bytes a second. Both are 0 for fewer than two arrivals in 5 s."""
         with self._lock:
             recent = [one for one in self._buckets if now_ns - one.last_ns <= _WINDOW_NS]
         count = sum(one.count for one in recent)

@@ -129,6 +129,7 @@ async def set_value(system: System, node: str, parameter: Parameter[Any]) -> str
         ReadOnlyError: The page is read-only.
         ServiceError: The node has ended.
         NoAnswerError: The node does not answer.
+        ParameterAnswerError: The node's answer does not fit the request.
     """
     request = get_service(_SET).Request(  # type: ignore[attr-defined] # each service has it
         parameters=[parameter.to_parameter_msg()]

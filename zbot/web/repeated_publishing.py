@@ -19,7 +19,8 @@ class RepeatedPublishing:
     Args:
         node: The node of the timer.
         reference: A reference to the publisher, which `release` releases too.
-        make: Function that returns the message. It is called each time, so that stamps are new.
+        make: Function that returns the message. It is called for each message, so that
+            each message has a new stamp.
         rate_hz: Messages a second.
     """
 

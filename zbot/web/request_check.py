@@ -1,7 +1,8 @@
 """Check that the server's own pages sent a request, and that other machines have a token.
 
 A website in the same browser can also send requests to 127.0.0.1. The header Origin of such a
-request contains the website's name. With DNS rebinding, the header Host contains it.
+request contains the website's name. With DNS rebinding (the website's name leads to 127.0.0.1), the
+header Host contains the website's name.
 """
 
 from __future__ import annotations
@@ -42,9 +43,10 @@ class RequestCheck:
     Args:
         app: The server's application (ASGI).
         host: The host that the server listens on.
-        token: The token that each browser's first request must contain. None on loopback.
-        guests: Origins whose pages may also use the websockets of rosbridge, but nothing else.
-            None means that the server does not have these websockets.
+        token: The token that each browser's first request must contain. It is None if the host is
+            a loopback address.
+        guests: Origins of other web servers. Their pages may use the websockets of rosbridge, but
+            nothing else. None means that this server does not have these websockets.
     """
 
     def __init__(
@@ -74,7 +76,7 @@ class RequestCheck:
         await self.app(scope, receive, _with_policy(send, headers["host"]))
 
     def _response(self, request: HTTPConnection) -> ASGIApp | None:
-        """Return the response to a request that is not for the application."""
+        """Return a refusal or a redirection, or None if the application may answer the request."""
         is_page = request.scope["type"] == "http"
         is_rosbridge = not is_page and request.scope["path"] in ROSBRIDGE_PATHS
         guests = (is_rosbridge and self._guests) or frozenset()
@@ -86,7 +88,8 @@ class RequestCheck:
             is_right = self._matches(request.query_params.get(TOKEN_PARAMETER, ""))
             if is_page and is_right:
                 return self._redirection(request)
-            # Programs without a browser have no cookies, so a websocket's address has the token.
+            # Programs without a browser have no cookies, so the address of their websocket contains
+            # the token.
             if self._guests is None or not (is_rosbridge and is_right):
                 reason = "the token is missing: open the address that `zbot web` printed"
         if reason is None:
@@ -143,7 +146,7 @@ def _refused(reason: str, status: int, *, is_page: bool) -> ASGIApp:
 
 
 def _netloc(origin: str) -> str | None:
-    """Return the host and port of an origin. Return `None` if it is not a URL."""
+    """Return the host and port of an origin, or None if the origin is not a URL."""
     try:
         return urlsplit(origin).netloc
     except ValueError:

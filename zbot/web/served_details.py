@@ -33,7 +33,7 @@ def served_row(name: str, types: list[str], servers: Iterable[EndpointToken]) ->
 
 
 class ServedDetails:
-    """Details of a service or an action. They wait until a node serves it, and then call `fill`.
+    """Details of a service or an action. As soon as a node serves it, `fill` is called.
 
     Args:
         section: The section that shows the details.
@@ -69,7 +69,7 @@ class ServedDetails:
             ui.timer(0, self._build, once=True)
 
     async def _build(self) -> None:
-        # Another thread loads the class. This takes long if another machine sends the definition.
+        # A thread loads the class, because this takes long if another machine sends the definition.
         try:
             interface = await run_in_thread(self.section.system.interface, self.type_name)
             with self._place:

@@ -44,7 +44,7 @@ async def call(
     Args:
         system: The running system.
         name: The service's full name.
-        type_name: Its type.
+        type_name: The full name of the service's type.
         request: The request.
         changes: Whether the call changes something. If so, a read-only page refuses the call.
         timeout_s: The longest wait, in seconds.

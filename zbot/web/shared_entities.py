@@ -25,7 +25,10 @@ class EntityReference(Generic[T]):
         self._release: Callable[[], None] | None = release
 
     def release(self) -> None:
-        """Release the reference. The last reference destroys the entity. A second call is safe."""
+        """Release the reference. The release of the last reference destroys the entity.
+
+        A second call does nothing.
+        """
         release, self._release = self._release, None
         if release is not None:
             release()

@@ -1,4 +1,4 @@
-"""State of the stick on the screen, as the messages of a gamepad."""
+"""State of the sticks and buttons on the screen, published as messages of a gamepad."""
 
 from __future__ import annotations
 
@@ -15,18 +15,19 @@ if TYPE_CHECKING:
 TYPE = "sensor_msgs/msg/Joy"
 RATE_HZ = 20.0
 BUTTONS = 11
-#: The axes of each stick, left and right first, then up and down. They are those of common
-#: gamepads. The right stick also moves 2 and 5, the default axes of teleop_twist_joy.
+#: For each stick, the axes for left and right, and the axes for up and down. Axes 0, 1, 3 and 4 are
+#: those of common gamepads. Axes 2 and 5 are the default axes of teleop_twist_joy.
 STICKS = (((0,), (1,)), ((2, 3), (4, 5)))
 _AXES = 8
-#: A browser that is visible asks for changes more often than this.
+#: A browser that is silent for this time does not move the axes any more. A visible page is never
+#: silent for this time.
 _SILENCE_S = 1.5
 
 
 class Stick:
-    """Axes and buttons that a browser moves, and their publication while one of them is not 0.
+    """Axes and buttons that a browser moves. They are published while one of them is not 0.
 
-    If the browser is silent for some seconds, e.g. because its machine sleeps, everything is 0.
+    If the browser is silent for 1.5 s, e.g. because its machine sleeps, all published values are 0.
 
     Args:
         system: The system, whose node publishes.
@@ -66,11 +67,11 @@ class Stick:
         self._publish()
 
     def keep_alive(self) -> None:
-        """Note that the browser is there."""
+        """Note that the browser is not silent."""
         self._seen_s = self._clock()
 
     def release(self) -> None:
-        """Let go of everything, and stop publishing. A second call does nothing."""
+        """Set all axes and buttons to 0, and stop publishing. A second call does nothing."""
         self.axes, self.buttons = [0.0] * _AXES, [0] * BUTTONS
         self._publish()
 

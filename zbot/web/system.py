@@ -53,7 +53,7 @@ class System:
 
     Args:
         read_only: If true, pages cannot publish, call services, set parameters or send goals.
-        domain_id: 0 to 232. None means the same as in `zbot.init`.
+        domain_id: 0 to 232. None means the domain that `zbot.init` would use.
 
     Attributes:
         logs: The last lines of `/rosout`.
@@ -156,8 +156,9 @@ class System:
         return undo
 
     def _on_token(self, _token: Token, _appeared: bool) -> None:
-        # This method must not take the lock. Another thread may hold it and declare an entity. When
-        # many tokens arrive together, that declaration waits until this method has ended.
+        # This method must not acquire `_lock`. Another thread may hold `_lock` while it declares an
+        # entity. When many tokens arrive together, that declaration waits for the end of this
+        # method, so both threads would wait for ever.
         self.revision += 1
         for feed in list(self._feeds.values()):
             if feed.is_wanted and feed.type_name is None:
@@ -187,7 +188,7 @@ class System:
 
     @property
     def watched_topics(self) -> list[str]:
-        """Return the sorted topics that have a subscription now."""
+        """The topics that have a subscription now, sorted."""
         with self._lock:
             return sorted(one.topic for one in self._feeds.values() if one.subscription is not None)
 

@@ -20,7 +20,8 @@ class Column:
     Attributes:
         title: Its heading.
         classes: CSS classes of its cells, e.g. `zb-mono` or `zb-number`. `zb-spare` hides the
-            column beside details, `zb-wide` on a phone. `zb-long` is for text that may be cut.
+            column while details are shown beside the table. `zb-wide` hides it on a phone.
+            `zb-long` is for text that may be cut.
         width: CSS width. If it is empty, the cells set the width.
     """
 
@@ -70,7 +71,7 @@ class Table:
             page.on_choose(f"c{self.element.id}", on_choose)
 
     def choose(self, key: str | None) -> None:
-        """Choose a row. The next `show` marks it."""
+        """Choose a row, or no row if the key is None. The next `show` highlights the row."""
         self._chosen = key
 
     def show(self, rows: Mapping[str, Sequence[str | Cell]]) -> None:

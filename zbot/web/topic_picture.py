@@ -97,7 +97,8 @@ def points_of(scan: Any) -> tuple[list[float], float]:
     """Return the points of a scan, and the radius of the picture.
 
     Returns:
-        [x (forward), y (left), x, y, ...] and the distance of the farthest point, at least 1, in m.
+        The coordinates [x (forward), y (left), x, y, ...] in m, and the distance of the farthest
+        point, but at least 1 m.
     """
     count = len(scan.ranges)
     every = -(-count // _MOST_RAYS) or 1

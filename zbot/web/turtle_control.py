@@ -36,7 +36,8 @@ ARROWS = {
     "ArrowLeft": (0.0, 2.0),
     "ArrowRight": (0.0, -2.0),
 }
-#: Headings in rad: the direction from the key F to the letter's key. G is on the right of F: 0.
+#: Heading in rad for each letter: the direction from the key F to the letter's key. For example, G
+#: is on the right of F, so its heading is 0.
 HEADINGS = {
     "e": 2.3562,
     "r": 1.5708,

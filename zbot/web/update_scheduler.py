@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-# The browser asks for changes each time it refreshes the screen. An update may start at most this
-# many seconds early.
+# The browser asks for changes only when it refreshes the screen, so an update cannot start at an
+# exact time. It may start this many seconds early, so that it does not wait for the next refresh.
 _EARLY_S = 0.003
 
 

@@ -137,7 +137,7 @@ def _is_number(value: Any) -> bool:
 
 
 def amount(value: float, unit: str) -> str:
-    """Return a quantity with three digits and a prefix, e.g. `1.23 kB/s`. It is empty for 0."""
+    """Return a quantity with three digits and a prefix, e.g. `1.23 kB/s`, or no text for 0."""
     if value <= 0:
         return ""
     prefixes = ["", "k", "M", "G"]

@@ -23,7 +23,8 @@ if TYPE_CHECKING:
     from zbot.node.message_info import MessageInfo
     from zbot.wire.tokens import EndpointToken
 
-#: A page is drawn at most 30 times a second. Between two drawings, the last message is reused.
+#: A page is drawn at most 30 times a second. Between two drawings, the last decoded message is used
+#: again.
 _DECODE_PERIOD_NS = 10**9 // 30
 #: Length of the queue while the executor is busy. Lost messages are counted.
 _DEPTH = 100

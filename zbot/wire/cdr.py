@@ -113,7 +113,7 @@ class CdrCodec(Generic[MessageT]):
     def _explain_encoding(self, message: Any, error: Exception) -> NoReturn:
         if isinstance(error, Fault):
             raise CodecError("encode", self.type_name, error.path, error.reason) from error
-        # The codec for MessagePack checks each value, so its error names the field.
+        # The MessagePack codec checks each value. Its error contains the name of the wrong field.
         codec_for(self._class).encode(message)
         raise CodecError("encode", self.type_name, "", str(error)) from error
 
@@ -144,7 +144,7 @@ def cdr_codec_for(message_class: type[MessageT]) -> CdrCodec[MessageT]:
 
 
 def _writers(source: Source) -> dict[str, Any]:
-    """Return the functions that a source calls for the messages inside its messages."""
+    """Return the functions that write nested messages, by their names in a source."""
     return {name: _writer(cls) for name, cls in source.called.items()}
 
 

@@ -1,7 +1,8 @@
 """Generator of the Python source that decodes CDR to messages of a type.
 
 In the source, `data` contains all bytes of the message, with the header. The source writes a
-position as the sum of a variable and a constant.
+position as the sum of a variable and a constant. A run is a group of values that one
+`struct.Struct` reads (see `zbot.wire.cdr_source`).
 """
 
 from __future__ import annotations
@@ -26,6 +27,8 @@ LARGE = 1 << 12
 
 class DecoderSource(Source):
     """Source of `decode(data)`, or of `read(data, p, end)` for messages inside others.
+
+    `p` is the position at which the inner message begins, and `end` is the length of `data`.
 
     Args:
         message_class: The class of the messages.
@@ -167,7 +170,8 @@ class DecoderSource(Source):
     def _packed(self, kind: FieldType, count: str, path: str) -> str:
         """Add the lines that read a sequence of numbers, bools or bytes."""
         size, begin = ITEM_SIZE.get(kind.typecode, 1), self._position
-        if self.known.padding(size) != 0:  # items of 8 bytes, because the count is aligned to 4
+        # Only items of 8 bytes can need padding, because the count ends at a multiple of 4.
+        if self.known.padding(size) != 0:
             start = self.fresh("p")
             aligned = _aligned(begin, size)
             self.add(f"{start} = {aligned} if {count} else {begin}")
@@ -223,7 +227,7 @@ class DecoderSource(Source):
         self._variable, self._offset, self.known = variable, 0, known
 
     def _set_p(self) -> None:
-        """Put the position into the variable `p`. Each pass of a loop begins at `p`."""
+        """Put the position into the variable `p`. Each round of a loop begins at `p`."""
         if self._position != "p":
             self.add(f"p = {self._position}")
         self._variable, self._offset = "p", 0

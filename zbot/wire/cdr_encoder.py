@@ -1,7 +1,8 @@
 """Generator of the Python source that encodes the messages of a type as CDR.
 
-The function joins parts: packed runs, texts and arrays. `p` is the number of bytes of all parts
-before, without the header. It is computed only where the padding depends on it.
+The generated function joins parts: packed runs (see `zbot.wire.cdr_source`), texts and arrays. Its
+variable `p` is the number of bytes of all earlier parts, without the header. The source computes
+`p` only where a padding depends on `p`.
 """
 
 from __future__ import annotations
@@ -21,7 +22,10 @@ if TYPE_CHECKING:
 
 
 class EncoderSource(Source):
-    """Source of `encode(message)`, or of `write(parts, p, message)` for messages inside others."""
+    """Source of `encode(message)`, or of `write(parts, p, message)` for messages inside others.
+
+    `write` appends the parts of the inner message to `parts`, and returns the new value of `p`.
+    """
 
     def __init__(self, message_class: type[Any], *, nested: bool) -> None:
         super().__init__(Alignment() if nested else START)
@@ -29,7 +33,7 @@ class EncoderSource(Source):
         self._values: list[str] = []
         self._lead = 0  # alignment of a run whose padding depends on `p`
         self._base, self._constant = ("p", 0) if nested else ("", 0)
-        self._lengths: list[str] = []  # `p` is the sum of these, the base and the constant
+        self._lengths: list[str] = []  # `p` is the base plus the constant plus these lengths
         self._has_list = nested
         if not nested:
             self.format, self._values = "4s", ["HEADER"]
@@ -121,7 +125,10 @@ class EncoderSource(Source):
     # -- arrays and sequences --------------------------------------------------------------------
 
     def _packed(self, kind: FieldType, value: str, path: str) -> None:
-        """Write an array or a sequence of numbers, bools or bytes. It is one part."""
+        """Write an array or a sequence of numbers, bools or bytes.
+
+        An array is added to the run. The items of a sequence are one part.
+        """
         size = ITEM_SIZE.get(kind.typecode, 1)
         if kind.kind == "array":
             convert = f"fixed_bytes({path!r}, {value}, {kind.typecode!r}, {kind.size})"
@@ -149,7 +156,10 @@ class EncoderSource(Source):
         self._part(data, total, self.known.after_items(size))
 
     def _pad_items(self, length: str) -> None:
-        """Write the padding between a sequence's count and items of 8 bytes, if it has items."""
+        """Write the padding between a sequence's count and its items of 8 bytes.
+
+        An empty sequence has no padding.
+        """
         padding = self.fresh("z")
         self._flush_run()
         self._set_position()
@@ -157,7 +167,7 @@ class EncoderSource(Source):
         self._part(padding, f"len({padding})", Alignment(COUNT_SIZE, 0))
 
     def _texts(self, kind: FieldType, value: str, path: str) -> None:
-        """Write a sequence of texts. It is one part."""
+        """Write a sequence of texts. All its texts together are one part."""
         values, data = self.fresh("v"), self.fresh("s")
         bounds = f"{kind.size}, fixed=False, bound={kind.string_bound}"
         self.add(f"{values} = {value}")
@@ -194,7 +204,7 @@ class EncoderSource(Source):
     # -- runs, parts and positions ---------------------------------------------------------------
 
     def _run(self, code: str, size: int, value: str, alignment: int = 0) -> None:
-        """Put a value at the end of the run. Begin a new run if its padding is not known."""
+        """Put a value at the end of the run. Begin a new run if the value's padding is unknown."""
         padding = self.known.padding(alignment or size)
         if padding is None:
             self._flush_run()
@@ -227,7 +237,7 @@ class EncoderSource(Source):
         self.known = known
 
     def _set_position(self) -> None:
-        """Make `p` the position after the parts."""
+        """Add a line that sets `p` to the position after the parts."""
         terms = [self._base] if self._base else []
         terms += [str(self._constant)] if self._constant or not terms else []
         terms += self._lengths
@@ -236,7 +246,7 @@ class EncoderSource(Source):
         self._base, self._constant, self._lengths = "p", 0, []
 
     def _sync(self) -> None:
-        """Put all parts into the list, and make `p` the position after them."""
+        """Add lines that put all parts into the list and set `p` to the position after them."""
         self._flush_run()
         self._set_position()
         if self._parts:

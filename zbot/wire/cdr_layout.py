@@ -1,7 +1,7 @@
-"""Alignment and sizes of values in CDR, as far as they are known before a message comes.
+"""Alignment and sizes of values in CDR, as far as the message type determines them.
 
 The position of a number is a multiple of the number's size. Positions are counted from the end of
-the header. After a text, the position depends on the message.
+the header. After a text, the position differs between messages.
 """
 
 from __future__ import annotations
@@ -18,8 +18,8 @@ if TYPE_CHECKING:
 UNIT_SIZE = 4
 COUNT_SIZE = 4
 
-# The source of a larger type calls a function for each message inside it. Without this limit, the
-# source of a type that contains others many times would be very long, and slow to compile.
+# If a type has more fields at all levels, its source calls a function for each message inside it.
+# Without this limit, the source of some types would be very long, and slow to compile.
 _MAX_FIELDS = 250
 _MAX_LOOPS = 8  # Python allows 20 nested blocks
 
@@ -49,7 +49,7 @@ class Alignment(NamedTuple):
         return Alignment(size, 0) if padding is None else self.after(padding)
 
     def common(self, other: Alignment) -> Alignment:
-        """Return what is known if either of two alignments is true."""
+        """Return what is known about a position that has one of two alignments."""
         modulus = min(self.modulus, other.modulus)
         while (self.rest - other.rest) % modulus:
             modulus //= 2
@@ -79,7 +79,7 @@ class TypeLayout:
         return ITEM_SIZE.get(kind.typecode, COUNT_SIZE if kind.is_string else 1)
 
     def loop_start(self, kind: FieldType, known: Alignment) -> Alignment:
-        """Return what is known before each item of a field and after the last.
+        """Return the alignment that is true before each item of a field and after the last item.
 
         `known` is the alignment before the first item.
         """
@@ -121,7 +121,7 @@ class TypeLayout:
         return known.aligned(size).after(size)
 
     def _measure(self, spec: MessageSpec) -> tuple[int, int, int]:
-        """Return the least size of a message, its fields at all levels, and the depth of loops."""
+        """Return a message's least size, its number of fields at all levels, and loop depth."""
         measured = self._sizes.get(spec.name)
         if measured is None:
             size, count, loops = 0, 0, 0
@@ -138,5 +138,5 @@ class TypeLayout:
 
 
 def spec_named(name: str) -> MessageSpec:
-    """Return the spec of a message type inside another."""
+    """Return the spec of the message type with this name."""
     return message_spec_of(get_interface(name))

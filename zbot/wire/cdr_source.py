@@ -1,6 +1,7 @@
 """Python source of a function, written line by line, with runs of values for `struct`.
 
-A run is a group of neighbours whose distances are known. One `struct.Struct` packs or unpacks it.
+A run is a group of neighbouring values whose distances are known. One `struct.Struct` packs or
+unpacks all values of a run.
 """
 
 from __future__ import annotations
@@ -18,11 +19,11 @@ if TYPE_CHECKING:
 
 
 class Source:
-    """Lines of a function and the run that is not yet in them."""
+    """Lines of a function, and the current run, for which no line was added yet."""
 
     def __init__(self, known: Alignment) -> None:
         self.names: dict[str, Any] = {}  #: values of the names in the source
-        self.called: dict[str, type[Any]] = {}  #: classes with a function of their own
+        self.called: dict[str, type[Any]] = {}  #: classes of inner messages by function name
         self.lines: list[str] = []
         self.layout = TypeLayout()
         self.known = known  #: alignment after the run
@@ -37,7 +38,7 @@ class Source:
 
     @contextmanager
     def block(self, header: str) -> Iterator[None]:
-        """Add a line. The lines that are added in the context belong to its block."""
+        """Add a line that begins a block. The lines added in the context belong to the block."""
         self.add(header)
         self._indentation += 1
         yield
@@ -55,7 +56,7 @@ class Source:
         return name
 
     def function_for(self, verb: str, kind: FieldType) -> str:
-        """Return the name of the function of a message type inside this one."""
+        """Return the name of the function that reads or writes an inner message of a type."""
         name = f"{verb}_{kind.base.replace('/', '_')}"
         self.called[name] = get_interface(kind.base)
         return name

@@ -11,17 +11,17 @@ from zbot.wire.messagepack import BIG_ENDIAN
 from zbot.wire.value_check import Fault, numbers
 
 FOUR_ZEROS = bytes(4)
-#: reason of a fault
+#: reason of a `Fault`
 TOO_LONG = "a sequence is longer than the bytes that follow"
 
 _count = Struct("<I").pack
 _SHORT_COUNTS = [_count(size + 1) for size in range(256)]
-#: NUL and padding after a text, by the number of bytes of the text modulo 4
+#: NUL and padding after a text. The index is the number of bytes of the text modulo 4.
 _ENDS = (b"\0\0\0\0", b"\0\0\0", b"\0\0", b"\0")
 
 
 def text_items(texts: list[str]) -> bytes:
-    """Return the texts of a sequence as they follow its count, which is aligned to 4."""
+    """Return the bytes of a sequence's texts. They begin after the count, at a multiple of 4."""
     parts: list[bytes] = []
     for text in texts:
         data = text.encode()
@@ -36,7 +36,7 @@ def text_items(texts: list[str]) -> bytes:
 def fixed_bytes(field: str, value: Any, typecode: str, size: int) -> bytes:
     """Return the bytes of a fixed-size array of numbers, in little-endian order."""
     try:
-        # For an ndarray of the field's type, which is the usual value, `numbers` would be slow.
+        # The usual value is an ndarray of the field's type. For it, `numbers` would be slow.
         dtype = value.dtype
         if dtype.char == typecode and dtype.isnative and value.shape == (size,) and not BIG_ENDIAN:
             data: bytes = value.tobytes()
@@ -77,7 +77,7 @@ def wide_units(text: str) -> bytes:
 
 
 def wide_text(field: str, data: bytes, order: str) -> str:
-    """Return the text in UTF-16 units. `order` is that of the bytes in a unit, `<` or `>`."""
+    """Return the text of UTF-16 units. `order` is the byte order of the units, `<` or `>`."""
     units = unpack(f"{order}{len(data) // UNIT_SIZE}I", data)
     try:
         return pack(f"<{len(units)}H", *units).decode("utf-16-le")

@@ -1,6 +1,6 @@
 """Codec that converts messages to MessagePack and back, with generated code for each type.
 
-The decoder checks every field. For any bytes, it either returns a valid message or raises
+The decoder checks every field. For any bytes, the decoder either returns a valid message or raises
 `CodecError`. Its memory use is proportional to the number of bytes.
 """
 
@@ -197,7 +197,7 @@ def _nested_function(message_class: type[Any], name: _Nested) -> Callable[[Any],
 def _function(
     message_class: type[Any], name: _Nested | Literal["encode", "decode"], more: dict[str, Any]
 ) -> Callable[[Any], Any]:
-    """Return one of a type's generated functions. `more` has further names for it."""
+    """Return one of a type's generated functions. `more` has additional globals for it."""
     spec = message_spec_of(message_class)
     source = _SOURCES[name](spec, layout_of(message_class))
     verb, nested = _NESTED_CALLS[name]

@@ -1,7 +1,7 @@
 """Limit for the memory of values that a message leaves out and that the decoder fills in.
 
-One byte of a message can be an element with default values, which needs thousands of bytes of
-memory. A message of some kilobytes could then fill the memory.
+In a message, one byte can stand for an element with default values. Such an element can need
+thousands of bytes of memory, so a message of some kilobytes could fill the memory.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 # A message that leaves out nothing needs less than 64 bytes of memory for each of its bytes.
 _BYTES_FOR_EACH_BYTE = 64
 _BYTES_FOR_EACH_MESSAGE = 16 * 2**20
-#: Elements with less memory are not counted.
+#: Elements that need fewer bytes of memory are not counted.
 _SMALL = 256
 
 
@@ -33,12 +33,12 @@ _memory = _Memory()
 
 
 def begin_message(size: int) -> None:
-    """Begin to count for a message of `size` bytes. This thread's earlier count is forgotten."""
+    """Begin a new count in this thread for a message of `size` bytes."""
     _memory.left = _BYTES_FOR_EACH_MESSAGE + _BYTES_FOR_EACH_BYTE * size
 
 
 def count_elements(field: str, values: Any, octets: int) -> None:
-    """Count the messages in a list. `octets` is the memory of one with default values.
+    """Count the messages in a list. One message with default values needs `octets` bytes.
 
     Raises:
         Fault: The message leaves out so many values that they would need too much memory.

@@ -28,7 +28,7 @@ ZBOT_IDENTIFIER = "rmw_zbot_zenoh"
 class MessageCodec(Protocol[MessageT]):
     """Codec of one message type.
 
-    pyright does not see that a `cached_property` is such a property.
+    The codecs have a `cached_property` in place of a property. pyright does not accept this.
     """
 
     @property
@@ -57,7 +57,7 @@ class Dialect(Protocol):
 
     @property
     def needs_equal_types(self) -> bool:
-        """Whether endpoints with different definitions of one type cannot hear each other."""
+        """Whether two endpoints need equal definitions of a type to exchange messages."""
         ...
 
     def topic_key(self, domain: int, name: str) -> str:
@@ -73,11 +73,13 @@ class Dialect(Protocol):
         ...
 
     def with_key(self, token: TokenT) -> TokenT:
-        """Return a token of an own node or endpoint in the form that this dialect announces."""
+        """Return the token of a local node or endpoint in the form that this dialect announces."""
         ...
 
     def request_timeout_s(self, service: str) -> float | None:
-        """Return the seconds until a request fails. `None`: it is repeated until a response comes.
+        """Return the seconds after which a request fails.
+
+        `None` means that the request is repeated until a response arrives.
 
         Args:
             service: The full name of the service.
@@ -93,7 +95,7 @@ class Dialect(Protocol):
         ...
 
     def namesake_selector(self, token: NodeToken | EndpointToken) -> str:
-        """Return the key expression of the tokens with the same node name, or of the same topic."""
+        """Return the key expression of all tokens with the same node name or topic name."""
         ...
 
     def parse_token(self, key: str) -> NodeToken | EndpointToken:
@@ -107,8 +109,8 @@ class Dialect(Protocol):
     def refusal(self, key: object, encoding: object, expected: str) -> str:
         """Return why messages with a key and an encoding cannot be decoded as type `expected`.
 
-        The text is empty if nothing is wrong. It is asked once for each publisher, unless
-        `refuses_keys` is true for the subscription.
+        The text is empty if nothing is wrong. A subscription calls this method once for each
+        publisher. If `refuses_keys` is true, the subscription calls it for each message.
         """
         ...
 
@@ -117,7 +119,7 @@ class Dialect(Protocol):
         ...
 
     def attachment_refusal(self, length: int | None) -> str:
-        """Return why a message without a valid attachment is refused. Empty if it is accepted.
+        """Return why a message without a valid attachment is refused, or "" if it is accepted.
 
         Args:
             length: The length of the attachment, or `None` if there is none.
@@ -129,7 +131,7 @@ class Dialect(Protocol):
         ...
 
     def payload_of(self, data: bytes, message_class: type[object]) -> bytes:
-        """Return the payload for a message in bytes, which are CDR or in the dialect's encoding."""
+        """Return the payload for a serialized message. `data` is CDR or MessagePack."""
         ...
 
     def raw_decoder(self, message_class: type[object]) -> Callable[[bytes], bytes]:
@@ -137,7 +139,7 @@ class Dialect(Protocol):
         ...
 
     def error_payload(self, error: BaseException) -> tuple[bytes, str]:
-        """Return payload and encoding of the error reply of a service."""
+        """Return the payload and the encoding of a service's error reply."""
         ...
 
 

@@ -64,7 +64,7 @@ def from_map_source(spec: MessageSpec, layout: Layout) -> str:
 
 
 def is_numeric_array(field: Field) -> bool:
-    """Return whether a field is an array of numbers. It is sent as one binary or extension."""
+    """Return whether a field is an array of numbers, which is sent as a binary or an extension."""
     return field.type.kind != "scalar" and bool(field.type.typecode)
 
 
@@ -255,7 +255,7 @@ def _wire_value(field: Field) -> str:
 def _joined_parts(fields: Sequence[Field]) -> Lines:
     """Return lines that join the parts of the message's bytes. Each numeric array is one part.
 
-    A large array is then copied only once, into the joined bytes.
+    So a large array is copied only once, into the joined bytes.
     """
     parts = [repr(map_header(len(fields)))]
     for numeric, group in groupby(fields, key=is_numeric_array):

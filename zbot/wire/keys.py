@@ -16,7 +16,7 @@ __all__ = [
 ]
 
 ENCODING_PREFIX = "application/msgpack;"
-#: Number of the domain for names that all domains of a classroom share, and its text in keys.
+#: Domain of the names that all domains of a classroom share: the number, and the text in keys.
 SHARED_DOMAIN = 255
 SHARED_SPACE = "class"
 _MAX_DOMAIN_DIGITS = 3

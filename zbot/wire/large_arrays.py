@@ -21,7 +21,7 @@ LARGE = 1 << 16
 _MAX_STEPS = 500
 
 # _FIXED: tags of values with a fixed size, and the number of bytes after the tag.
-# _SIZED: other tags, how many bytes the size has, and how many bytes the extension code has.
+# _SIZED: other tags, the number of bytes of the size, and that of the extension code.
 _FIXED = dict.fromkeys([*range(0x80), *range(0xE0, 0x100), 0xC0, 0xC2, 0xC3], 0)
 _FIXED |= {0xCA: 4, 0xCB: 8, 0xCC: 1, 0xCD: 2, 0xCE: 4, 0xCF: 8, 0xD0: 1, 0xD1: 2, 0xD2: 4}
 _FIXED |= {0xD3: 8, 0xD4: 2, 0xD5: 3, 0xD6: 5, 0xD7: 9, 0xD8: 17}

@@ -116,7 +116,7 @@ def _read_ext(code: int, data: bytes) -> Any:
 
 
 def _unpack_long(data: Bytes) -> Any:
-    """Decode bytes with long lists. First validate the bytes, which creates no objects."""
+    """Decode bytes with long lists. First validate the bytes without creating objects."""
     validator = msgpack.Unpacker(max_buffer_size=len(data), strict_map_key=True)
     try:
         validator.feed(data)

@@ -80,7 +80,7 @@ def _span_text(span: Duration) -> str:
     if span.nanoseconds <= 0 or span.nanoseconds >= _BEST_AVAILABLE_NS:
         return ","
     seconds, rest = divmod(span.nanoseconds, S_TO_NS)
-    # Seconds are empty if Infinite has the same seconds. The same is true for nanoseconds.
+    # The seconds are left out if they are those of Infinite. The same is true for nanoseconds.
     return f"{'' if seconds == _INFINITE_S else seconds},{'' if rest == _INFINITE_NS else rest}"
 
 

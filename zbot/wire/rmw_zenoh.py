@@ -1,7 +1,7 @@
 """Dialect of ROS 2's Zenoh middleware, `rmw_zenoh_cpp`.
 
 A context with this dialect is a ROS 2 participant: its keys, tokens, payloads and attachments are
-those of ROS 2 itself. Humble has no type hashes, so it has a dialect of its own.
+those of ROS 2 itself. Humble has no type hashes, so there is a second dialect for Humble.
 """
 
 from __future__ import annotations
@@ -37,17 +37,18 @@ TokenT = TypeVar("TokenT", bound=NodeToken | EndpointToken)
 
 RMW_ZENOH_IDENTIFIER = "rmw_zenoh_cpp"
 NO_HASH = "TypeHashNotSupported"  #: Humble's text in place of a type hash
-# Zenoh's default, which is not sent. ROS 2 ignores the encoding.
+# Zenoh's default encoding, which Zenoh does not send. ROS 2 ignores encodings.
 _ENCODING = "zenoh/bytes"
 _DDS = "dds_"
 # A server of ROS 2 refuses a second request with the same number, so each request is sent once.
 # The first timeout is that of ROS 2's sessions. The result of an action may take any time.
 _TIMEOUT_S = 600.0
 _RESULT_TIMEOUT_S = 365 * 86400.0
-# Lyrical and later publish types with `uint8[]` on keys below the topic's own key, and say so in
-# an additional chunk of their tokens. A subscription without this chunk may get no messages.
+# ROS 2 Lyrical and later versions publish messages with `uint8[]` on keys below the topic's key.
+# Their tokens have an additional chunk. A subscription whose token lacks this chunk may receive no
+# messages.
 _BACKENDS = "backends:cpu:"
-_OTHER_BUFFER = "/_buf/"  # payload for the memory of another device
+_OTHER_BUFFER = "/_buf/"  # in the key if the data are in the memory of another device
 
 
 def dds_type(name: str) -> str:
@@ -88,7 +89,7 @@ def _endpoint(key: str) -> EndpointToken | None:
 
 
 class _RmwZenohDialect:
-    """Dialect of rmw_zenoh, since spring 2025. Before, attachments had another form.
+    """Dialect of rmw_zenoh since spring 2025. Older versions have attachments of another form.
 
     Args:
         has_hashes: Whether keys and tokens have the hash of the type.
@@ -194,7 +195,7 @@ class _RmwZenohDialect:
 
     @staticmethod
     def error_payload(error: BaseException) -> tuple[bytes, str]:
-        # ROS 2 has no error replies, and logs their payload as text.
+        # ROS 2 sends no error replies itself. If it receives one, it logs the payload as text.
         return error_reply.error_text(error).encode(), _ENCODING
 
 

@@ -131,7 +131,7 @@ def token_selector(domain: int, prefix: str = TOKEN_PREFIX) -> str:
 
 
 def namesake_selector(token: NodeToken | EndpointToken, prefix: str = TOKEN_PREFIX) -> str:
-    """Return the key expression of all nodes with a node's name, or of all endpoints on a name."""
+    """Return the key expression of the tokens with a node's name or with an endpoint's topic."""
     domain = f"{prefix}/{domain_text(token.domain)}"
     if isinstance(token, NodeToken):
         full = "/".join(map(mangle, (token.namespace, token.node)))
@@ -144,7 +144,7 @@ def namesake_selector(token: NodeToken | EndpointToken, prefix: str = TOKEN_PREF
 def gid_of(key: str) -> bytes:
     """Return the 16 bytes that identify a token's owner: the hash of the token's text.
 
-    It is XXH3 for a token of ROS 2, and BLAKE2b for a token of zbot.
+    The hash is XXH3 for a token of ROS 2, and BLAKE2b for a token of zbot.
     """
     if key.startswith(ROS2_TOKEN_PREFIX) and len(key) >= MIN_LENGTH:
         return xxh3_128(key.encode())
@@ -209,7 +209,7 @@ def _endpoint_token(key: str, chunks: list[str]) -> EndpointToken:
 
 
 def mangled_key(prefix: str, token: NodeToken | EndpointToken) -> str:
-    """Return the first nine chunks of a token. The token of a node has no more."""
+    """Return the first nine chunks of a token. The token of a node has only these chunks."""
     eid = token.nid if isinstance(token, NodeToken) else token.eid
     ids = f"{domain_text(token.domain)}/{token.zid}/{token.nid}/{eid}/{token.kind.value}"
     names = "/".join(map(mangle, (token.enclave, token.namespace, token.node)))
@@ -217,7 +217,7 @@ def mangled_key(prefix: str, token: NodeToken | EndpointToken) -> str:
 
 
 def mangle(field: str) -> str:
-    """Return a field with `%` for each `/`, which separates chunks. No name in ROS 2 has a `%`."""
+    """Return a field with `%` in place of `/`, which separates chunks. No ROS 2 name has a `%`."""
     return field.replace("/", "%")
 
 

@@ -1,7 +1,8 @@
 """Transcoder of messages from CDR to MessagePack and back, with generated code for each type.
 
-No message object is made. A message that the generated code cannot convert, e.g. because a field is
-missing, is decoded and encoded by the type's codecs. They fill in defaults, or tell what is wrong.
+The generated code makes no message object. If it cannot convert a message, e.g. because a field is
+missing, the type's codecs decode and encode the message. The codecs fill in defaults, or raise an
+error that says what is wrong.
 """
 
 from __future__ import annotations
@@ -86,9 +87,9 @@ def to_cdr(message_class: type[Any]) -> Converter:
 
 
 def _transcoder(fast: Converter, careful: Converter, begin: bytes = b"") -> Converter:
-    """Return a function that tries `fast` first. `fast` can convert bytes that start with `begin`.
+    """Return a function that tries `fast` first if the bytes start with `begin`.
 
-    A numeric array in MessagePack has little-endian order, and CDR may have either order.
+    `fast` reads only little-endian CDR, because numbers in MessagePack arrays are little-endian.
     """
 
     def transcode(data: bytes) -> bytes:
@@ -96,7 +97,7 @@ def _transcoder(fast: Converter, careful: Converter, begin: bytes = b"") -> Conv
             try:
                 return fast(data)
             except _ERRORS:
-                pass  # the codecs below raise the error
+                pass  # `careful` fills in defaults or raises the error
         return careful(data)
 
     return transcode

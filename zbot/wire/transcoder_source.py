@@ -21,7 +21,8 @@ if TYPE_CHECKING:
 class MapReaderSource(DecoderSource):
     """Source of `convert(data)`, which returns MessagePack.
 
-    For messages inside others, `convert(data, p, end)` returns a map and the position after it.
+    For messages inside others, `convert(data, p, end)` returns the message as a map, and the
+    position after the message.
     """
 
     def __init__(self, message_class: type[Any], *, nested: bool) -> None:
@@ -105,8 +106,8 @@ def _entries(values: dict[str, str]) -> Sequence[str]:
 class MapWriterSource(EncoderSource):
     """Source of `convert(data)`, which returns CDR.
 
-    For messages inside others, `convert(parts, p, message)` appends the parts of a map, and returns
-    the position after it.
+    For messages inside others, `convert(parts, p, message)` appends the CDR of the map `message` to
+    `parts`, and returns the position after this CDR.
     """
 
     def __init__(self, message_class: type[Any], *, nested: bool) -> None:

@@ -8,7 +8,7 @@ import msgpack  # type: ignore[import-untyped]
 
 from zbot.wire.value_check import Fault
 
-# As in `messagepack`: longer lists are left to the codecs, which validate them first.
+# The codecs convert messages with longer lists, because they validate the bytes first.
 _SHORT_LIST = 1024
 _ExtType = msgpack.ExtType
 
@@ -40,7 +40,7 @@ def number_bytes(field: str, value: Any, code: int, size: int) -> bytes:
 
 
 def plain_bytes(field: str, value: Any) -> bytes:
-    """Return a binary."""
+    """Return the value if it is `bytes`. Otherwise raise `Fault`."""
     if value.__class__ is bytes:
         data: bytes = value
         return data

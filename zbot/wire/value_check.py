@@ -28,7 +28,7 @@ def _same_numbers(typecode: str) -> set[str]:
     return {code for code in family if calcsize(code) == ITEM_SIZE[typecode]}
 
 
-# Buffer formats that mean the same as each typecode, e.g. numpy writes "l" where array writes "q".
+# For each typecode, the buffer formats that mean the same. E.g. numpy has "l" where array has "q".
 _FORMATS = {typecode: _same_numbers(typecode) for typecode in ITEM_SIZE}
 
 
@@ -145,7 +145,7 @@ def length(field: str, count: int, size: int, *, fixed: bool) -> None:
 
 
 def items(field: str, value: Any, size: int, *, fixed: bool) -> list[Any]:
-    """Return a list after checking its length."""
+    """Check the length of a list or a tuple, and return the elements as a list."""
     if type(value) not in {list, tuple}:
         raise wrong(field, "a list", value)
     length(field, len(value), size, fixed=fixed)
@@ -184,7 +184,7 @@ def octets_from(field: str, value: Any, size: int, *, fixed: bool) -> list[bytes
 
 
 def numbers(field: str, value: Any, typecode: str, size: int, *, fixed: bool) -> array[Any]:
-    """Return a numeric array in wire form: with its typecode, little-endian and contiguous."""
+    """Return numbers as an `array.array` of this typecode, in little-endian order."""
     try:
         view = memoryview(value)
     except TypeError:

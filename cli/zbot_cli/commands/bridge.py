@@ -1,4 +1,4 @@
-"""Verbs of `zbot bridge`: carry topics, services and actions to ROS 2 and back."""
+"""Verbs of `zbot bridge`: connect the topics, services and actions of zbot and of ROS 2."""
 
 from __future__ import annotations
 
@@ -109,7 +109,7 @@ def rmw_zenoh(
 
 
 def _endpoint(address: str) -> str:
-    """Return the Zenoh endpoint in `robot`, `robot:7447` or `tcp/robot:7447`."""
+    """Return the Zenoh endpoint for an address: `robot`, `robot:7447` or `tcp/robot:7447`."""
     from zbot.classroom.address import parse_address  # noqa: PLC0415 - not needed by `--help`
 
     return address if not address or "/" in address else parse_address(address).endpoint

@@ -1,6 +1,7 @@
 """`zbot build`: checks packages for errors before they run. It builds nothing.
 
-It writes `install/setup.bash`, because lessons type `source install/setup.bash` after a build.
+It writes `install/setup.bash`, because lessons tell students to type `source install/setup.bash`
+after a build.
 """
 
 from __future__ import annotations
@@ -36,7 +37,8 @@ if TYPE_CHECKING:
 
 app = new_app("Check packages; nothing needs building", has_verbs=False)
 
-#: Options of colcon that have no effect here. They take no word, one word or many words.
+#: Options of colcon that have no effect here: options without a value, with one value, and with
+#: many values.
 _FLAGS = frozenset({
     "--symlink-install", "--merge-install", "--continue-on-error", "--cmake-clean-cache",
     "--cmake-clean-first", "--cmake-force-configure", "--cmake-target-skip-unavailable",
@@ -53,7 +55,7 @@ _WITH_WORDS = frozenset({
 
 
 class UnknownPackagesError(ZbotError):
-    """An option names packages that are not in the workspace."""
+    """An option contains packages that are not in the workspace."""
 
     def __init__(self, option: str, names: list[str], known: Iterable[str]) -> None:
         self.names = names
@@ -96,7 +98,7 @@ class _BuildCommand(ManyValuesCommand):
         own = {text for parameter in self.params for text in parameter.opts}
         known = own | self.many | _FLAGS | _WITH_WORD | _WITH_WORDS
         kept: list[str] = []
-        skipped = 0.0  # how many of the next words belong to an option without effect
+        skipped = 0.0  # number of the next words that are values of an option without effect
         for word in args:
             option = word.partition("=")[0]
             if word in known:
@@ -152,7 +154,7 @@ def build(
 
 
 def _write_scripts(base_paths: list[Path] | None) -> bool:
-    """Write the scripts of the workspace to its folder `install`; return whether they are there."""
+    """Write the scripts of the workspace to its folder `install`. Return whether that was done."""
     if base_paths:
         return write_setup_scripts(Path("install"), [path.resolve() for path in base_paths])
     roots = build_roots()

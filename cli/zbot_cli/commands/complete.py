@@ -13,7 +13,7 @@ from zbot_cli.output.exit_status import Status
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
-# Old versions of PowerShell drop an empty word, so zbot's script sends two quotes instead of it.
+# Old versions of PowerShell drop an empty word. So zbot's script sends two quotation marks instead.
 _EMPTY = ('""', "''")
 
 
@@ -74,7 +74,7 @@ def _split(verb: Any, words: Sequence[str]) -> tuple[list[str], str]:
     """Return the arguments among the words, and the option whose value comes next.
 
     Options and their values are not arguments. The option is an empty string if the last word is
-    not an option, or an option without a value.
+    not an option that needs a value.
     """
     with_value = {
         name for one in verb.params if not getattr(one, "is_flag", True) for name in one.opts
@@ -152,7 +152,7 @@ def _parameters(done: Sequence[str], _: str) -> Iterable[str]:
 
 
 def _is_plain_word(name: str) -> bool:
-    """Return whether a shell reads a name as it is. A node may choose any name for a parameter."""
+    """Return whether a parameter's name has no characters that are special in a shell."""
     return all(char.isalnum() or char in "_-./" for char in name)
 
 
@@ -316,7 +316,7 @@ def _choices(*words: str) -> Any:
     return lambda _, __: words
 
 
-#: Sources of candidates for the word after an option.
+#: Functions that return the candidates for the value of an option.
 _OPTION_VALUES: dict[str, Any] = {
     "--build-type": _choices("ament_python", "ament_cmake", "cmake"),
     "--field": _fields,

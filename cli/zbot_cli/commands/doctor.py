@@ -1,4 +1,8 @@
-"""`zbot doctor`: checks this machine and the domain, and prints advice for each failed check."""
+"""`zbot doctor`: checks this machine and the domain, and prints advice for each failed check.
+
+The "meeting port" is the port on 127.0.0.1 where the domain's router listens. The nodes of this
+machine find each other there.
+"""
 
 from __future__ import annotations
 
@@ -51,7 +55,7 @@ class Finding:
 
     @property
     def is_ok(self) -> bool:
-        """Whether nothing has to be done."""
+        """Whether the check passed. A check with a warning passed too."""
         return self.is_warning or not self.advice
 
 
@@ -229,7 +233,7 @@ def _ros2_router() -> Finding:
 
 def _clock() -> Finding:
     started, steady = time.time(), time.monotonic()
-    # To connect takes some time. A wrong clock may jump during this time.
+    # The connection takes some time. A clock that is being corrected may jump during this time.
     with socket.socket() as probe:
         probe.connect_ex(("127.0.0.1", 9))
     step = (time.time() - started) - (time.monotonic() - steady)
@@ -289,7 +293,7 @@ def _programs_outside() -> Iterator[Finding]:
 
 
 def _rclpy() -> Finding:
-    """Say whether `zbot bridge dds` would find a genuine rclpy."""
+    """Return whether `zbot bridge dds` would find a genuine rclpy."""
     from importlib.machinery import PathFinder  # noqa: PLC0415 - asks none of zbot's finders
 
     found = PathFinder.find_spec("rclpy")
@@ -354,7 +358,7 @@ def _lonely_subscriptions(graph: Snapshot) -> Iterator[Finding]:
 
 
 def _report(context: Context, graph: Snapshot) -> Iterator[Finding]:
-    # A process that holds the meeting port has two sessions, but it is listed only once.
+    # The process that listens on the meeting port has two sessions, but it is listed only once.
     found = {(one.host, one.pid): one for one in processes(context.session).values()}
     for process in sorted(found.values(), key=lambda one: (one.host, one.pid)):
         yield Finding(

@@ -116,7 +116,7 @@ def graph(
 
 
 class _Output:
-    """Output of views, one after the other, in the form that the options choose."""
+    """Writer of views of the graph, in the form that the options select."""
 
     def __init__(self, svg: str, *, as_dot: bool, as_json: bool) -> None:
         self._svg, self._as_dot, self._as_json = svg, as_dot, as_json

@@ -13,7 +13,7 @@ from zbot_cli.output.listing import new_app
 
 
 class KeystoreError(ZbotError):
-    """The router of ROS 2 has no certificates of its own."""
+    """The option --keystore is given for the router of ROS 2, which cannot use zbot's keystore."""
 
     def __init__(self) -> None:
         super().__init__(

@@ -53,7 +53,7 @@ def join(
 
 
 def _print_differences() -> None:
-    """Print what the environment says against what was joined."""
+    """Print the settings of this machine that differ from the class or hub that was joined."""
     from zbot.errors import ZbotError  # noqa: PLC0415 - not needed by `--help`
     from zbot.transport import environment  # noqa: PLC0415 - as above
 
@@ -77,7 +77,7 @@ def _ask_pin(class_name: str) -> str | None:
 
 
 def _ask_name(given: str, known: str) -> bool | None:
-    """Ask whether the student is the similar name in the list. `None` without a terminal."""
+    """Ask whether the student has the similar name. Without a terminal, return `None`."""
     if not sys.stdin.isatty():
         return None
     return typer.confirm(f'The teacher\'s list has no "{given}", but "{known}". Are you {known}?')

@@ -35,7 +35,7 @@ def leave(
 
 
 def _may_close() -> bool:
-    """Return whether the command may close this machine's class. Without a class it may."""
+    """Ask before a class on this machine is closed. Return True if the command may go on."""
     from zbot.classroom.errors import ConfirmationError  # noqa: PLC0415 - not needed by `--help`
     from zbot.transport import membership  # noqa: PLC0415 - as above
 

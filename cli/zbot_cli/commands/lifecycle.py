@@ -1,4 +1,4 @@
-"""Verbs of `zbot lifecycle`: list managed nodes, show their states, and change them."""
+"""Verbs of `zbot lifecycle`: list managed nodes, show their states, and change their states."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Verbs of `zbot node`: list nodes, show their endpoints, and end them."""
+"""Verbs of `zbot node`: list nodes, show their endpoints, and end their processes."""
 
 from __future__ import annotations
 
@@ -22,7 +22,8 @@ if TYPE_CHECKING:
 
 app = new_app("Look at nodes")
 
-#: Service type that `info` leaves out, as ros2 does. Nodes use it to describe their types.
+#: Type of the service with which each node describes its message types. `info` leaves this service
+#: out, as ros2 does.
 _TYPE_DESCRIPTION = "type_description_interfaces/srv/GetTypeDescription"
 #: The keys in JSON of the groups that `info` prints.
 _KEYS = {
@@ -36,7 +37,7 @@ _KEYS = {
 
 
 class UnknownNodeNameError(ZbotError):
-    """No node of that name is running. The hint names a similar node."""
+    """No node of that name is running. The hint contains a similar name."""
 
     def __init__(self, name: str, known: list[str]) -> None:
         self.name = name

@@ -1,4 +1,4 @@
-"""`zbot plot`: numeric fields of topics over time, in the browser or in the terminal."""
+"""`zbot plot`: plots numeric fields of topics over time, in the browser or in the terminal."""
 
 from __future__ import annotations
 

@@ -35,7 +35,7 @@ Renew = Annotated[bool, typer.Option("--renew", help="Replace the existing key a
 
 
 class NoKeystoreNamedError(SetupError, ValueError):
-    """The command line names no keystore."""
+    """The command line does not give a keystore."""
 
     def __init__(self) -> None:
         super().__init__(

@@ -1,7 +1,7 @@
-"""`zbot setup-shell SHELL`: prints functions such as `ros2` and `colcon`, which run zbot.
+"""`zbot setup-shell SHELL`: prints shell functions named `ros2`, `colcon` etc., which run zbot.
 
-They are functions of the shell and not programs, because a program named `ros2` in the folder of
-zbot would hide the `ros2` of a real ROS 2. A function can look for the real one at each call.
+They are functions and not programs, because a program named `ros2` in the folder of zbot would hide
+the `ros2` of a real ROS 2. A function can look for the real `ros2` at each call.
 """
 
 from __future__ import annotations
@@ -49,10 +49,10 @@ _INSTALL = {
 def setup_shell(
     shell: Annotated[str | None, typer.Argument(help="bash, zsh, fish or powershell")] = None,
 ) -> None:
-    """Print functions with which `ros2`, `colcon` and `rqt_graph` run zbot.
+    """Print shell functions named `ros2`, `colcon` and `rqt_graph`, which run zbot.
 
-    If this machine has a real ros2, `ros2` still runs the real one. Without SHELL, print how to
-    install the functions.
+    If this machine has a real ros2, the function `ros2` runs the real ros2. Without SHELL, print
+    how to install the functions.
     """
     if shell is None:
         print("The words ros2, colcon and rqt_graph can run zbot. Type the line of your shell:\n")

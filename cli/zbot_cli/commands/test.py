@@ -30,7 +30,7 @@ _PLUGIN = "zbot.compat.pytest_plugin"
 
 
 class NoTestsError(ZbotError):
-    """The command line names a path that does not exist."""
+    """The command line contains a path that does not exist."""
 
     def __init__(self, path: Path) -> None:
         self.path = path
@@ -67,7 +67,7 @@ def run_tests(
     """Run tests.
 
     A file with generate_test_description() is launched. Its test cases run during the launch.
-    pytest runs all other tests. With options after --, pytest runs the launched files too.
+    pytest runs all other tests. With options after --, pytest runs all files.
     """
     given = list(words or ())
     # The options of pytest begin at the first word with a dash, because typer removes the `--`.

@@ -64,7 +64,7 @@ def action_class(type_name: str) -> type[Any]:
     """Return an action class. If this machine lacks the definition, ask the nodes for it.
 
     Raises:
-        InvalidActionTypeError: Neither this machine nor a node has a definition of the type.
+        InvalidActionTypeError: No definition of the type is on this machine or in a node.
     """
     from zbot.interfaces import get_action  # noqa: PLC0415 - not needed by `list`
 

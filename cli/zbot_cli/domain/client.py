@@ -45,7 +45,7 @@ def client(*, wait: bool = False) -> Iterator[Context]:
 
 
 def print_programs_outside() -> None:
-    """Print the nodes of this machine that run outside what the machine has joined."""
+    """Print the nodes of this machine that are not in the class or hub that it has joined."""
     text = running_programs.outside_text()
     if text:
         print(escape_control_characters(text), file=sys.stderr)
@@ -63,7 +63,7 @@ def snapshot() -> Snapshot:
 
 
 def note_if_nobody_runs(graph: Snapshot) -> None:
-    """Say on stderr, in a terminal only, that a list is empty because no node is running."""
+    """If no node is running, print this on stderr. Print nothing if stderr is not a terminal."""
     if sys.stderr.isatty() and all(is_hidden(node.node) for node in graph.nodes):
         print(
             f"no node is running in domain {domain_id()}; start one in another terminal, "
@@ -76,11 +76,11 @@ def note_if_nobody_runs(graph: Snapshot) -> None:
 def hidden_node(
     verb: str, name: str | None = None, *, use_sim_time: bool = False, survives_ctrl_c: bool = False
 ) -> Iterator[Node]:
-    """Yield a node for a command that publishes or subscribes. Without `name`, it is hidden.
+    """Yield a node for a command that publishes or subscribes.
 
     Args:
         verb: Verb of the command. It is part of the hidden name.
-        name: A visible name.
+        name: A visible name, or `None` for a hidden name.
         use_sim_time: Whether the node follows `/clock`.
         survives_ctrl_c: Whether the node stays open at Ctrl-C, so that the command can clean up.
     """

@@ -27,7 +27,7 @@ _GET_STATE = "lifecycle_msgs/srv/GetState"
 
 
 class NodeNotFoundError(ZbotError):
-    """No managed node of that name appeared in time. The hint names similar nodes."""
+    """No managed node of that name appeared in time. The hint contains a similar name."""
 
     def __init__(self, name: str, graph: Snapshot) -> None:
         self.name = name
@@ -95,7 +95,7 @@ class ManagedNodes:
     """Client of the managed nodes of the domain.
 
     Args:
-        node: Sends the requests.
+        node: The node that sends the requests.
         timeout_s: Seconds to wait for a node that is not running yet.
     """
 
@@ -159,7 +159,9 @@ class ManagedNodes:
         return found
 
     def change(self, name: str, wanted: str) -> None:
-        """Make the transition with the label or number `wanted`. Its callback has no time limit.
+        """Make the transition with the label or number `wanted`.
+
+        There is no time limit, because the transition's callback in the node may take long.
 
         Raises:
             UnknownTransitionError: The transition is not possible now.

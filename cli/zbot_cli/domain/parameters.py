@@ -28,7 +28,7 @@ ANSWER_TIMEOUT_S = 5.0  #: for each answer, as in ros2
 
 
 class NodeNotFoundError(ZbotError):
-    """No node of that name appeared in time. The hint names a similar node or the running nodes."""
+    """No node of that name appeared in time. The hint has a similar name or the running nodes."""
 
     def __init__(self, name: str, known: Sequence[str]) -> None:
         self.name = name
@@ -50,7 +50,7 @@ class NoParameterServicesError(ZbotError):
 
 
 class ParameterNotSetError(ZbotError):
-    """The node has no parameter of this name. If no node is given, no node of the domain has it."""
+    """The node has no parameter of this name. If `node` is `None`, no node of the domain has it."""
 
     def __init__(self, node: str | None, name: str, known: Sequence[str]) -> None:
         self.node, self.name = node, name
@@ -76,7 +76,7 @@ class RemoteParameters:
     """Client of the parameters of other nodes.
 
     Args:
-        node: Sends the requests.
+        node: The node that sends the requests.
         timeout_s: Seconds to wait for a node that is not running yet.
         answer_timeout_s: Seconds to wait for each answer.
     """
@@ -179,7 +179,7 @@ class RemoteParameters:
         return _parameter(name, answer[0]) if answer else Parameter(name)
 
     def require(self, node: str, names: Sequence[str]) -> Sequence[str]:
-        """Return the names if the node has them all.
+        """Return `names` if the node has all these parameters.
 
         Raises:
             ParameterNotSetError: The node lacks one of the parameters.
@@ -213,7 +213,11 @@ class RemoteParameters:
         return {one.name: parameter_type(one.type) for one in answer}
 
     def typed(self, node: str, values: dict[str, Any]) -> list[Parameter[Any]]:
-        """Return values of a file as parameters. In the file, bytes are lists of integers."""
+        """Return values of a parameter file as parameters.
+
+        In a file, a byte array is a list of integers. So the node is asked for the types of such
+        lists.
+        """
         lists = [name for name, one in values.items() if is_octets(one)]
         known = set(self.names(node)) if lists else set()
         types = self.types(node, [name for name in lists if name in known]) if known else {}

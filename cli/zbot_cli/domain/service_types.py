@@ -46,7 +46,7 @@ class UnknownServiceError(ZbotError):
 
 
 class SeveralServiceTypesError(ZbotError):
-    """A service has more than one type, and the command line names no type."""
+    """A service has more than one type, and the command line does not give a type."""
 
     def __init__(self, name: str, types: list[str]) -> None:
         self.name, self.types = name, types
@@ -119,7 +119,7 @@ def service_class(type_name: str) -> type[Any]:
     """Return a service class. If this machine lacks the definition, ask the nodes for it.
 
     Raises:
-        InvalidServiceTypeError: Neither this machine nor a node has a definition of the type.
+        InvalidServiceTypeError: No definition of the type is on this machine or in a node.
     """
     from zbot.interfaces import get_interface  # noqa: PLC0415 - not needed by `list`
 

@@ -21,7 +21,7 @@ HINT_DELAY_S = 2.0
 
 
 class SeveralTypesError(ZbotError):
-    """A topic has more than one type, and the command line names no type."""
+    """A topic has more than one type, and the command line does not give a type."""
 
     def __init__(self, name: str, types: list[str]) -> None:
         self.name, self.types = name, types
@@ -32,7 +32,7 @@ class SeveralTypesError(ZbotError):
 
 
 class UndefinedTypeError(ZbotError):
-    """The definition of a topic's type was found neither on this machine nor in a node."""
+    """No definition of a topic's type was found on this machine or in a node."""
 
     def __init__(self, type_name: str) -> None:
         self.type_name = type_name
@@ -55,7 +55,10 @@ def only_type(graph: Snapshot, name: str) -> str | None:
 
 
 def wait_for_type(node: Node, name: str) -> str:
-    """Wait until a topic exists, and return its type. Print a note before waiting."""
+    """Wait until a topic exists, and return its type. Print a note before waiting.
+
+    If the context ends first, return an empty string.
+    """
     graph = node.context.graph
     found = only_type(graph.snapshot(), name)
     if found is None:
@@ -83,14 +86,15 @@ def print_waiting(graph: Snapshot, name: str) -> bool:
 
 
 def hint_if_silent(node: Node, names: Sequence[str], is_silent: Callable[[], bool]) -> None:
-    """After two seconds, print on stderr which topics have no publisher and which are similar.
+    """After two seconds without a message, print on stderr which topics have no publisher.
 
     The node's executor must spin.
 
     Args:
         node: The node of the command.
         names: The topics that the command listens to.
-        is_silent: Whether no message has arrived. Plain Zenoh programs do not appear in the graph.
+        is_silent: Function that returns whether no message has arrived. Messages may arrive from
+            plain Zenoh programs, which do not appear in the graph.
     """
     from zbot.executor.clock import Clock  # noqa: PLC0415 - needed only by commands that listen
     from zbot.time import ClockType  # noqa: PLC0415 - as above
@@ -124,7 +128,7 @@ def message_class(type_name: str) -> type[Any]:
     """Return a message class. If this machine lacks the definition, ask the nodes for it.
 
     Raises:
-        UndefinedTypeError: Neither this machine nor a node has a definition of the type.
+        UndefinedTypeError: No definition of the type is on this machine or in a node.
     """
     from zbot.interfaces import get_message  # noqa: PLC0415 - not needed by `list`
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from zbot import interfaces  # it imports its modules later, when one of its names is used
+from zbot import interfaces  # this package imports its modules when one of its names is used
 from zbot.errors import ZbotError
 from zbot.interfaces.errors import UnknownInterfaceError, UnknownPackageError
 from zbot.interfaces.kinds import KINDS
@@ -130,7 +130,7 @@ def all_messages() -> Iterator[str]:
 
 
 def type_hint(word: str, found: list[str], known: Iterator[str]) -> str:
-    """Return the hint for a word that is the name of no type or of several types."""
+    """Return the hint for a word that matches no type or several types."""
     if found:
         return f"there are several: {', '.join(found)}"
     names = list(known)

@@ -1,4 +1,4 @@
-"""Options for the form in which verbs print messages."""
+"""Options for the form in which commands such as `zbot topic echo` print messages."""
 
 from __future__ import annotations
 

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def has_keyboard() -> bool:
-    """Return whether the user can press keys. A command in the background must not read them."""
+    """Return whether the command may read keys. A command in the background must not read keys."""
     try:
         if not sys.stdin.isatty():
             return False
@@ -43,4 +43,4 @@ def keys_to(on_key: Callable[[str], None]) -> Iterator[None]:
         yield
     finally:
         is_over.set()
-        reader.join()  # it restores the settings of the terminal
+        reader.join()  # the thread restores the settings of the terminal when it ends

@@ -25,11 +25,12 @@ def end_process_on_ctrl_c() -> None:
 
 
 def raise_on_ctrl_c() -> None:
-    """Undo `end_process_on_ctrl_c`. Only the main thread may call this.
+    """Undo `end_process_on_ctrl_c`, so that Ctrl-C raises `KeyboardInterrupt`.
 
-    Ctrl-C raises `KeyboardInterrupt`. This function sets a hook that prints no traceback of this
-    exception, because Ctrl-C may come just after the end of a command. If Python drops the
-    exception, e.g. in a callback of an import, SIGINT is raised again after 5 ms.
+    Only the main thread may call this function. It sets two hooks. The first hook prints no
+    traceback of `KeyboardInterrupt`, because Ctrl-C may come just after the end of a command. The
+    second hook raises SIGINT again after 5 ms if Python has dropped the exception, e.g. in a
+    callback of an import.
     """
     if signal.getsignal(signal.SIGINT) == signal.SIG_DFL:
         sys.excepthook, sys.unraisablehook = _print_unless_interrupt, _raise_again

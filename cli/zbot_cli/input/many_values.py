@@ -15,7 +15,8 @@ class ManyValuesCommand(TyperCommand):
 
     #: Options that take all words up to the next word that begins with a dash.
     many: ClassVar[frozenset[str]] = frozenset()
-    #: Options that take all words up to the next option of this command, even words with a dash.
+    #: Options that take all words up to the next option of this command. Among these words, some
+    #: may begin with a dash.
     verbatim: ClassVar[frozenset[str]] = frozenset()
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:

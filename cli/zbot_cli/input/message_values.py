@@ -59,7 +59,7 @@ class _Key(str):
     place: str
 
 
-#: Values from a string. They do not depend on a message type.
+#: Values as they were read from text, before they are fitted to a message type.
 Tree = Union[Word, "list[Tree]", "dict[str, Tree]"]
 
 
@@ -75,7 +75,7 @@ class Template:
 
     Raises:
         ValuesError: The words are not a dictionary in YAML.
-        PopulateError: A field does not exist, or a value does not fit it.
+        PopulateError: A field does not exist, or a value does not fit its field.
     """
 
     def __init__(self, message_type: type[Any], words: str | Sequence[str]) -> None:
@@ -190,7 +190,8 @@ def _assigned(text: str) -> Tree:
         node = yaml_text.compose(text)
         if node is None:
             return Word("", None)
-        # A collection needs brackets. `data=a: b` is a string whose quotes the shell removed.
+        # A list or dictionary needs brackets. `data=a: b` is a string whose quotes the shell
+        # removed.
         if not isinstance(node, yaml_text.CollectionNode) or node.flow_style:
             return _tree(node, text)
     except yaml_text.YamlError:

@@ -21,14 +21,14 @@ if TYPE_CHECKING:
 
 
 def noun_option(ctx: typer.Context, name: str) -> bool:
-    """Return a flag given before the verb, as in `zbot topic --include-hidden-topics list`."""
+    """Return whether a flag is before the verb, as in `zbot topic --include-hidden-topics list`."""
     return ctx.parent is not None and bool(ctx.parent.params[name])
 
 
 class with_option_groups:  # noqa: N801 - a decorator
     """Wrapper of a verb. typer sees each field of the verb's option groups as a parameter.
 
-    typer reads `__signature__`. The signature is built only then, because this takes a
+    The signature is built when typer reads `__signature__`. Building a signature takes a
     millisecond, and a command line runs only one verb of a module.
     """
 

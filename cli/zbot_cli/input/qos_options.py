@@ -54,10 +54,9 @@ class QosOptions:
     def to_subscribe(self, publishers: list[EndpointToken]) -> QoSProfile:
         """Return the profile for a subscription.
 
-        Without `--qos-profile`, the publishers decide reliability and durability if no option sets
-        them. The profile is reliable if all publishers are reliable, and transient local if all
-        publishers are transient local. So `echo` also shows messages that were published before it
-        started.
+        Without `--qos-profile`, the profile is reliable if all publishers are reliable, and
+        transient local if all publishers are transient local. So `echo` also shows messages that
+        were published before `echo` started. Other options override these values.
         """
         profile = self._preset("sensor_data")
         if publishers and self.profile is None:

@@ -113,7 +113,7 @@ def draw(
         height: Height of the plot with its axes and legend, in lines.
         from_s: Time at the left edge.
         to_s: Time at the right edge.
-        coloured: Whether to tell the curves apart by colour.
+        coloured: Whether each curve has its own colour.
     """
     inside = [[one for one in curve.points if from_s <= one[0] <= to_s] for curve in curves]
     low, high = span(value for points in inside for _, value in points)

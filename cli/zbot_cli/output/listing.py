@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class DaemonOptions:
-    """Group of ros2's options for its daemon. Verbs that create a node use `--use-sim-time`."""
+    """Group of ros2's daemon options. Only `--use-sim-time` has an effect, on the verb's node."""
 
     spin_time: Annotated[
         float, typer.Option("--spin-time", hidden=True, help="Accepted; no effect")

@@ -1,4 +1,4 @@
-"""Parameters as text, in the form that `zbot param` prints and as a parameter file."""
+"""Parameters as text: as `zbot param` prints them, and as a parameter file."""
 
 from __future__ import annotations
 
@@ -83,7 +83,7 @@ def description_lines(descriptor: Any) -> Iterator[str]:
 
 
 def file_text(values: Mapping[str, Mapping[str, Parameter[Any]]]) -> str:
-    """Return a parameter file with values of nodes. It leaves out parameters without a value."""
+    """Return the text of a parameter file for nodes, without the parameters that have no value."""
     return yaml_text.dump(
         {
             node: {

@@ -39,7 +39,8 @@ class TerminalPlot:
 
     Args:
         system: The running system.
-        names: Topics or fields of topics. A topic stands for all its numeric fields.
+        names: Pairs of a topic and a field. A topic with an empty field means all its numeric
+            fields.
         window_s: Seconds that the plot shows.
         duration_s: Seconds until the end, or `None` for no end.
     """
@@ -72,7 +73,7 @@ class TerminalPlot:
         try:
             self._loop(_FRAME_S)
         finally:
-            # The last picture stays readable above the prompt.
+            # _LEAVE removes the plot, so the last picture is printed again above the prompt.
             write_styled(sys.stdout, _LEAVE + "\n".join(self._lines()) + "\n")
 
     def _loop(self, frame_s: float) -> None:

@@ -13,7 +13,7 @@ def full_name() -> str:
 
 
 def email_address(name: str) -> str:
-    """Return the address from git's configuration, or a placeholder at `todo.todo`."""
+    """Return the address from git's configuration, or a placeholder such as `ana@todo.todo`."""
     return _git("user.email") or f"{re.sub(r'[^a-z0-9]+', '.', name.lower()).strip('.')}@todo.todo"
 
 

@@ -133,7 +133,7 @@ def _check(plan: Plan) -> None:
 
 
 def _shown(folder: str, *names: str) -> str:
-    """Return a path as ros2 prints it. A leading `.` stays; Path would remove it."""
+    """Return a path as ros2 prints it, with a leading `.`, which `Path` would remove."""
     return "/".join((folder.rstrip("/\\") or "/", *names)).replace("//", "/")
 
 

@@ -16,7 +16,7 @@ from zbot.package.python_finder import import_paths
 from zbot.package.setup_file import data_files, declared_scripts
 from zbot.package.workspace import package_folders, package_name, read_text
 
-#: Entry point group of nodes. An installed package may add its own nodes.
+#: Group of the entry points with which an installed package declares its nodes.
 GROUP = "zbot.nodes"
 BUNDLED = "zbot_nodes"
 _PROJECT = "zbot"
@@ -61,7 +61,7 @@ def all_packages() -> list[Package]:
 
 
 def workspace_packages() -> list[Package]:
-    """Return the packages of `$ZBOT_WORKSPACE`; if unset, of the current folder's workspace."""
+    """Return the packages of the current folder's workspace and of `$ZBOT_WORKSPACE`."""
     folders = list(package_folders())
     paths = tuple(dict.fromkeys(path for folder in folders for path in import_paths(folder)))
     return [_of_sources(folder, paths) for folder in folders]
@@ -177,7 +177,7 @@ def installed_packages() -> list[Package]:
 
 
 def installed_package(name: str) -> list[Package]:
-    """Return a list with the installed package of this name. It is empty if there is no package."""
+    """Return a list with the installed package of this name, or an empty list."""
     from importlib.metadata import PackageNotFoundError, distribution  # noqa: PLC0415 - takes 40 ms
 
     try:

@@ -10,9 +10,9 @@ if TYPE_CHECKING:
 
 
 def imports(tree: ast.Module) -> Iterator[tuple[str, tuple[str, ...], int]]:
-    """Yield the imported modules, the names imported from them, and the lines.
+    """Yield each imported module, the names that are imported from it, and the line number.
 
-    Imports inside `try` are left out, because the program goes on without them.
+    Imports inside `try` are left out, because the program can run without these modules.
     """
     optional = {
         inner

@@ -1,4 +1,7 @@
-"""List of the workspaces that this user works in, for errors that say where a package is."""
+"""List of the workspaces in which this user has worked.
+
+If a package is not found, the error uses this list to say which workspace has the package.
+"""
 
 from __future__ import annotations
 
@@ -18,7 +21,7 @@ _MAX = 20
 
 
 def workspace_folder(roots: Roots) -> Path:
-    """Return the folder of a workspace, which contains `src`."""
+    """Return the folder that contains `src`. Without `src`, return the first folder of `roots`."""
     first = roots[0][0]
     return first.parent if first.name == "src" else first
 

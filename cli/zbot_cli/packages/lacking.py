@@ -1,4 +1,4 @@
-"""Search for the message and Python packages that a workspace uses and that are not here."""
+"""Search for packages that a workspace uses, but that this machine does not have."""
 
 from __future__ import annotations
 
@@ -36,16 +36,16 @@ PYTHON = "python"
 OTHER = "other"
 #: Ends of the names of message packages.
 _ENDINGS = ("_msgs", "_srvs", "_actions", "_interfaces")
-#: Packages that only a build with ROS 2 needs.
+#: Beginnings of the names of packages that only a build with ROS 2 needs.
 _BUILD_TOOLS = ("ament_", "rosidl_", "rmw_", "rcl", "ros_core", "ros_base", "ros2launch")
 _GENERATED = "the package is here, but only a build with ROS 2 writes its Python modules"
 
 
 @dataclass(frozen=True, order=True)
 class Lacking:
-    """A package that is used and that is not here."""
+    """Package or type that is used, but that this machine does not have."""
 
-    kind: str  #: `message`, `python`, or `other` for a package that package.xml names
+    kind: str  #: `message`, `python`, or `other` for another package that package.xml contains
     name: str
     path: Path  #: the first file that uses it
     line: int  #: counted from 1, or 0 if it is not known
@@ -53,7 +53,9 @@ class Lacking:
 
 
 def lacking_packages(folders: Sequence[Path], workspace: Mapping[str, Path]) -> list[Lacking]:
-    """Return what some packages use and what is not here, each name once.
+    """Return the packages and types that some packages use, but that this machine does not have.
+
+    Each name is returned only once.
 
     Args:
         folders: The folders of the packages.
@@ -76,7 +78,8 @@ def lacking_packages(folders: Sequence[Path], workspace: Mapping[str, Path]) -> 
 def _imports(folder: Path, places: Sequence[str], names: Container[str]) -> Iterator[Lacking]:
     subject = Subject(package_name(folder), folder, None)
     subject.read_sources()
-    # Programs add folders of their package to Python's path, so its modules have many names.
+    # A program may add a folder of its package to Python's path. Then it imports the modules and
+    # folders in that folder by their short names.
     own = {path.stem for path in subject.modules} | {path.parent.name for path in subject.modules}
     for path, tree in subject.modules.items():
         if path.name == "setup.py":  # only a build runs it
@@ -99,7 +102,7 @@ def _imports(folder: Path, places: Sequence[str], names: Container[str]) -> Iter
 def _types(
     package: str, kind: str, wanted: Sequence[str], path: Path, line: int
 ) -> Iterator[Lacking]:
-    """Yield the types that a known package does not have: another version may have them."""
+    """Yield the types that a known package lacks. Another version of the package may have them."""
     try:
         known = interface_names(package)
     except UnknownPackageError:

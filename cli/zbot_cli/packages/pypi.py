@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
 _NAME = re.compile(r"[A-Za-z0-9]([A-Za-z0-9._-]*[A-Za-z0-9])?(==[A-Za-z0-9.!+_-]+)?")
-#: What pip and uv write before a reason.
+#: Word that pip and uv print before the reason of an error.
 _PREFIX = re.compile(r"^\s*(ERROR|error|cause): ")
 
 
@@ -37,9 +37,10 @@ def is_name(word: str) -> bool:
 
 @contextmanager
 def downloaded(name: str) -> Iterator[Path]:
-    """Download the wheel of a package, and delete it afterwards. The result has its files.
+    """Download a package, yield the path of its wheel, and delete the wheel afterwards.
 
-    Only wheels are downloaded: pip runs the programs in a source archive to read its name.
+    If uv is used, the path is a folder with the files of the wheel. Only wheels are downloaded,
+    because pip would run programs of a source archive to read its name.
 
     Raises:
         DownloadError: Neither pip nor uv is installed, or there is no such wheel.
@@ -57,7 +58,7 @@ def downloaded(name: str) -> Iterator[Path]:
 
 
 def _command(name: str) -> list[str]:
-    """Return the command that downloads or unpacks a wheel into the folder that follows."""
+    """Return the command that downloads a wheel. A folder and the package's name must follow."""
     if importlib.util.find_spec("pip") is not None:
         options = ["--no-deps", "--only-binary=:all:", "--disable-pip-version-check", "--quiet"]
         return [sys.executable, "-m", "pip", "download", *options, "--dest"]

@@ -1,4 +1,4 @@
-"""Sources of Python packages: their names on PyPI, or the repositories of those of ROS 2."""
+"""Sources of Python packages: names on PyPI, or repositories of ROS 2's own packages."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ _REPOSITORIES = {
     "yasmin_ros": "uleroboticsgroup/yasmin",
 }
 _KEY = "python3-"
-#: Keys of rosdep whose module the tables above do not tell.
+#: Modules of rosdep's keys (without `python3-`) that `_PYPI` does not contain.
 _MODULES = {
     "libgpiod": "gpiod", "opencv": "cv2", "pil": "PIL", "pil-imagetk": "PIL", "smbus": "smbus",
     "usb": "usb",
@@ -58,14 +58,14 @@ _TOOLS = {"dev", "pip", "pytest", "setuptools", "venv"}
 def name_on_pypi(module: str) -> str:
     """Return the name on PyPI of the package with a top-level module, or an empty string.
 
-    An empty string means that the module is part of ROS 2. A module that is in no table is assumed
-    to have its own name on PyPI.
+    An empty string means that the module is part of ROS 2. If a module is in no table, its name is
+    assumed to be also the name on PyPI.
     """
     return "" if module in _REPOSITORIES else _PYPI.get(module, module)
 
 
 def how_to_get(module: str) -> str:
-    """Return how the user gets the package with a top-level module."""
+    """Return the instruction with which the user gets the package of a top-level module."""
     name = name_on_pypi(module)
     if name:
         return f"pip install {name}"
@@ -74,7 +74,7 @@ def how_to_get(module: str) -> str:
 
 def module_of_key(key: str) -> str:
     """Return the module that a key of rosdep such as `python3-serial` means, or an empty string."""
-    if key == "xacro":  # it is a package of ROS 2 and of PyPI
+    if key == "xacro":  # ROS 2 and PyPI have a package with this name
         return key
     if not key.startswith(_KEY):
         return ""

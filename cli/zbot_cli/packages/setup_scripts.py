@@ -1,7 +1,7 @@
 """Scripts in `install/` that make a workspace's packages known in every folder, as in ROS 2.
 
-Lessons type `source install/setup.bash` after a build. The scripts add the workspace to
-ZBOT_WORKSPACE.
+Lessons for ROS 2 tell students to type `source install/setup.bash` after a build. The scripts add
+the workspace to ZBOT_WORKSPACE.
 """
 
 from __future__ import annotations
@@ -44,7 +44,8 @@ _BATCH = """\
 @if defined ZBOT_WORKSPACE (set "ZBOT_WORKSPACE=%~1;%ZBOT_WORKSPACE%") else set "ZBOT_WORKSPACE=%~1"
 @exit /b 0
 """
-#: The endings of the scripts: the text, how a path is quoted, and what is between two paths.
+#: For each ending of a script: its text, the escaped form of `'`, the quotation mark around a path,
+#: and the separator of paths.
 _KINDS = {
     "bash": (_SHELL, "'\\''", "'", " "),
     "zsh": (_SHELL, "'\\''", "'", " "),
@@ -71,7 +72,7 @@ def write_setup_scripts(install: Path, folders: Sequence[Path]) -> bool:
         folders: The folders to add to ZBOT_WORKSPACE.
 
     Returns:
-        Whether the scripts are there. It is False if the folder belongs to a real `colcon build`.
+        True if the scripts were written. False if the folder belongs to a real `colcon build`.
 
     Raises:
         InstallFolderError: A file cannot be written.

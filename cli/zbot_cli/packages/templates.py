@@ -1,6 +1,6 @@
 """Templates of the files of a new package. Their lines have the order of `ros2 pkg create`.
 
-Tutorials tell their readers which lines of these files to change. These lines are the same here.
+Tutorials tell their readers which lines to change. So these lines are the same as in ROS 2.
 """
 
 from __future__ import annotations

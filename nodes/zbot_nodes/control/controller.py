@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class ControllerError(zbot.ZbotError, ValueError):
-    """A controller cannot be configured or activated as its parameters say."""
+    """A controller cannot be configured or activated with its parameters."""
 
 
 class State(Enum):
@@ -26,7 +26,10 @@ class State(Enum):
 
 
 class Controller(zbot.Node):
-    """Controller of some joints. The manager calls `configure` first, and `update` while active.
+    """Controller of some joints.
+
+    The manager calls `configure` first. It calls `update` in each period while the controller is
+    active.
 
     Args:
         name: The name of the controller and of its node.
@@ -35,7 +38,7 @@ class Controller(zbot.Node):
         options: The options of `zbot.Node`.
     """
 
-    kind = ""  #: the class of the genuine plugin, e.g. `diff_drive_controller/DiffDriveController`
+    kind = ""  #: the class of ROS 2's plugin, e.g. `diff_drive_controller/DiffDriveController`
 
     def __init__(
         self, name: str, hardware: SimulatedHardware, description: str, **options: Any
@@ -48,10 +51,10 @@ class Controller(zbot.Node):
         """Return a parameter, and declare it at the first call.
 
         Raises:
-            ControllerError: The default is a list, and the value is none.
+            ControllerError: The default is a list, and the value is not a list.
         """
         if not self.has_parameter(name):
-            # The type of an empty list would be that of bytes, which no other list has.
+            # Without dynamic typing, the default `[]` would make the parameter a byte array.
             self.declare_parameter(name, default, _any_type() if default == [] else None)
         value = self.get_parameter(name).value
         if not isinstance(default, list):
@@ -61,7 +64,7 @@ class Controller(zbot.Node):
         return list(value)
 
     def number(self, name: str, default: float) -> float:
-        """Return a parameter that is a number. Files often have whole numbers, e.g. `1`."""
+        """Return a parameter as a float. It may be an integer, because files often have `1`."""
         if not self.has_parameter(name):
             self.declare_parameter(name, default, _any_type())
         value = self.get_parameter(name).value
@@ -81,7 +84,7 @@ class Controller(zbot.Node):
         return found
 
     def command_interfaces(self) -> list[str]:
-        """Return the interfaces to command. No other active controller can command them."""
+        """Return the interfaces to command. Other active controllers cannot command them."""
         return []
 
     def state_interfaces(self) -> list[str]:
@@ -99,7 +102,7 @@ class Controller(zbot.Node):
         """Prepare the first update. All interfaces exist."""
 
     def deactivate(self) -> None:
-        """Stop what the controller moves."""
+        """Stop the joints that the controller moves."""
 
     def update(self, period_s: float) -> None:
         """Read states and write commands for one period."""

@@ -80,7 +80,7 @@ class ControllerManager(zbot.Node):
             self.create_subscription(String, "robot_description", self.accept, _KEPT)
 
     def setting(self, name: str, default: Any) -> Any:
-        """Return a parameter, and declare it unless it was set."""
+        """Declare a parameter unless it was set, and return its value."""
         if not self.has_parameter(name):
             self.declare_parameter(name, default)
         return self.get_parameter(name).value
@@ -113,7 +113,7 @@ class ControllerManager(zbot.Node):
         self.create_timer(1 / self.rate_hz, self.update)
 
     def create_services(self) -> None:
-        """Offer the services of the genuine node."""
+        """Offer the services of ROS 2's controller manager."""
         for kind, name, callback in (
             (srv.LoadController, "load_controller", self.on_load),
             (srv.ConfigureController, "configure_controller", self.on_configure),
@@ -179,7 +179,7 @@ class ControllerManager(zbot.Node):
         self.get_logger().info(f"Loading controller '{name}'")
 
     def arguments_of(self, name: str) -> list[str]:
-        """Return the ROS arguments of a controller: its name, and the files of its spawner."""
+        """Return a controller's ROS arguments: name, namespace, and the spawner's arguments."""
         words = ["--ros-args", "-r", f"__node:={name}", "-r", f"__ns:={self.get_namespace()}"]
         files = self.setting(f"{name}.params_file", "")
         for path in [files] if isinstance(files, str) else files:
@@ -203,13 +203,13 @@ class ControllerManager(zbot.Node):
         try:
             one.configure()
         except Exception:
-            self.cleanup(name)  # the node may have some of its topics already
+            self.cleanup(name)  # removes the topics that the node has already created
             raise
         one.state = State.INACTIVE
         self.get_logger().info(f"Configuring controller '{name}'")
 
     def cleanup(self, name: str) -> None:
-        """Take back the configuration of a controller: its node is made again.
+        """Undo the configuration of a controller: destroy its node, and create the node again.
 
         Raises:
             ControllerError: There is no such controller, or it is active.
@@ -241,7 +241,8 @@ class ControllerManager(zbot.Node):
         """Activate and deactivate controllers.
 
         Raises:
-            ControllerError: The switch is strict and a controller cannot do it. Nothing changes.
+            ControllerError: The switch is strict, and a controller cannot be activated or
+                deactivated. Then nothing changes.
         """
         starting: list[Controller] = []
         stopping: list[Controller] = []
@@ -270,7 +271,7 @@ class ControllerManager(zbot.Node):
             raise ControllerError(f"Controller '{name}' can not be deactivated: it is not active")
 
     def starts(self, name: str, end: list[str]) -> None:
-        """Check that a controller can be activated, after those in `end` were deactivated."""
+        """Check that a controller can be activated after the controllers in `end` have stopped."""
         one = self.known(name)
         if one.state is not State.INACTIVE and name not in end:
             raise ControllerError(
@@ -302,7 +303,7 @@ class ControllerManager(zbot.Node):
     # -- services ------------------------------------------------------------------------------
 
     def attempt(self, response: Any, act: Any) -> Any:
-        """Do what a service asks for, and set `ok` of its response."""
+        """Call `act` for a request, and set `ok` in the response."""
         try:
             act()
         except Exception as error:  # noqa: BLE001 - the other controllers go on, as in ROS 2
@@ -324,7 +325,7 @@ class ControllerManager(zbot.Node):
         return self.attempt(response, lambda: self.configure(request.name))
 
     def on_cleanup(self, request: Any, response: Any) -> Any:
-        """Take back the configuration of a controller."""
+        """Undo the configuration of a controller."""
         return self.attempt(response, lambda: self.cleanup(request.name))
 
     def on_unload(self, request: Any, response: Any) -> Any:
@@ -361,7 +362,7 @@ class ControllerManager(zbot.Node):
         return response
 
     def on_list_components(self, _request: Any, response: Any) -> Any:
-        """List the hardware."""
+        """List the hardware components."""
         assert self.hardware is not None
         active = LifecycleState(id=LifecycleState.PRIMARY_STATE_ACTIVE, label="active")
         response.component = [

@@ -30,7 +30,7 @@ _AXES = 6
 
 
 class DiffDriveController(Controller):
-    """Turns velocities into wheel speeds, and wheel angles into a pose."""
+    """Computes wheel speeds from velocities, and the robot's pose from wheel angles."""
 
     kind = "diff_drive_controller/DiffDriveController"
 
@@ -98,7 +98,7 @@ class DiffDriveController(Controller):
         ]
 
     def diagonal(self, name: str) -> list[float]:
-        """Return a covariance matrix with the diagonal of a parameter."""
+        """Return a covariance matrix. The parameter contains its diagonal."""
         values = self.setting(name, [0.0] * _AXES)
         if len(values) != _AXES:
             raise ControllerError(f"the parameter {name} of {self.get_name()} needs 6 numbers")
@@ -136,7 +136,7 @@ class DiffDriveController(Controller):
         return [f"{wheel}/{self.feedback}" for wheel in (*self.left, *self.right)]
 
     def activate(self) -> None:
-        """Stand still, and begin to measure here."""
+        """Forget old commands, and begin to measure at the present angles of the wheels."""
         self.command, self.received_ns = (0.0, 0.0), 0
         self.sent = [(0.0, 0.0), (0.0, 0.0)]
         self.angles = None if self.is_open_loop else self.measured()
@@ -146,7 +146,7 @@ class DiffDriveController(Controller):
         self.hardware.commands.update(dict.fromkeys(self.command_interfaces(), 0.0))
 
     def accept(self, message: TwistStamped) -> None:
-        """Take a velocity, unless its time stamp is too old."""
+        """Use a velocity, unless its time stamp is too old."""
         now_ns = self.get_clock().now().nanoseconds
         stamp_ns = Time.from_msg(message.header.stamp).nanoseconds or now_ns
         age_s = (now_ns - stamp_ns) / 1e9
@@ -157,15 +157,16 @@ class DiffDriveController(Controller):
                 throttle_duration_sec=1.0,
             )
             return
-        # The clock of the sender may be ahead. The robot must stop without commands all the same.
+        # The sender's clock may be ahead. A stamp in the future must not delay the stop of the
+        # robot after the last command.
         self.take(message.twist, min(stamp_ns, now_ns))
 
     def accept_unstamped(self, message: Twist) -> None:
-        """Take a velocity without a time stamp."""
+        """Use a velocity without a time stamp."""
         self.take(message, self.get_clock().now().nanoseconds)
 
     def take(self, twist: Twist, stamp_ns: int) -> None:
-        """Note a velocity."""
+        """Store a velocity if the controller is active."""
         if self.state is not State.ACTIVE:
             self.get_logger().warn("Can't accept new commands. subscriber is inactive", once=True)
             return
@@ -207,7 +208,10 @@ class DiffDriveController(Controller):
         return left, right
 
     def driven(self, linear: float, angular: float, period_s: float) -> tuple[float, float]:
-        """Return the real speed of the robot, in m/s and rad/s."""
+        """Return the measured speed of the robot, or the commanded speed if `open_loop` is true.
+
+        The speeds are in m/s and rad/s.
+        """
         if self.angles is None:
             return linear, angular
         left, right = self.measured()

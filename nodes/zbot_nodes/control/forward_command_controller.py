@@ -1,4 +1,4 @@
-"""Pass commands on to joints.
+"""Forward commands to joints.
 
 Types:      forward_command_controller/ForwardCommandController,
             position_controllers/JointGroupPositionController,
@@ -43,7 +43,7 @@ class ForwardCommandController(Controller):
         self.values = []
 
     def accept(self, message: Float64MultiArray) -> None:
-        """Take a command."""
+        """Store a command."""
         values = list(message.data)
         if self.state is not State.ACTIVE:
             return
@@ -71,7 +71,7 @@ class JointGroupPositionController(ForwardCommandController):
 
 
 class JointGroupVelocityController(ForwardCommandController):
-    """Commands velocities, and stops at the end."""
+    """Commands velocities. Stops the joints when it is deactivated."""
 
     kind = "velocity_controllers/JointGroupVelocityController"
     interface = "velocity"
@@ -82,11 +82,11 @@ class JointGroupVelocityController(ForwardCommandController):
 
 
 class JointGroupEffortController(ForwardCommandController):
-    """Commands efforts, and lets go at the end."""
+    """Commands efforts. Sets them to 0 when it is deactivated."""
 
     kind = "effort_controllers/JointGroupEffortController"
     interface = "effort"
 
     def deactivate(self) -> None:
-        """Let the joints go."""
+        """Set the efforts of the joints to 0."""
         self.hardware.commands.update(dict.fromkeys(self.names, 0.0))

@@ -1,4 +1,4 @@
-"""Simulated hardware of a robot: the interfaces that its description names in <ros2_control>."""
+"""Simulated hardware of a robot, with the interfaces in <ros2_control> of its description."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
     from zbot_nodes.description.urdf import Mimic
 
-#: Plugins whose documented behaviour this simulation has.
+#: ROS 2's plugins for simulated hardware. This module behaves as their documentation says.
 MOCKS = frozenset({"mock_components/GenericSystem", "fake_components/GenericSystem"})
 _KINDS = ("system", "actuator", "sensor")
 _PARTS = ("joint", "sensor", "gpio")
@@ -36,11 +36,11 @@ class Component:
 
     @property
     def is_mock(self) -> bool:
-        """Whether the description asks for a simulated hardware."""
+        """Whether the plugin is one of ROS 2's plugins for simulated hardware."""
         return self.plugin in MOCKS
 
     def number(self, name: str) -> float:
-        """Return a parameter as a number. 0 if it is not set."""
+        """Return a parameter as a number, or 0 if the parameter is not set."""
         text = self.parameters.get(name, "0")
         return numbers(text, 1, f"the parameter {name} of the hardware '{self.name}'")[0]
 
@@ -53,9 +53,9 @@ def read_components(description: str) -> list[Component]:
     """Return the hardware components of a robot description.
 
     Raises:
-        DescriptionError: The description is not valid, or a <ros2_control> tag in it is not.
+        DescriptionError: The description or one of its <ros2_control> tags is not valid.
     """
-    read_urdf(description)  # raises an error if the rest of it is not valid
+    read_urdf(description)  # raises an error if the rest of the description is not valid
     found = [_component(one) for one in read_xml(description).findall("ros2_control")]
     names = [one.name for one in found]
     for name in names:
@@ -104,7 +104,7 @@ def _initial(element: Element, owner: str) -> float:
 
 
 class SimulatedHardware:
-    """Hardware that does what it is told: a state follows the command of the same name.
+    """Hardware in which each state becomes equal to the command of the same name.
 
     With the parameter `calculate_dynamics`, and for every plugin that is not a mock, a commanded
     velocity moves the position too.
@@ -163,7 +163,7 @@ class SimulatedHardware:
                 self.states[name] = command + (offset if kind == POSITION else 0.0)
 
     def _follow_others(self, component: Component) -> None:
-        """Copy the commands of outputs (gpio) and of interfaces that are not standard ones."""
+        """Copy the commands of gpio outputs and of other non-standard interfaces to the states."""
         joints = {f"{joint}/{kind}" for joint in component.joints for kind in _STANDARD}
         for name in component.commands:
             command = self._command(name)
@@ -183,6 +183,6 @@ class SimulatedHardware:
         return command if math.isfinite(command) else None
 
 
-#: A joint is moved by its first command of this order.
+#: If a joint has several commands, the first kind in this order moves the joint.
 _ORDER = (ACCELERATION, VELOCITY, POSITION)
 _STANDARD = (POSITION, VELOCITY, ACCELERATION, "effort")

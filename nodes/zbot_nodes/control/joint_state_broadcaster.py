@@ -23,7 +23,7 @@ _DEPTH = 10
 
 
 class JointStateBroadcaster(Controller):
-    """Publishes in every update."""
+    """Publishes the states of the joints in every update."""
 
     kind = "joint_state_broadcaster/JointStateBroadcaster"
 
@@ -57,7 +57,7 @@ class JointStateBroadcaster(Controller):
         )
 
     def state_interfaces(self) -> list[str]:
-        """Return the interfaces that it publishes."""
+        """Return the interfaces that the broadcaster publishes."""
         return [f"{joint}/{kind}" for joint, own in self.interfaces.items() for kind in own]
 
     def update(self, period_s: float) -> None:

@@ -66,7 +66,7 @@ class ActiveGoal:
 
 
 class JointTrajectoryController(Controller):
-    """Follows one trajectory at a time; a new trajectory replaces it."""
+    """Follows one trajectory at a time. A new trajectory replaces the old trajectory."""
 
     kind = "joint_trajectory_controller/JointTrajectoryController"
 
@@ -135,7 +135,7 @@ class JointTrajectoryController(Controller):
         return self.get_clock().now().nanoseconds / 1e9
 
     def measured(self, kind: str) -> tuple[float, ...]:
-        """Return the present states of all joints. 0 if the hardware does not measure them."""
+        """Return the present states of all joints. A state that is not measured is 0."""
         states = self.hardware.states
         return tuple(states.get(f"{joint}/{kind}", 0.0) for joint in self.names)
 
@@ -173,7 +173,7 @@ class JointTrajectoryController(Controller):
         self.trajectory = Trajectory(start, points)
 
     def refusal(self, message: JointTrajectory) -> str:
-        """Return why a trajectory cannot be followed, or an empty text."""
+        """Return the reason why a trajectory cannot be followed, or an empty string."""
         if self.state is not State.ACTIVE:
             return "Can't accept new trajectories. Controller is not running."
         reason = problem(
@@ -243,7 +243,7 @@ class JointTrajectoryController(Controller):
     # -- the loop ------------------------------------------------------------------------------
 
     def update(self, period_s: float) -> None:
-        """Write commands for the present time, and judge the goal."""
+        """Write commands for the present time, and check the goal."""
         if self.trajectory is None:
             return
         time_s = self.now_s() - self.started_s
@@ -277,13 +277,13 @@ class JointTrajectoryController(Controller):
         return output
 
     def has_position(self) -> bool:
-        """Return whether positions are commanded: speeds then come from the trajectory itself."""
+        """Return whether positions are commanded. If so, velocity commands need no PID."""
         return "position" in self.interfaces
 
     def publish_state(
         self, wanted: Point, actual: Point, error: Point, output: dict[str, list[float]]
     ) -> None:
-        """Publish where the joints are and should be."""
+        """Publish the wanted and the measured states of the joints."""
         message = JointTrajectoryControllerState(joint_names=self.names)
         message.header.stamp = self.get_clock().now().to_msg()
         message.reference, message.feedback = _message(wanted), _message(actual)
@@ -321,7 +321,7 @@ class JointTrajectoryController(Controller):
             self.finish(Result.GOAL_TOLERANCE_VIOLATED, text)
 
     def send_feedback(self, goal: ActiveGoal, wanted: Point, actual: Point, error: Point) -> None:
-        """Send where the joints are and should be."""
+        """Send the wanted and the measured states of the joints."""
         feedback = FollowJointTrajectory.Feedback(joint_names=self.names)
         feedback.header.stamp = self.get_clock().now().to_msg()
         feedback.desired, feedback.actual = _message(wanted), _message(actual)
@@ -329,7 +329,7 @@ class JointTrajectoryController(Controller):
         goal.handle.publish_feedback(feedback)
 
     def beyond(self, error: Point, tolerances: dict[str, float]) -> str | None:
-        """Return the first joint that is too far from its place. A tolerance of 0 is no check."""
+        """Return the first joint whose error exceeds its tolerance. Tolerance 0 means no check."""
         for joint, distance in zip(self.names, error.positions, strict=True):
             limit = tolerances.get(joint, 0.0)
             if limit > 0 and abs(distance) > limit:
@@ -351,7 +351,7 @@ class JointTrajectoryController(Controller):
 
 
 def _tolerances(messages: Any) -> dict[str, float]:
-    """Return the positions of JointTolerance messages. A negative one means no check."""
+    """Return the tolerances of positions, by joint. A negative tolerance becomes 0: no check."""
     return {one.name: max(0.0, one.position) for one in messages if one.position}
 
 

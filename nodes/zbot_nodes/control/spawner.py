@@ -30,7 +30,7 @@ _WAIT_LOG_S = 10.0
 
 
 def read_arguments(words: Sequence[str]) -> argparse.Namespace:
-    """Read the command line of the genuine spawner."""
+    """Read a command line with the options of ROS 2's spawner."""
     text = "Load, configure and activate controllers"
     parser = argparse.ArgumentParser(prog="spawner", description=text)
     parser.add_argument("controller_names", nargs="+")
@@ -48,7 +48,7 @@ def read_arguments(words: Sequence[str]) -> argparse.Namespace:
     parser.add_argument("--switch-asap", action=argparse.BooleanOptionalAction, default=False)
     parser.add_argument("--controller-ros-args", action="append", default=[])
     options = parser.parse_args(remove_ros_args(["spawner", *words])[1:])
-    # `parameters=[file]` of a launch file: the parameters are those of the controllers.
+    # If a launch file gives `parameters=[file]` to the spawner, the controllers get the parameters.
     files = pairwise(words)
     options.param_file += [path for word, path in files if word == "--params-file"]
     for path in options.param_file:
@@ -86,7 +86,7 @@ class Spawner(zbot.Node):
         return future.result()
 
     def wait_for(self, client: Any) -> None:
-        """Wait until the manager runs. It runs as soon as it has the robot description."""
+        """Wait until the manager has its services, which needs the robot description."""
         limit_s = self.options.controller_manager_timeout
         waited_s = 0.0
         while not client.wait_for_service(_POLL_S):
@@ -191,7 +191,7 @@ class Spawner(zbot.Node):
 
 
 def _type_in(paths: Sequence[str], name: str) -> str:
-    """Return the type that a parameter file gives to a controller itself, as in newer files."""
+    """Return the type in a controller's own section of a parameter file, or an empty string."""
     from zbot.parameters.file import sections  # noqa: PLC0415 - only for files
 
     for path in paths:
@@ -202,7 +202,7 @@ def _type_in(paths: Sequence[str], name: str) -> str:
 
 
 def main() -> None:
-    """Run once."""
+    """Load, configure and activate the controllers."""
     options = read_arguments(sys.argv[1:])
     with zbot.init():
         node = Spawner(options)

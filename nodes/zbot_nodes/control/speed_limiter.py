@@ -1,4 +1,4 @@
-"""Limits of a speed: its size, its change, and the change of its change."""
+"""Limits of a speed, of its acceleration and of its jerk."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class SpeedLimiter:
-    """Limits in m/s or rad/s, per s and per s². NaN means no limit."""
+    """Limits in m/s, m/s² and m/s³, or in rad/s, rad/s² and rad/s³. NaN means no limit."""
 
     min_velocity: float = math.nan
     max_velocity: float = math.nan
@@ -25,7 +25,7 @@ class SpeedLimiter:
         Args:
             speed: The wanted speed.
             before: The speed of the last period.
-            earlier: The speed of the period before it.
+            earlier: The speed of the period before the last period.
             period_s: Length of a period.
         """
         change = before - earlier
@@ -38,7 +38,7 @@ class SpeedLimiter:
         return _clamp(before + step, slowest, self.max_velocity)
 
     def _accelerations(self, before: float) -> tuple[float, float]:
-        """Return the strongest changes down and up: braking differs from driving."""
+        """Return the lowest and the highest acceleration. Braking and driving differ."""
         forward = self.max_acceleration
         reverse = _or(self.max_acceleration_reverse, -forward)
         if before > 0:

@@ -42,12 +42,12 @@ class Trajectory:
         return self._times[-1]
 
     def sample(self, time_s: float, *, is_smooth: bool = True) -> Point:
-        """Return the wanted state at a time. After the end, it is the last point at rest.
+        """Return the wanted state at a time. After the end, the joints rest at the last point.
 
         Args:
             time_s: Seconds since the start.
-            is_smooth: Whether states between two points lie on a curve. Otherwise the state is
-                that of the point before.
+            is_smooth: If true, the states between two points lie on a curve. If false, the joints
+                rest at the point before `time_s`.
         """
         last = self.points[-1]
         at_rest = (0.0,) * len(last.positions)
@@ -61,7 +61,10 @@ class Trajectory:
 
 
 def _between(before: Point, after: Point, time_s: float) -> Point:
-    """Return a state on a line, or on a polynomial of degree 3 or 5 if the points have speeds."""
+    """Return a state between two points.
+
+    It lies on a line, or on a polynomial of degree 3 or 5 if the points have speeds.
+    """
     period_s = after.time_s - before.time_s
     share_s = min(max(time_s - before.time_s, 0.0), period_s)
     states = [
@@ -110,12 +113,12 @@ def _curve(
 def problem(
     message: JointTrajectory, joints: Sequence[str], *, may_be_partial: bool, may_move: bool
 ) -> str:
-    """Return why a message is no trajectory for these joints, or an empty text.
+    """Return the reason why a trajectory is not valid for these joints, or an empty string.
 
     Args:
         message: The message.
         joints: The joints of the controller.
-        may_be_partial: Whether it may have only some of the joints.
+        may_be_partial: Whether the message may have only some of the joints.
         may_move: Whether the last point may have a speed.
     """
     names = list(message.joint_names)

@@ -14,7 +14,7 @@ from controller_manager_msgs import srv
 
 
 def main() -> None:
-    """Run once."""
+    """Deactivate and remove the controllers."""
     options = read_arguments(sys.argv[1:])
     with zbot.init():
         node = Spawner(options)

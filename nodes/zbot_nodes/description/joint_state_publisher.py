@@ -33,7 +33,7 @@ class JointStatePublisher(zbot.Node):
     """Publishes values for every joint that moves.
 
     Args:
-        path: A URDF file. Without it, the description comes from the topic.
+        path: A URDF file. If it is empty, the description comes from the topic.
         options: The options of `zbot.Node`.
     """
 
@@ -69,9 +69,12 @@ class JointStatePublisher(zbot.Node):
         self.create_timer(1 / rate_hz, self.publish)
 
     def setting(self, name: str, default: Any) -> Any:
-        """Return a parameter, and declare it unless it was set at the start. None means `[]`."""
+        """Declare a parameter unless it was set at the start, and return its value.
+
+        If `default` is `None`, the default value is an empty list.
+        """
         if not self.has_parameter(name):
-            # The type of an empty list would be that of bytes, which no other list has.
+            # Without dynamic typing, the default `[]` would make the parameter a byte array.
             any_type = ParameterDescriptor(dynamic_typing=default is None)
             self.declare_parameter(name, [] if default is None else default, any_type)
         return self.get_parameter(name).value
@@ -90,12 +93,12 @@ class JointStatePublisher(zbot.Node):
         )
 
     def zeros(self) -> dict[str, float]:
-        """Return the positions at the start that parameters set."""
+        """Return the start positions that the parameters `zeros` set."""
         found = self.get_parameters_by_prefix("zeros")
         return {name: float(one.value) for name, one in found.items()}
 
     def dependent(self) -> dict[str, Mimic]:
-        """Return the rules of joints that parameters set."""
+        """Return the rules of joints that the parameters `dependent_joints` set."""
         rules: dict[str, dict[str, Any]] = {}
         for name, one in self.get_parameters_by_prefix("dependent_joints").items():
             joint, _, key = name.rpartition(".")
@@ -116,7 +119,7 @@ class JointStatePublisher(zbot.Node):
         }
 
     def take(self, message: JointState) -> None:
-        """Take over the values of a source."""
+        """Use the values in a message of a source."""
         if self.joints is not None:
             self.joints.take(message)
 

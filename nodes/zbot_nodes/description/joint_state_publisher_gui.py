@@ -5,7 +5,7 @@ shows parameters with limits as sliders. `zbot param set` does the same in a ter
 
 Run:        zbot run joint_state_publisher_gui joint_state_publisher_gui [robot.urdf]
 Topics and other parameters: those of joint_state_publisher
-Serves:     ~/center and ~/randomize (std_srvs/Empty), the buttons of the genuine window
+Serves:     ~/center and ~/randomize (std_srvs/Empty), for the buttons of ROS 2's own window
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ class JointStatePublisherGui(JointStatePublisher):
         self.create_service(Empty, "~/randomize", self.randomize)
 
     def configure(self, description: str) -> None:
-        """Use a description, and make a slider for each joint of it."""
+        """Use a description, and make a slider for each joint that follows no other joint."""
         super().configure(description)
         free = self.joints.free if self.joints is not None else {}
         for name in list(self.get_parameters_by_prefix("joints")):
@@ -49,7 +49,7 @@ class JointStatePublisherGui(JointStatePublisher):
             self.add_slider(f"{_PREFIX}{name}", joint)
 
     def add_slider(self, name: str, joint: JointValue) -> None:
-        """Declare the parameter of a joint. A parameter that exists keeps its value if it fits."""
+        """Declare the parameter of a joint. Keep an existing value, within the joint's limits."""
         if self.has_parameter(name):
             known = float(self.get_parameter(name).value)
             joint.position = min(max(known, joint.lower), joint.upper)
@@ -64,7 +64,7 @@ class JointStatePublisherGui(JointStatePublisher):
         joint.position = value
 
     def follow(self, parameters: list[zbot.Parameter[Any]]) -> None:
-        """Move the joints of sliders that were moved."""
+        """Move the joints whose sliders were moved."""
         for one in parameters:
             name = one.name.removeprefix(_PREFIX)
             if one.name.startswith(_PREFIX) and self.joints and name in self.joints.free:

@@ -28,10 +28,10 @@ class JointValue:
     position: float | None = None
     velocity: float | None = None
     effort: float | None = None
-    forward: bool = True  #: whether `advance` moves it towards `upper`
+    forward: bool = True  #: whether `advance` moves the joint towards `upper`
 
     def advance(self, delta: float) -> None:
-        """Move by `delta`. At a limit, turn around; a continuous joint goes on."""
+        """Move by `delta`. At a limit, change the direction. A continuous joint goes on."""
         position = (self.position or 0.0) + (delta if self.forward else -delta)
         if position > self.upper and self.is_continuous:
             position = self.lower
@@ -59,7 +59,7 @@ class JointValues:
         robot: The robot.
         defaults: Which values the joints have at the start.
         zeros: Positions at the start, by joint.
-        dependent: Rules of joints that follow others, beside those of the description.
+        dependent: Rules of joints that follow other joints. They override the description's rules.
 
     Raises:
         DescriptionError: A joint follows an unknown joint, or joints follow each other.
@@ -81,7 +81,8 @@ class JointValues:
             for name, one in moving.items()
             if name not in rules
         }
-        #: For each moving joint: the free joint that it follows, and how.
+        #: For each moving joint, the rule by which it follows a free joint. A free joint follows
+        #: itself.
         self._sources = {name: self._source(name, rules) for name in moving}
         self._has_dependent = any(name in rules for name in moving)
 
@@ -100,7 +101,7 @@ class JointValues:
         return found
 
     def take(self, message: JointState) -> None:
-        """Take over the values of a message. Its lists may be empty or too short."""
+        """Use the values of a message. The message's lists may be empty or too short."""
         lists = (message.position, message.velocity, message.effort)
         for index, name in enumerate(message.name):
             joint = self.free.get(name)

@@ -87,13 +87,13 @@ class RobotStatePublisher(zbot.Node):
             [
                 self.frame(one.parent, one.child, one.transform(), stamp)
                 for one in fixed
-                if one.type != "floating"  # its pose comes from another node
+                if one.type != "floating"  # another node publishes the pose of such a joint
             ]
         )
         self.get_logger().info("Robot initialized")
 
     def accept(self, state: JointState) -> None:
-        """Publish the frames of the joints of a message, if it is new enough."""
+        """Publish the frames of the joints in a message, if the message is new enough."""
         if len(state.name) != len(state.position):
             self.refuse(state)
             return
@@ -166,7 +166,7 @@ class RobotStatePublisher(zbot.Node):
         return SetParametersResult(successful=not reason, reason=reason)
 
     def problem(self, name: str, value: object) -> str:
-        """Return why a parameter cannot have a value, or an empty text."""
+        """Return the reason why a parameter cannot have a value, or an empty string."""
         if name == _RATE and isinstance(value, float) and not 0.0 <= value <= _MAX_RATE_HZ:
             return "publish_frequency must be between 0.0 and 1000.0"
         if name == _DESCRIPTION and isinstance(value, str):

@@ -61,7 +61,7 @@ class Robot:
     """Tree of links and joints."""
 
     name: str
-    root: str  #: the link that is the child of no joint
+    root: str  #: the only link without a parent
     links: tuple[str, ...]
     joints: dict[str, Joint]  #: by name, in the order of the description
 
@@ -70,7 +70,7 @@ def read_urdf(text: str) -> Robot:
     """Return the robot that a URDF text describes.
 
     Raises:
-        DescriptionError: The text is not XML or not URDF, or its links are no tree.
+        DescriptionError: The text is not XML or not URDF, or the links do not form one tree.
     """
     if not text.strip():
         raise DescriptionError("it is empty")

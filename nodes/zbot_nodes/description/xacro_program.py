@@ -1,4 +1,4 @@
-"""Write the robot description that a xacro file describes, with the package xacro of PyPI.
+"""Make a robot description in URDF from a xacro file, with the package xacro of PyPI.
 
 Run:         zbot run xacro xacro robot.urdf.xacro [NAME:=VALUE]... [-o robot.urdf]
 In launches: Command(["xacro ", path]), also where no program `xacro` is on the PATH

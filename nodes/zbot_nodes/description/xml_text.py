@@ -1,4 +1,4 @@
-"""Reader of XML texts of a robot, with limits and with one error."""
+"""Reader of the XML text of a robot. The text's size is limited. All errors have one class."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def read_xml(text: str) -> Element:
     """
     if len(text) > _MAX_CHARACTERS:
         raise DescriptionError(f"it has more than {_MAX_CHARACTERS} characters")
-    # The text is decoded: an encoding that its first line names does not hold any more.
+    # The text is already decoded, so an encoding in its first line must be ignored.
     parser, builder, level = expat.ParserCreate("utf-8"), ET.TreeBuilder(), 0
 
     def start(tag: str, attributes: dict[str, str]) -> None:
@@ -68,7 +68,7 @@ def numbers(text: str, count: int, where: str) -> tuple[float, ...]:
     """Return the numbers of an attribute such as `xyz="0 0 1"`.
 
     Raises:
-        DescriptionError: There is another number of words, or a word is no finite number.
+        DescriptionError: The number of words is not `count`, or a word is not a finite number.
     """
     words = text.split()
     try:

@@ -59,7 +59,7 @@ class Aggregator(zbot.Node):
         self.create_timer(1 / rate_hz, self.publish)
 
     def setting(self, name: str, default: Any) -> Any:
-        """Return a parameter, and declare it unless it was set."""
+        """Declare a parameter unless it was set, and return its value."""
         if not self.has_parameter(name):
             self.declare_parameter(name, default)
         return self.get_parameter(name).value

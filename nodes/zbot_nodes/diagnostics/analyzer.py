@@ -13,7 +13,7 @@ from diagnostic_msgs.msg import DiagnosticStatus, KeyValue
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-#: Levels are single bytes, as in rclpy. Their order is that of their values.
+#: Levels are single bytes, as in rclpy. A higher value is a worse level.
 OK, WARN = DiagnosticStatus.OK, DiagnosticStatus.WARN
 ERROR, STALE = DiagnosticStatus.ERROR, DiagnosticStatus.STALE
 _WORDS = {OK: "OK", WARN: "Warning", ERROR: "Error", STALE: "Stale"}
@@ -27,7 +27,7 @@ class AnalyzerError(ZbotError, ValueError):
 
 @dataclass
 class Item:
-    """Last status of a name."""
+    """Last received status with a certain name."""
 
     status: DiagnosticStatus
     received_s: float
@@ -35,9 +35,9 @@ class Item:
 
 @dataclass
 class Analyzer:
-    """Analyzer of the statuses whose names match."""
+    """Analyzer of the statuses whose names match its rules."""
 
-    path: str  #: of its own summary, e.g. `/Robot/Motors`
+    path: str  #: path of the analyzer's summary, e.g. `/Robot/Motors`
     timeout_s: float = _TIMEOUT_S
     count: int = -1  #: expected number of statuses; -1 is any
     discards_stale: bool = False
@@ -46,7 +46,7 @@ class Analyzer:
     names: tuple[str, ...] = ()
     expected: tuple[str, ...] = ()
     patterns: tuple[re.Pattern[str], ...] = ()
-    removed: tuple[str, ...] = ()  #: beginnings of names that are left out
+    removed: tuple[str, ...] = ()  #: beginnings that are removed from names
     items: dict[str, Item] = field(default_factory=dict)
 
     @property
@@ -55,7 +55,7 @@ class Analyzer:
         return self.path.rpartition("/")[2]
 
     def matches(self, name: str) -> bool:
-        """Return whether the analyzer takes statuses of a name."""
+        """Return whether a name matches the rules."""
         return (
             name.startswith(self.startswith or ("\0",))
             or any(part in name for part in self.contains)
@@ -65,7 +65,7 @@ class Analyzer:
         )
 
     def analyze(self, status: DiagnosticStatus, now_s: float) -> bool:
-        """Take a status. Return whether the analyzer wanted it."""
+        """Store a status if its name matches. Return whether the name matches."""
         if not self.matches(status.name):
             return False
         self.items[status.name] = Item(status, now_s)
@@ -100,7 +100,7 @@ class Analyzer:
         )
 
     def _shortened(self, name: str) -> str:
-        """Return a name without slashes, and without the beginning that is left out."""
+        """Return a name without slashes, and without a beginning that is in `removed`."""
         name = name.replace("/", " ")
         for start in (one.replace("/", " ") for one in self.removed):
             if start and name.startswith(start):
@@ -117,7 +117,7 @@ class Analyzer:
             header.message = text if found else f"No items found, expected {self.count}"
 
     def _missing(self, header: DiagnosticStatus) -> list[DiagnosticStatus]:
-        """Return a status for each expected name that never came."""
+        """Return a status for each expected name that is missing. Add the names to the summary."""
         missing = [name for name in self.expected if name not in self.items]
         if missing:
             is_stale = header.level == STALE
@@ -137,14 +137,14 @@ class DiscardAnalyzer(Analyzer):
     """Analyzer whose statuses are not reported."""
 
     def report(self, now_s: float) -> list[DiagnosticStatus]:
-        """Return nothing."""
+        """Return an empty list."""
         del now_s
         return []
 
 
 @dataclass
 class OtherAnalyzer(Analyzer):
-    """Analyzer of the statuses that no other analyzer took."""
+    """Analyzer of the statuses that match no other analyzer."""
 
     as_errors: bool = False  #: whether such a status is an error
 
@@ -154,7 +154,7 @@ class OtherAnalyzer(Analyzer):
         return True
 
     def report(self, now_s: float) -> list[DiagnosticStatus]:
-        """Return nothing if there is no status."""
+        """Return the summary and the statuses, or an empty list if there is no status."""
         found = super().report(now_s)
         if len(found) == 1:
             return []
@@ -177,7 +177,7 @@ class AnalyzerGroup:
         return self.path.rpartition("/")[2]
 
     def analyze(self, status: DiagnosticStatus, now_s: float) -> bool:
-        """Give a status to every analyzer. Return whether one of them wanted it."""
+        """Give a status to every analyzer. Return whether it matches at least one analyzer."""
         wanted = [one.analyze(status, now_s) for one in self.analyzers]
         return any(wanted)
 
@@ -201,7 +201,7 @@ class AnalyzerGroup:
 
 
 def _summary(levels: list[bytes], *, if_empty: bytes) -> bytes:
-    """Return the worst level. Some stale statuses are an error, all stale ones are stale."""
+    """Return the worst level. If only some statuses are stale, the result is ERROR, not STALE."""
     if not levels:
         return if_empty
     worst = max(levels)
@@ -212,7 +212,7 @@ def read_group(path: str, settings: Mapping[str, Any]) -> AnalyzerGroup:
     """Return the analyzers of parameters such as `motors.type` and `motors.path`.
 
     Raises:
-        AnalyzerError: An analyzer has an unknown type, or says nothing about names.
+        AnalyzerError: An analyzer has an unknown type, or no rule for names.
     """
     group = AnalyzerGroup(path)
     for prefix, own in _by_analyzer(settings).items():

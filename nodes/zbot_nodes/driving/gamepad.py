@@ -1,4 +1,4 @@
-"""Gamepads of this machine, through the library pygame (SDL), an extra."""
+"""Gamepads of this machine, read with the optional library pygame, which uses SDL."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class Gamepad(Protocol):
 
     @property
     def is_attached(self) -> bool:
-        """Whether the gamepad is still there."""
+        """Whether the gamepad is still connected."""
         ...
 
 
@@ -33,13 +33,13 @@ class _SdlGamepad:
     def __init__(self, pygame: Any, joystick: Any) -> None:
         self._pygame, self._joystick = pygame, joystick
         self.name = str(joystick.get_name())
-        # SDL measures a trigger only when it first moves: until then, every axis is at rest.
+        # SDL reports the position of a trigger only after the trigger has moved for the first time.
 
     def read(self) -> tuple[list[float], list[int]]:
         """Return all axes, then two axes for each hat, and all buttons."""
         self._pygame.event.pump()
         stick = self._joystick
-        # SDL has left and up negative, ROS 2 has them positive.
+        # Left and up are negative in SDL, and positive in ROS 2.
         axes = [-stick.get_axis(number) for number in range(stick.get_numaxes())]
         for number in range(stick.get_numhats()):
             right, up = stick.get_hat(number)
@@ -59,7 +59,9 @@ class _SdlGamepad:
 
 
 def find_gamepad(number: int = 0, name: str = "") -> Gamepad | None:
-    """Return the gamepad of a number, or of a name. None if it is not there.
+    """Return the gamepad with a name, or with a number if `name` is empty.
+
+    Return `None` if the gamepad is not connected.
 
     Raises:
         ModuleNotFoundError: pygame is not installed.
@@ -70,7 +72,7 @@ def find_gamepad(number: int = 0, name: str = "") -> Gamepad | None:
     import pygame  # noqa: PLC0415  # pyright: ignore[reportMissingImports] - an extra
 
     if not pygame.joystick.get_init():
-        pygame.display.init()  # it pumps the events
+        pygame.display.init()  # `event.pump()` needs the display
         pygame.joystick.init()
     pygame.event.pump()
     for index in range(pygame.joystick.get_count()):

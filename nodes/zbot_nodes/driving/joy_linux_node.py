@@ -1,7 +1,7 @@
 """Publish the axes and buttons of a gamepad, with the parameters of the package joy_linux.
 
 Run:        zbot run joy_linux joy_linux_node
-Parameters: dev ("/dev/input/js0"; its number is that of the gamepad), dev_name (""),
+Parameters: dev ("/dev/input/js0"; its last digits are the gamepad's number), dev_name (""),
             dev_ff ("/dev/input/event0"), coalesce_interval (0.001 s), default_trig_val (false);
             deadzone, autorepeat_rate and sticky_buttons as for joy_node
 Topics:     those of joy_node
@@ -19,7 +19,7 @@ class JoyLinuxNode(JoyNode):
     """Reads the gamepad of a device file."""
 
     def declare_device(self) -> None:
-        """Declare the parameters that name the gamepad."""
+        """Declare the parameters that select the gamepad."""
         self.declare_parameter("dev", "/dev/input/js0")
         self.declare_parameter("dev_name", "")
         self.declare_parameter("dev_ff", "/dev/input/event0")

@@ -1,4 +1,4 @@
-"""Publish the axes and buttons of a gamepad. Without one, the page has a stick on the screen.
+"""Publish the axes and buttons of a gamepad. Without a gamepad, zbot's web page shows a stick.
 
 Run:        zbot run joy joy_node
 Publishes:  joy (sensor_msgs/Joy)
@@ -33,7 +33,7 @@ _MAX_RATE_HZ = 1000.0
 
 
 class JoyNode(zbot.Node):
-    """Reads a gamepad 100 times a second, and publishes each change and repetitions.
+    """Reads a gamepad 100 times a second. Publishes each change, and repeats the last message.
 
     Args:
         options: The options of `zbot.Node`.
@@ -57,7 +57,7 @@ class JoyNode(zbot.Node):
         self.create_timer(_POLL_S, self.poll)
 
     def declare_device(self) -> None:
-        """Declare the parameters that name the gamepad."""
+        """Declare the parameters that select the gamepad."""
         self.declare_parameter("device_id", 0)
         self.declare_parameter("device_name", "")
         self.declare_parameter("coalesce_interval_ms", 1)
@@ -68,14 +68,14 @@ class JoyNode(zbot.Node):
         return int(number), str(self.get_parameter("device_name").value)
 
     def limited(self, name: str, default: float, highest: float) -> float:
-        """Declare a parameter from 0 to `highest`, and return it."""
+        """Declare a parameter that must be from 0 to `highest`, and return its value."""
         value = float(self.declare_parameter(name, default).value)
         if not 0 <= value <= highest:
             raise ParameterError(f"the parameter {name} must be between 0.0 and {highest}")
         return value
 
     def search(self) -> None:
-        """Open the gamepad if it is there, and close it if it was removed."""
+        """Open the gamepad if it is connected, and forget it if it was removed."""
         if self.gamepad is not None and self.gamepad.is_attached:
             return
         if self.gamepad is not None:
@@ -92,7 +92,7 @@ class JoyNode(zbot.Node):
         self.get_logger().info(f"Opened joystick: {name}.  deadzone: {self.deadzone:f}")
 
     def stick_hint(self) -> str:
-        """Return the command that shows the page's stick."""
+        """Return a text that says how to show the stick of the web page."""
         return f"the page has a stick on the screen: zbot web, panel Stick, topic {self.topic()}"
 
     def topic(self) -> str:
@@ -117,7 +117,7 @@ class JoyNode(zbot.Node):
             self.publisher.publish(message)
 
     def held(self, buttons: list[int]) -> list[int]:
-        """Return the buttons of the message. Each press changes a sticky button."""
+        """Return the buttons for the message. Each press switches a sticky button on or off."""
         before, self.pressed = self.pressed, buttons
         if not self.is_sticky:
             return buttons
@@ -136,7 +136,7 @@ class JoyNode(zbot.Node):
 
 
 def stick_shown(node: zbot.Node) -> AbstractContextManager[object]:
-    """Show the page's stick if there is no gamepad."""
+    """Show the stick of the web page if there is no gamepad."""
     from contextlib import nullcontext  # noqa: PLC0415 - only here
 
     if not isinstance(node, JoyNode) or node.gamepad is not None:

@@ -22,7 +22,7 @@ from sensor_msgs.msg import Joy
 
 _LINEAR = {"x": "x", "y": "y", "z": "z"}
 _ANGULAR = {"yaw": "z", "pitch": "y", "roll": "x"}
-#: Parameters by group: the values of the first, second and third name of the group.
+#: For each group of parameters: the names, and their default values.
 _DEFAULTS: dict[str, tuple[tuple[str, ...], tuple[Any, ...]]] = {
     "axis_linear": (tuple(_LINEAR), (5, -1, -1)),
     "axis_angular": (tuple(_ANGULAR), (2, -1, -1)),
@@ -75,7 +75,7 @@ class TeleopTwistJoy(zbot.Node):
                     self.get_logger().info(f"{text} {self.setting(scale):f}.")
 
     def accept(self, joy: Joy) -> None:
-        """Publish the velocity of a message, or stop once when the buttons are released."""
+        """Publish the velocity of a message, or one zero velocity after a button is released."""
         if self.is_held(joy, "enable_turbo_button"):
             self.publish(self.velocity(joy, "_turbo"))
             self.has_stopped = False
@@ -111,7 +111,7 @@ class TeleopTwistJoy(zbot.Node):
         return float(joy.axes[axis]) * float(self.setting(f"scale_{kind}{speed}.{part}"))
 
     def publish(self, twist: Twist) -> None:
-        """Publish a velocity, with time and frame if the parameter asks for them."""
+        """Publish a velocity, with time and frame if `publish_stamped_twist` is true."""
         if not self.is_stamped:
             self.publisher.publish(twist)
             return

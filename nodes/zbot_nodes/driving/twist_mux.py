@@ -4,7 +4,7 @@ Run:        zbot run twist_mux twist_mux --ros-args --params-file twist_mux.yaml
 Subscribes: topics.NAME.topic (geometry_msgs/TwistStamped, or Twist if use_stamped is false);
             locks.NAME.topic (std_msgs/Bool): true stops sources below the lock's priority
 Publishes:  cmd_vel_out (TwistStamped or Twist), diagnostics (diagnostic_msgs/DiagnosticArray)
-Parameters: use_stamped (true; if it is not set, the type that all others use);
+Parameters: use_stamped (true; if it is not set, the node changes to the type of the other nodes);
             topics.NAME.topic, .timeout (s; 0: none), .priority (1 to 255);
             locks.NAME.topic, .timeout, .priority
 """
@@ -39,16 +39,19 @@ class Source:
     is_locked: bool = False  #: the last message of a lock
 
     def has_expired(self, now_ns: int) -> bool:
-        """Return whether the last message is too old, or none came yet."""
+        """Return whether the last message is too old, or no message has come.
+
+        Without a timeout, return False.
+        """
         return self.timeout_s > 0 and now_ns - self.received_ns > self.timeout_s * 1e9
 
     def locks(self, now_ns: int) -> bool:
-        """Return whether a lock is in force. A lock that sends nothing any more is in force."""
+        """Return whether a lock is in force. A lock without recent messages is in force too."""
         return self.has_expired(now_ns) or self.is_locked
 
 
 class TwistMux(zbot.Node):
-    """Passes on the velocities of one source.
+    """Publishes the velocities of the source that drives the robot.
 
     Args:
         options: The options of `zbot.Node`.
@@ -95,7 +98,11 @@ class TwistMux(zbot.Node):
         ]
 
     def follow(self) -> None:
-        """Take the type that all others use. Robots of ROS 2 Humble do not set use_stamped."""
+        """Change to the message type of the other nodes, if they all use the same type.
+
+        This is called only if use_stamped is not set. In ROS 2 Humble, twist_mux has only Twist and
+        no parameter use_stamped. So parameter files for Humble do not set it.
+        """
         output = self.resolve_topic_name("cmd_vel_out")
         others = {one.topic_type for one in self.get_subscriptions_info_by_topic(output)}
         for source in self.velocities:
@@ -148,26 +155,30 @@ class TwistMux(zbot.Node):
         return self.get_clock().now().nanoseconds
 
     def pass_on(self, source: Source, message: Any) -> None:
-        """Publish a message if no source above it is active, and no lock above it is in force."""
+        """Publish the message of a source if this source drives the robot."""
         source.received_ns = self.now_ns()
         if self.active() is source and self.publisher is not None:
             self.publisher.publish(message)
 
     def set_lock(self, lock: Source, message: Bool) -> None:
-        """Note the state of a lock."""
+        """Store the state of a lock."""
         lock.received_ns, lock.is_locked = self.now_ns(), message.data
 
     def lock_priority(self) -> int:
-        """Return the highest priority of the locks in force. 0 if there is none."""
+        """Return the highest priority of the locks in force, or 0 if no lock is in force."""
         now = self.now_ns()
         return max((one.priority for one in self.locks if one.locks(now)), default=0)
 
     def is_masked(self, source: Source) -> bool:
-        """Return whether a source is too old or below a lock."""
+        """Return whether a source has no recent message, or a lock has a higher priority."""
         return source.has_expired(self.now_ns()) or source.priority < self.lock_priority()
 
     def active(self) -> Source | None:
-        """Return the source that drives. Priority 0 never drives; of equal ones, the first."""
+        """Return the source that drives the robot: the source with the highest priority.
+
+        If sources have the same priority, the first source in the parameters drives. A source with
+        priority 0 never drives.
+        """
         free = [one for one in self.velocities if one.priority > 0 and not self.is_masked(one)]
         return max(free, key=lambda one: one.priority, default=None)
 

@@ -29,17 +29,17 @@ class FrameTreeError(ZbotError, ValueError):
 
 @dataclass(frozen=True)
 class FrameTree:
-    """Frames by name, with the facts about the transform from their parent."""
+    """Frames by name, with facts about the transform from the parent of each frame."""
 
     frames: dict[str, dict[str, Any]]
     recorded_s: float  #: the time of the drawing
 
     @classmethod
     def of(cls, yaml: str, recorded_s: float) -> FrameTree:
-        """Return the tree of the text of `Buffer.all_frames_as_yaml`.
+        """Return the tree in a text of `Buffer.all_frames_as_yaml`.
 
         Raises:
-            FrameTreeError: The text is not such a text, e.g. because a frame's name has a quote.
+            FrameTreeError: The text has another form, e.g. because a frame's name has a quote.
         """
         try:
             found = read_yaml(yaml) or {}
@@ -56,12 +56,12 @@ class FrameTree:
 
     @property
     def roots(self) -> list[str]:
-        """The frames without a parent. Several mean that the tree is torn."""
+        """The frames without a parent. Several roots mean several separate trees."""
         parents = [one["parent"] for one in self.frames.values()]
         return list(dict.fromkeys(one for one in parents if one not in self.frames))
 
     def children(self, name: str) -> list[str]:
-        """Return the frames whose parent is a frame."""
+        """Return the frames whose parent is the frame `name`."""
         return sorted(one for one, facts in self.frames.items() if facts["parent"] == name)
 
     def to_dot(self) -> str:
@@ -101,8 +101,11 @@ class FrameTree:
     def _place(
         self, root: str, row: int, column: float, places: dict[str, tuple[float, int]]
     ) -> float:
-        """Place a frame above the middle of its children. Return the next free column."""
-        # A stack in place of recursion: a chain of frames may be long.
+        """Place a root, and all frames below the root. Return the next free column.
+
+        Each frame is above the middle of its children.
+        """
+        # This is not recursive, because a chain of frames may be too long for recursion.
         waiting: list[tuple[str, int, bool]] = [(root, row, False)]
         while waiting:
             name, depth, is_done = waiting.pop()

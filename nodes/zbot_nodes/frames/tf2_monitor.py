@@ -55,7 +55,7 @@ class TF2Monitor(zbot.Node):
         return self.get_clock().now().nanoseconds / 1e9
 
     def measure(self, message: TFMessage) -> None:
-        """Note the ages of the transforms of a message."""
+        """Store the ages of the transforms in a message."""
         now_s = self.now_s()
         ages = []
         for one in message.transforms:
@@ -65,7 +65,7 @@ class TF2Monitor(zbot.Node):
         self.times_s.append(now_s)
 
     def look(self) -> None:
-        """Note the age of the transform between the two frames."""
+        """Store the age of the transform between the two frames."""
         if self.chain is None:
             return
         try:
@@ -78,7 +78,7 @@ class TF2Monitor(zbot.Node):
         self.net_delays.append(self.now_s() - stamp.sec - stamp.nanosec / 1e9)
 
     def frames(self) -> list[str]:
-        """Return the frames to report: all, or those between the two frames."""
+        """Return the frames to report: all frames, or the frames between the two frames."""
         if self.chain is None:
             return sorted(self.delays)
         way = frames_between(self.buffer, *self.chain)

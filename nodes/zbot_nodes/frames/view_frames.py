@@ -65,7 +65,7 @@ def write(tree: FrameTree, name: str) -> Path:
 
 
 def main() -> None:
-    """Run once."""
+    """Draw the tree once."""
     options = read_arguments(remove_ros_args()[1:])
     with zbot.init():
         node = zbot.Node("view_frames")

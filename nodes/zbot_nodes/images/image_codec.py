@@ -1,4 +1,4 @@
-"""Conversion between images and compressed images, with Pillow, an extra."""
+"""Conversion between images and compressed images, with the optional library Pillow."""
 
 from __future__ import annotations
 
@@ -12,7 +12,8 @@ from sensor_msgs.msg import CompressedImage, Image
 
 MISSING = 'compressed images need Pillow: pip install "zbot[web]"'
 _MAX_PIXELS = 50_000_000
-#: For each encoding: Pillow's mode, its raw mode, bytes of a pixel, and the format's last word.
+#: For each encoding: Pillow's mode and raw mode, the bytes of a pixel, and the last word of
+#: `CompressedImage.format`.
 _ENCODINGS = {
     "rgb8": ("RGB", "RGB", 3, "bgr8"),
     "bgr8": ("RGB", "BGR", 3, "bgr8"),
@@ -38,7 +39,7 @@ def compress(image: Image, image_format: str = "jpeg", quality: int = 95) -> Com
         quality: From 1 to 100, for JPEG.
 
     Raises:
-        ImageCodecError: The encoding is not supported, data is missing, or there is no Pillow.
+        ImageCodecError: The encoding is not supported, data is missing, or Pillow is not installed.
     """
     pillow = _pillow()
     known = _ENCODINGS.get(image.encoding)
@@ -63,7 +64,8 @@ def decompress(message: CompressedImage) -> Image:
     """Return the image in a message.
 
     Raises:
-        ImageCodecError: The data is no JPEG or PNG, or it is too large, or there is no Pillow.
+        ImageCodecError: The data is not JPEG or PNG, the image is too large, or Pillow is not
+            installed.
     """
     pillow = _pillow()
     try:

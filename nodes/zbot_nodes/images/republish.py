@@ -25,7 +25,7 @@ _DEPTH = 10
 
 
 class Republish(zbot.Node):
-    """Converts the images that somebody listens to.
+    """Publishes each image, and its other form if a node subscribes to this form.
 
     Args:
         options: The options of `zbot.Node`.
@@ -60,7 +60,7 @@ class Republish(zbot.Node):
         return value
 
     def accept_raw(self, image: Image) -> None:
-        """Pass on an image, and its compressed form."""
+        """Publish an image, and its compressed form."""
         if self.raw is not None:
             self.raw.publish(image)
         if self.compressed is not None and self.compressed.get_subscription_count():
@@ -68,14 +68,14 @@ class Republish(zbot.Node):
             self.convert(self.compressed, lambda: compress(image, self.format, quality))
 
     def accept_compressed(self, message: CompressedImage) -> None:
-        """Pass on a compressed image, and its raw form."""
+        """Publish a compressed image, and its raw form."""
         if self.compressed is not None:
             self.compressed.publish(message)
         if self.raw is not None and self.raw.get_subscription_count():
             self.convert(self.raw, lambda: decompress(message))
 
     def convert(self, publisher: Any, make: Any) -> None:
-        """Publish a converted image, or say why it cannot be converted."""
+        """Publish a converted image, or log why the image cannot be converted."""
         try:
             publisher.publish(make())
         except ImageCodecError as error:
@@ -83,7 +83,7 @@ class Republish(zbot.Node):
 
 
 def main() -> None:
-    """Run until Ctrl-C. The transports may also be the words of the command line."""
+    """Run until Ctrl-C. The command line may give transports: `republish compressed raw`."""
     names = ("in_transport", "out_transport")
     words = remove_ros_args()[1:]
     given: list[zbot.Parameter[Any]] = [

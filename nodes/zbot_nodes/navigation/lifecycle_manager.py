@@ -1,4 +1,4 @@
-"""Configure and activate managed nodes in an order, and take them down together.
+"""Configure and activate managed nodes, one after the other, and deactivate them together.
 
 Run:        zbot run nav2_lifecycle_manager lifecycle_manager --ros-args -p autostart:=true \
                 -p "node_names:=[map_server]"
@@ -36,7 +36,7 @@ _SHUTDOWN = (
     "Shutting down",
     State.PRIMARY_STATE_FINALIZED,
 )
-#: For each command: the transitions, and whether a node that fails stops them.
+#: For each command: the transitions of the nodes, in their order.
 _COMMANDS: dict[int, tuple[Any, ...]] = {
     ManageLifecycleNodes.Request.STARTUP: (_CONFIGURE, _ACTIVATE),
     ManageLifecycleNodes.Request.PAUSE: (_DEACTIVATE,),
@@ -99,7 +99,7 @@ class LifecycleManager(zbot.Node):
         return changers, states
 
     async def start(self) -> None:
-        """Bring up all nodes, once."""
+        """Configure and activate all nodes. The timer calls this method only once."""
         timer, self.start_timer = self.start_timer, None
         if timer is None:
             return
@@ -110,7 +110,7 @@ class LifecycleManager(zbot.Node):
     async def manage(
         self, request: ManageLifecycleNodes.Request, response: ManageLifecycleNodes.Response
     ) -> ManageLifecycleNodes.Response:
-        """Do what a request asks for."""
+        """Run the command of a request."""
         response.success = request.command in _COMMANDS and await self.run(request.command)
         return response
 
@@ -131,7 +131,7 @@ class LifecycleManager(zbot.Node):
         return succeeded
 
     async def change(self, name: str, number: int, what: str, goal: int) -> bool:
-        """Make one transition of a node. Return whether the node is in the wanted state then."""
+        """Make one transition of a node. Return whether the node then has the wanted state."""
         self.get_logger().info(f"{what} {name}")
         request = ChangeState.Request()
         request.transition.id = number
@@ -145,7 +145,7 @@ class LifecycleManager(zbot.Node):
         return True
 
     async def ask(self, name: str, client: Any, request: Any) -> Any:
-        """Call a service of a node. Return None if it fails, or if there is no answer in time."""
+        """Call a service of a node. Return None if the call fails, or has no answer in time."""
         waited_s = 0.0
         while not client.service_is_ready():
             if waited_s >= self.timeout_s:
@@ -177,7 +177,7 @@ class LifecycleManager(zbot.Node):
         self.destroy_timer(timer)
 
     async def watch(self) -> None:
-        """Take all nodes down if one of them has ended."""
+        """If a node has ended, deactivate and clean up the other nodes."""
         gone = [name for name in self.names if not self.states[name].service_is_ready()]
         if not self.is_active or not gone:
             return
@@ -191,7 +191,7 @@ class LifecycleManager(zbot.Node):
                 await self.change(name, *_CLEANUP)
 
     def set_active(self, *, is_active: bool) -> None:
-        """Note and publish whether all nodes are active."""
+        """Store and publish whether all nodes are active."""
         self.is_active = is_active
         self.publisher.publish(Bool(data=is_active))
 

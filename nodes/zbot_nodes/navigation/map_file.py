@@ -1,4 +1,7 @@
-"""Maps in files: a YAML file and an image. Free cells are 0, occupied ones 100, unknown ones -1."""
+"""Reader and writer of maps in files: a YAML file and an image.
+
+In a map, free cells are 0, occupied cells are 100, and unknown cells are -1.
+"""
 
 from __future__ import annotations
 
@@ -18,7 +21,7 @@ MODES = ("trinary", "scale", "raw")
 FORMATS = ("pgm", "png", "bmp")
 _UNKNOWN, _OCCUPIED = 255, 100  #: as bytes of an int8
 _MAX_CHARACTERS = 100_000
-_LARGEST = 1e9  #: a number of a map beyond it is a mistake
+_LARGEST = 1e9  #: a larger number in a map's YAML file is a mistake
 #: Greys of a saved map of mode `trinary`, and the thresholds that separate them.
 _FREE_GREY, _UNKNOWN_GREY = 254, 205
 _SAVED_THRESHOLDS = (0.65, 0.196)
@@ -43,7 +46,7 @@ class MapSettings:
 
     image: str
     resolution: float  #: metres per cell
-    origin: tuple[float, float, float]  #: of the lower left cell: x and y in metres, yaw in rad
+    origin: tuple[float, float, float]  #: pose of the lower left cell: x, y in metres, yaw in rad
     occupied_thresh: float = 0.65
     free_thresh: float = 0.25
     mode: str = "trinary"
@@ -166,8 +169,8 @@ def write_map(  # noqa: PLR0917 - the settings of the genuine map saver
         path: The path without a suffix.
         image_format: `pgm`, `png`, `bmp`, or "" for `pgm` (`png` in mode `scale`).
         mode: `trinary`, `scale`, `raw`, or "" for `trinary`.
-        free: Cells up to this share are free. 0 means 0.25.
-        occupied: Cells from this share on are occupied. 0 means 0.65.
+        free: A cell whose occupancy (0 to 1) is not above this value is free. 0 means 0.25.
+        occupied: A cell whose occupancy is not below this value is occupied. 0 means 0.65.
 
     Raises:
         MapFileError: A setting is invalid, or a file cannot be written.

@@ -1,4 +1,4 @@
-"""Grey images of maps: PGM without a library, PNG and BMP through Pillow, an extra."""
+"""Grey images of maps: PGM without a library, PNG and BMP with the optional library Pillow."""
 
 from __future__ import annotations
 
@@ -24,12 +24,12 @@ class MapImageError(ZbotError, ValueError):
 
 @dataclass(frozen=True)
 class GreyImage:
-    """Image of a map. Pixels are rows from the top, a byte each: 0 is black, 255 is white."""
+    """Image of a map. A pixel is one byte: 0 is black, 255 is white. The top row is first."""
 
     width: int
     height: int
     pixels: bytes
-    alpha: bytes | None = None  #: 255 where a pixel is opaque; None if the whole image is
+    alpha: bytes | None = None  #: 255 where a pixel is opaque; None if all pixels are opaque
 
 
 def read_image(path: Path) -> GreyImage:
@@ -53,10 +53,10 @@ def read_image(path: Path) -> GreyImage:
 
 
 def read_pgm(data: bytes) -> GreyImage:
-    """Return the image in a PGM text, in its binary (P5) or its readable form (P2).
+    """Return the image in PGM data, in the binary form (P5) or the text form (P2).
 
     Raises:
-        MapImageError: The text is not PGM, or the image is too large.
+        MapImageError: The data is not PGM, or the image is too large.
     """
     numbers, position = [], 2
     for what in ("width", "height", "largest grey value"):
@@ -124,7 +124,7 @@ def _grey_of(path: Path, pillow: Any) -> GreyImage:
 
 
 def write_image(path: Path, image: GreyImage) -> None:
-    """Write an image. The suffix of the path tells the format: `pgm`, `png` or `bmp`.
+    """Write an image. The suffix of the path decides the format: `pgm`, `png` or `bmp`.
 
     Raises:
         MapImageError: The file cannot be written, or Pillow is missing.

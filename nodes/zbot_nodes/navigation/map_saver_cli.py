@@ -34,7 +34,7 @@ def read_arguments(words: list[str]) -> argparse.Namespace:
 
 
 def main() -> None:
-    """Run once."""
+    """Save one map."""
     options = read_arguments(remove_ros_args()[1:])
     with zbot.init():
         node = zbot.Node("map_saver")

@@ -21,7 +21,7 @@ from nav_msgs.msg import OccupancyGrid
 
 
 class MapSaver(LifecycleNode):
-    """Waits for one message of a topic, and writes it.
+    """Waits for one message of a topic, and writes the map in this message into files.
 
     Args:
         options: The options of `zbot.Node`.
@@ -69,7 +69,7 @@ class MapSaver(LifecycleNode):
         return response
 
     async def next_map(self, topic: str) -> OccupancyGrid | None:
-        """Return the next message of a topic. None if it does not come in time."""
+        """Return the next message of a topic, or None if no message comes in time."""
         done: zbot.Future[OccupancyGrid | None] = zbot.Future()
 
         def finish(grid: OccupancyGrid | None) -> None:

@@ -1,4 +1,4 @@
-"""Publish a map from a file, once it is configured and activated.
+"""Publish a map from a file. The node must be configured and activated.
 
 Run:        zbot run nav2_map_server map_server --ros-args -p yaml_filename:=lab.yaml
             zbot lifecycle set /map_server configure, then activate (or nav2_lifecycle_manager)
@@ -27,7 +27,7 @@ _KEPT = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 
 
 class MapServer(LifecycleNode):
-    """Holds one map.
+    """Publishes one map, and returns it to clients.
 
     Args:
         options: The options of `zbot.Node`.
@@ -71,7 +71,7 @@ class MapServer(LifecycleNode):
         return result
 
     def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Serve no map any more."""
+        """Stop serving the map."""
         self.get_logger().info("Deactivating")
         self.is_active = False
         return super().on_deactivate(state)

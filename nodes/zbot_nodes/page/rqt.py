@@ -1,7 +1,7 @@
-"""Open the panel of the page that shows what a program of rqt shows.
+"""Open the panel of zbot's web page that replaces a program of rqt.
 
 Run:   zbot run rqt_graph rqt_graph, zbot run rqt_plot rqt_plot /turtle1/pose/x, ...
-Needs: pip install "zbot[web]", and a desktop; elsewhere `zbot web` prints the page's address
+Needs: pip install "zbot[web]", and a desktop; without a desktop, `zbot web` prints the address
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from zbot_nodes.startup.page import shown
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-#: For each program: the path of the panel, and the parameter that takes its arguments.
+#: For each program: the path of the panel, and the URL parameter for the program's arguments.
 PANELS = {
     "rqt": ("/graph", ""),
     "rqt_action": ("/actions", ""),
@@ -44,7 +44,7 @@ def panel_path(program: str, words: Sequence[str]) -> str:
 
     Args:
         program: The name of the program, e.g. `rqt_plot`.
-        words: Its arguments. `rqt --standalone rqt_graph` means the named program.
+        words: The program's arguments. `rqt --standalone rqt_graph` means `rqt_graph`.
     """
     rest = list(words)
     for option in _STANDALONE:
@@ -61,7 +61,7 @@ def panel_path(program: str, words: Sequence[str]) -> str:
 
 
 def main() -> None:
-    """Run until Ctrl-C, or end immediately if no page can be shown here."""
+    """Run until Ctrl-C, or end immediately if this machine cannot show a page."""
     path = panel_path(PurePath(sys.argv[0]).stem, remove_ros_args()[1:])
     with zbot.init():
         node = zbot.Node(f"rqt_gui_py_node_{os.getpid()}")

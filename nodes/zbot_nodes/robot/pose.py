@@ -10,8 +10,8 @@ from geometry_msgs.msg import Quaternion
 if TYPE_CHECKING:
     from nav_msgs.msg import Odometry
 
-#: Topic with the true pose, for the simulated sensors. A real sensor does not need it, so it is
-#: hidden from lists and graphs: its last part begins with `_`.
+#: Topic with the true pose, for the simulated sensors. Real sensors need no such topic, so lists
+#: and graphs do not show it. The `_` at the beginning of its name hides it.
 TRUTH = "_ground_truth"
 
 

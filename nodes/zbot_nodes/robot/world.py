@@ -55,7 +55,7 @@ def distance(x: float, y: float, angle: float) -> float:
         angle: Radians, counter-clockwise from the x axis.
 
     Returns:
-        The distance in metres. From outside of the room it is infinity if no wall is in that
+        The distance in metres. Outside of the room, the distance is infinity if no wall is in that
             direction.
     """
     cos, sin = math.cos(angle), math.sin(angle)

@@ -1,4 +1,4 @@
-"""Page of a node. It opens in the browser of the user who started the node."""
+"""Web page of a node. It opens in the browser of the user who started the node."""
 
 from __future__ import annotations
 
@@ -24,8 +24,8 @@ def shown(node: zbot.Node, path: str, what: str) -> Iterator[bool]:
     """Show a panel of the page in the browser during the `with` block, if the user has a desktop.
 
     If a page on this machine already shows the domain, this page is used. Otherwise a new page is
-    served. The option `--no-browser` or the variable `$ZBOT_NO_BROWSER` prevents both. The value of
-    the block is whether a panel is shown.
+    served. With the option `--no-browser` or the variable `$ZBOT_NO_BROWSER`, no panel is shown.
+    The value after `as` is whether a panel is shown.
 
     Args:
         node: A node of the domain. No executor spins it yet.

@@ -22,7 +22,7 @@ _USAGE = "delay INPUT SECONDS [OUTPUT]"
 
 
 class Delay(TopicTool):
-    """Keeps every message for a time."""
+    """Publishes every message again after a delay."""
 
     def __init__(self, **options: Any) -> None:
         super().__init__("delay", **options)
@@ -48,7 +48,7 @@ class Delay(TopicTool):
             self.release()
 
     def release(self) -> None:
-        """Publish what is due, and wait for the next message."""
+        """Publish the messages that are due, and set a timer for the next message."""
         if self.timer is not None:
             self.destroy_timer(self.timer)
             self.timer = None

@@ -30,7 +30,7 @@ class Drop(TopicTool):
         self.begin()
 
     def process(self, message: bytes) -> None:
-        """Count a message, and pass it on if it is not one of the first."""
+        """Count a message. Publish the message if it is not one of the first X."""
         if self.count >= self.dropped:
             self.pass_on(message)
         self.count = (self.count + 1) % self.group

@@ -22,7 +22,7 @@ NONE = "__none"
 
 
 class Mux(TopicTool):
-    """Passes on the messages of the chosen topic."""
+    """Publishes the messages of the chosen topic."""
 
     def __init__(self, **options: Any) -> None:
         super().__init__("mux", **options)
@@ -41,7 +41,7 @@ class Mux(TopicTool):
         self.begin()
 
     def match(self) -> None:
-        """Look for the chosen topic, unless none is chosen."""
+        """Connect with the publishers of the chosen topic. Disconnect if no topic is chosen."""
         if self.input == NONE:
             self.forget()
         else:

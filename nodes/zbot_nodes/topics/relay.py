@@ -16,7 +16,7 @@ _USAGE = "relay INPUT [OUTPUT]"
 
 
 class Relay(TopicTool):
-    """Passes on every message."""
+    """Publishes every message of the input."""
 
     def __init__(self, **options: Any) -> None:
         super().__init__("relay", **options)

@@ -1,4 +1,4 @@
-"""Publish some messages of a topic: at most some per second, or some bytes per second.
+"""Publish messages of a topic with a limit: messages per second, or bytes per second.
 
 Run:        zbot run topic_tools throttle messages INPUT MESSAGES_PER_SECOND [OUTPUT]
             zbot run topic_tools throttle bytes INPUT BYTES_PER_SECOND WINDOW_SECONDS [OUTPUT]
@@ -22,7 +22,7 @@ _KINDS = ("messages", "bytes")
 
 
 class Throttle(TopicTool):
-    """Drops what is too much."""
+    """Drops messages above the limit."""
 
     def __init__(self, **options: Any) -> None:
         super().__init__("throttle", **options)
@@ -54,7 +54,7 @@ class Throttle(TopicTool):
         return time.time_ns() if self.uses_wall_clock else self.get_clock().now().nanoseconds
 
     def process(self, message: bytes) -> None:
-        """Pass on a message if that is not too much."""
+        """Publish a message if the limit allows it."""
         now = self.now_ns()
         if self.kind == "messages":
             if now < self.last_ns:
@@ -75,7 +75,7 @@ def read_arguments(words: list[str]) -> list[Any]:
     """Return the parameters that the command line sets.
 
     Raises:
-        ParameterError: A number is not a number.
+        ParameterError: A rate, a number of bytes or a window is not a number.
     """
     if not words or words[0] not in _KINDS:
         return []

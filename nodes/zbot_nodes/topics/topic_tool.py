@@ -1,4 +1,4 @@
-"""Base class of nodes that pass on messages of any type, as bytes."""
+"""Base class of nodes that receive messages of any type and publish them again, as bytes."""
 
 from __future__ import annotations
 
@@ -19,7 +19,9 @@ _DEPTH = 10
 
 
 class TopicTool(zbot.Node):
-    """Subscribes to a topic as soon as it has a publisher, with the publisher's type and profile.
+    """Subscribes to the input as soon as the input has a publisher.
+
+    The subscription and the publisher of the node have the type and profile of that publisher.
 
     Args:
         name: The node's name.
@@ -48,12 +50,12 @@ class TopicTool(zbot.Node):
         return value
 
     def begin(self) -> None:
-        """Look for the input from now on."""
+        """Begin to look for publishers of the input."""
         self.create_timer(_DISCOVERY_S, self.match)
         self.match()
 
     def match(self) -> None:
-        """Adapt the publisher and the subscription to the graph."""
+        """Adapt the node's publisher and subscription to the publishers of the input."""
         source = self.find_source()
         if source is None:
             return
@@ -83,7 +85,7 @@ class TopicTool(zbot.Node):
         self.publisher = self.subscription = None
 
     def message_type(self) -> Any:
-        """Return the class of the messages. The publisher sends an unknown definition."""
+        """Return the class of the messages. If its definition is unknown, ask the publisher."""
         assert self.source is not None
         try:
             return get_message(self.source[0])
@@ -109,7 +111,7 @@ class TopicTool(zbot.Node):
         return found[0].topic_type, profile
 
     def process(self, message: bytes) -> None:
-        """Decide what happens with a message."""
+        """Publish a message. Subclasses may drop or delay it."""
         self.pass_on(message)
 
     def pass_on(self, message: bytes) -> None:

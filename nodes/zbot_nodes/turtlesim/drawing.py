@@ -1,4 +1,4 @@
-"""Drawing of the turtles: lines for pages that show it, and pixels for the colour sensor."""
+"""Drawing of the turtles: lines for web pages, and pixels for the colour sensor."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from zbot_nodes.turtlesim.picture import png
 
 WIDTH = HEIGHT = 500  #: pixels
 _UNTOUCHED = (255, 255, 255, 0)  # white for the colour sensor, transparent for a page
-_MOST_LINES = 2000  # one turtle draws them in 32 s; a page that asks later gets a whole picture
+_MOST_LINES = 2000  # drawn by one turtle in 32 s; a page that asks later gets a whole picture
 
 
 class Pen(NamedTuple):

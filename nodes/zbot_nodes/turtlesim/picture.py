@@ -1,4 +1,4 @@
-"""Encoder of PNG files, for the page."""
+"""Encoder of PNG files, for the web page."""
 
 from __future__ import annotations
 

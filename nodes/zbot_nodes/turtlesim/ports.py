@@ -47,7 +47,7 @@ class TurtlePorts:
         )
 
     def drive(self, command: Twist) -> None:
-        """Set the turtle's velocity. It moves sideways only if turtles are holonomic."""
+        """Set the turtle's velocity. The turtle moves sideways only if `holonomic` is true."""
         is_holonomic = self.node.get_parameter("holonomic").value
         sideways = command.linear.y if is_holonomic else None
         self.world.command(self.turtle.name, command.linear.x, command.angular.z, sideways)

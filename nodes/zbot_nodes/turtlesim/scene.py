@@ -1,4 +1,4 @@
-"""Service for pages that show a turtlesim."""
+"""Service for web pages that show a turtlesim."""
 
 from __future__ import annotations
 
@@ -18,7 +18,10 @@ SCENE = "~/_scene"
 
 
 class Scene:
-    """Server of the scene. A response has the lines since `request.until`, or a whole picture.
+    """Server of the drawing and the turtles.
+
+    A response has the lines that were drawn since `request.until`, or a picture of the whole
+    drawing.
 
     Args:
         world: The world to show.

@@ -57,7 +57,7 @@ class Rotation:
 
 
 def finite(value: float) -> float:
-    """Return a number, or 0 for NaN and infinity. A page that has no number sends NaN."""
+    """Return a number, or 0 for NaN and infinity. A web page sends NaN if it has no number."""
     return value if math.isfinite(value) else 0.0
 
 
@@ -199,7 +199,7 @@ class TurtleWorld:
     """World with all turtles and their drawing.
 
     Args:
-        log: Logs texts for the user.
+        log: Function that logs texts for the user.
     """
 
     def __init__(self, log: Log = lambda _level, _text: None) -> None:
@@ -211,7 +211,7 @@ class TurtleWorld:
         self.spawn(SIZE / 2, SIZE / 2, 0.0)
 
     def spawn(self, x: float, y_up: float, theta: float, name: str = "") -> Turtle | None:
-        """Add a turtle. An empty name means `turtle2` and so on.
+        """Add a turtle. If the name is empty, the turtle gets the next free name, e.g. `turtle2`.
 
         Returns:
             The turtle, or `None` if the name is taken.

@@ -1,6 +1,7 @@
-"""Coordinates of vertices, which are near their neighbours and do not overlap.
+"""Coordinates of vertices. Vertices are near their neighbours and do not overlap.
 
-A link that crosses a layer has a *dummy vertex* there: a point through which the link is drawn.
+A vertex is an item or a dummy vertex. If a link crosses a layer between its two items, the link is
+drawn through a point in this layer. This point is a *dummy vertex*.
 """
 
 from __future__ import annotations
@@ -47,7 +48,7 @@ def _gap(graph: LayeredGraph, one: int, other: int) -> float:
 def separate(
     wanted: Sequence[float], weights: Sequence[float], apart: Sequence[float]
 ) -> list[float]:
-    """Return positions near the wanted positions, no closer together than `apart` allows.
+    """Return positions near the wanted positions. Their distances are at least `apart`.
 
     The sum of weighted squared movements is minimal (pool adjacent violators algorithm).
 
@@ -76,15 +77,16 @@ def y_coordinates(graph: LayeredGraph, fixed: Mapping[int, float]) -> list[float
 
     Args:
         graph: The graph, with ordered rows.
-        fixed: The y of the vertices that are on the screen already. They move only if there is not
-            enough space.
+        fixed: The y of the vertices that are on the screen already. These vertices move only if
+            there is not enough space.
     """
     y = _stacked(graph, fixed)
     rows = [(row, gaps(graph, row)) for row in graph.rows.values()]
     pulls = [_pulls(graph, vertex) for vertex in range(len(graph.layer))]
     for sweep in range(_SWEEPS):
-        # Most sweeps move a vertex only towards its neighbours in the layer before it, or only in
-        # the layer after it. So a move has an effect on all layers. The last 4 sweeps use both.
+        # Most sweeps look at the neighbours on one side only, and go through the layers in one
+        # direction. So a move in one layer has an effect on all further layers. The last 4 sweeps
+        # look at the neighbours on both sides.
         sides = (_LEFT, _RIGHT) if sweep >= _SWEEPS - 4 else (sweep % 2,)
         for row, apart in rows if sweep % 2 == _LEFT else rows[::-1]:
             targets = [_target(vertex, pulls[vertex], sides, y, fixed) for vertex in row]
@@ -121,7 +123,7 @@ def _pulls(graph: LayeredGraph, vertex: int) -> _Links:
 def _target(
     vertex: int, pulls: _Links, sides: Sequence[int], y: list[float], fixed: Mapping[int, float]
 ) -> tuple[float, float]:
-    """Return the wanted y of a vertex, and its weight."""
+    """Return the wanted y of a vertex, and the weight of this y."""
     if vertex in fixed:
         return fixed[vertex], _STAYS
     near = [one for side in sides for one in pulls[side]]
@@ -134,7 +136,13 @@ def _target(
 def column_bounds(
     graph: LayeredGraph, before: Mapping[int, tuple[float, float]], gap: float
 ) -> dict[int, tuple[float, float]]:
-    """Return each layer's left and right x. Old layers move only if there is not enough space."""
+    """Return the left and right x of each layer.
+
+    Args:
+        graph: The graph.
+        before: The previous result. These layers move only if there is not enough space.
+        gap: The space between two layers.
+    """
     widths = {layer: max(graph.width[v] for v in row) for layer, row in graph.rows.items()}
     found: dict[int, tuple[float, float]] = {}
     present = [layer for layer in widths if layer in before]

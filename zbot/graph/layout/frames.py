@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from zbot.graph.layout.layered_graph import LayeredGraph
 
 _Slice = tuple[float, float, float, float]
-_TOUCH = 24.0  # two slices with at least this overlap are joined
+_TOUCH = 24.0  # two neighbouring slices are joined if they overlap at least this much
 
 
 def frame_outlines(

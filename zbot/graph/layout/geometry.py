@@ -16,7 +16,7 @@ class Item:
     key: str
     width: float
     height: float
-    frames: tuple[str, ...] = ()  #: the frames that contain it, beginning with the outermost frame
+    frames: tuple[str, ...] = ()  #: the frames around the item, the outermost first
 
 
 @dataclass(frozen=True)
@@ -32,30 +32,30 @@ class Link:
 class Place:
     """Position, size and layer of an item."""
 
-    x: float  #: of its middle
-    y: float  #: of its middle
+    x: float  #: x of the middle
+    y: float  #: y of the middle
     width: float
     height: float
     layer: int
 
     @property
     def left(self) -> float:
-        """X of its left side."""
+        """X of the left side."""
         return self.x - self.width / 2
 
     @property
     def right(self) -> float:
-        """X of its right side."""
+        """X of the right side."""
         return self.x + self.width / 2
 
     @property
     def top(self) -> float:
-        """Y of its upper side."""
+        """Y of the upper side."""
         return self.y - self.height / 2
 
     @property
     def bottom(self) -> float:
-        """Y of its lower side."""
+        """Y of the lower side."""
         return self.y + self.height / 2
 
 
@@ -64,8 +64,8 @@ class Route:
     """Path of a link. It is straight inside a layer and curved between two layers."""
 
     points: tuple[Point, ...]  #: from start to end; the first and the last point touch the boxes
-    label: Point | None = None  #: the middle of its label
-    is_backward: bool = False  #: whether it points left; each cycle has at least one such link
+    label: Point | None = None  #: the middle of the link's label
+    is_backward: bool = False  #: whether the link points left; each cycle has such a link
 
     def moved(self, dx: float, dy: float) -> Route:
         """Return a moved copy."""
@@ -98,7 +98,7 @@ class Layout:
     frames: tuple[Frame, ...]  #: outer frames before inner ones
     columns: dict[int, tuple[float, float]]  #: left and right of each layer
     crossings: int  #: the number of crossings of links
-    best: int  #: the number of crossings in the last layout made without old places
+    best: int  #: the number of crossings in the last new layout (see `lay_out`)
 
     def moved(self, dx: float, dy: float) -> Layout:
         """Return a moved copy."""

@@ -1,4 +1,8 @@
-"""Graph with vertices in layers. A link has a dummy vertex in each layer that it crosses."""
+"""Graph with vertices in layers.
+
+A layer is a column of the drawing. A link has a dummy vertex in each layer between its two items:
+a point through which the link is drawn.
+"""
 
 from __future__ import annotations
 
@@ -13,8 +17,8 @@ if TYPE_CHECKING:
 
     from zbot.graph.layout.geometry import Item, Link
 
-LABEL_HEIGHT = 36.0  # a line of text above the arrow, and one below the arrow
-_ROW = 64.0  # estimated height of an item with the space to the next item
+LABEL_HEIGHT = 36.0  # for one line of text above the arrow, and one line below it
+_ROW = 64.0  # the estimated height of an item, and the space below it
 _COLUMN = 240.0
 _MOST_LAYERS = 14  # with more layers, names on a projected screen become too small to read
 _SHAPE = 1.7  # width divided by height of a screen
@@ -37,7 +41,7 @@ class LayeredGraph:
         self.width = [item.width for item in items]
         self.height = [item.height for item in items]
         index = {item.key: number for number, item in enumerate(items)}
-        # A label takes a layer between two items.
+        # A link with a label spans two layers, because the label needs a layer between the items.
         arcs = [(index[ln.start], index[ln.end], 2 if ln.label_width else 1) for ln in links]
         layers = {index[key]: layer for key, layer in known.items() if key in index}
         self._set_layers(arcs, reversed_arcs(self.size, arcs, layers), layers)
@@ -114,7 +118,11 @@ def _common(one: tuple[str, ...], other: tuple[str, ...]) -> tuple[str, ...]:
 
 
 def _components(items: Sequence[Item], arcs: list[Arc]) -> list[int]:
-    """Return the component of each item. Links and outermost frames join items into components."""
+    """Return the component of each item.
+
+    Items are in the same component if links or outermost frames connect them. Components are
+    numbered from the largest to the smallest.
+    """
     parent = list(range(len(items)))
 
     def root(vertex: int) -> int:
@@ -141,18 +149,18 @@ def _components(items: Sequence[Item], arcs: list[Arc]) -> list[int]:
 
 
 def _most_layers(size: int) -> int:
-    """Return how many layers fit on a screen: an even number, as nodes and topics alternate."""
+    """Return how many layers fit on a screen. It is even, because nodes and topics alternate."""
     return max(_MOST_LAYERS, round(sqrt(size) / 2) * 2)
 
 
 def _wrapped(arcs: list[Arc], layer: list[int], most: int) -> list[bool]:
-    """Wrap the layers at the limit, like lines of text. Return which arcs then point back."""
+    """Wrap the layers at the limit, like lines of text. Return for each arc if it points back."""
     rank = [(one % most, one, vertex) for vertex, one in enumerate(layer)]
     return [rank[start] > rank[end] for start, end, _ in arcs]
 
 
 def _fold(layer: list[int], component: list[int]) -> None:
-    """Put components beside and below each other, so that they have the shape of a screen."""
+    """Shift the layers of components, so that the whole drawing has the shape of a screen."""
     blocks: dict[int, dict[int, int]] = {}
     for vertex, number in enumerate(component):
         block = blocks.setdefault(number, {})
@@ -165,11 +173,11 @@ def _fold(layer: list[int], component: list[int]) -> None:
 
 
 def _bands(heights: list[int], spans: list[int], count: int) -> tuple[float, list[int]]:
-    """Put components into `count` bands, one above the other.
+    """Put components into `count` bands side by side. The components of a band form a column.
 
     Returns:
-        The factor between the shape of the whole and the shape of a screen (1 if they are equal),
-        and the first layer of each component.
+        The factor between the shape of the whole drawing and the shape of a screen (1 if they are
+        equal), and the first layer of each component.
     """
     filled = [0] * count
     band_of = []

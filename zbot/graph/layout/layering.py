@@ -8,17 +8,17 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-Arc = tuple[int, int, int]  #: from, to, and the least number of layers that it spans
+Arc = tuple[int, int, int]  #: start, end, and the least number of layers from start to end
 
 
 def reversed_arcs(size: int, arcs: list[Arc], known: Mapping[int, int]) -> list[bool]:
-    """Return whether each arc must be reversed, so that the graph has no cycles.
+    """Return for each arc whether it must be reversed to remove the cycles.
 
     Args:
         size: The number of vertices.
         arcs: The arcs. An arc from a vertex to itself is not reversed.
         known: The layers of vertices in the previous layout. Arcs between these vertices keep
-            their direction in that layout, unless new arcs make a cycle with them.
+            their old direction, if new arcs do not make a cycle with them.
     """
     is_reversed = []
     for start, end, _ in arcs:

@@ -18,15 +18,16 @@ if TYPE_CHECKING:
 
     from zbot.graph.layout.geometry import Item, Link
 
-_COLUMN_GAP = 96.0  # space for a rate beside an arrow
+_COLUMN_GAP = 96.0  # space for the text of a rate beside an arrow
 _ENOUGH_KNOWN = 0.5  # with a smaller share of old items, the layout is new
-_BEARABLE = 4  # a layout that keeps places may have 4 + 2n crossings, if a new layout has n
+_BEARABLE = 4  # a layout that keeps places may have up to 4 + 2n crossings if a new one has n
 
 
 def lay_out(items: Sequence[Item], links: Sequence[Link], previous: Layout | None = None) -> Layout:
     """Return the layout of a graph.
 
-    Equal arguments give equal layouts. Links point right, but one link of each cycle points left.
+    Equal arguments give equal layouts. Links point right, but each cycle has a link that points
+    left.
     Items do not overlap, and a frame contains only its own items.
 
     Args:

@@ -1,4 +1,7 @@
-"""Order of the vertices in each layer, with few crossings. Frames and components stay whole."""
+"""Order of the vertices in each layer, with few crossings of links.
+
+In a layer, the vertices of a frame stay together, and the vertices of a component stay together.
+"""
 
 from __future__ import annotations
 
@@ -31,7 +34,7 @@ def reduce_crossings(graph: LayeredGraph) -> int:
 
 
 def order_around(graph: LayeredGraph, fixed: Mapping[int, float]) -> int:
-    """Order each row around the vertices that keep their y. Return the number of crossings."""
+    """Order each row. The vertices in `fixed` keep their y. Return the number of crossings."""
     y = {vertex: fixed.get(vertex, 0.0) for row in graph.rows.values() for vertex in row}
     placed = set(fixed)
     for _ in range(4):
@@ -54,7 +57,7 @@ def _copy(graph: LayeredGraph) -> dict[int, list[int]]:
 
 
 def _initial_order(graph: LayeredGraph) -> None:
-    """Order vertices in the order in which a depth-first search finds them."""
+    """Sort vertices in the order in which a depth-first search finds them."""
     met: dict[int, float] = {}
     for layer in graph.rows:
         for vertex in graph.rows[layer]:
@@ -84,7 +87,7 @@ def _sweep(graph: LayeredGraph, *, to_the_right: bool) -> None:
 
 
 def _sort(graph: LayeredGraph, row: list[int], pull: Mapping[int, float]) -> None:
-    """Sort a row by `pull`. A frame's vertices stay together, at the mean of their values."""
+    """Sort a row by `pull`. The vertices of a frame stay together. Their mean decides the place."""
     sums: dict[tuple[str, ...], list[float]] = {}
     for vertex in row:
         frames = graph.frames[vertex]

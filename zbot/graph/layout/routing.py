@@ -12,8 +12,8 @@ if TYPE_CHECKING:
     from zbot.graph.layout.geometry import Place, Point
     from zbot.graph.layout.layered_graph import LayeredGraph
 
-_PORT_GAP = 9.0  # between links at one side
-_PORT_EDGE = 9.0  # between the outermost links and the corners
+_PORT_GAP = 9.0  # between two links at one side of an item
+_PORT_EDGE = 9.0  # between the outermost links and the corners of the item
 _LOOP = 26.0  # width of a link from an item to itself
 
 
@@ -56,7 +56,10 @@ def _label_point(
 
 
 def _ports(graph: LayeredGraph, y: list[float]) -> dict[tuple[int, bool], float]:
-    """Return each link's offset from a side's middle. The y of the next vertex sets the order."""
+    """Return the y offset of each link from the middle of an item's side.
+
+    The links of a side have the same order as the vertices to which they lead.
+    """
     sides: dict[tuple[int, bool], list[tuple[float, bool, int]]] = {}
     for number, chain in enumerate(graph.chains):
         if len(chain) > 1:

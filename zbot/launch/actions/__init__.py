@@ -1,4 +1,4 @@
-"""Actions of launch files, under the names of launch and launch_ros."""
+"""Actions of launch files, with the same names as in launch and launch_ros."""
 
 from zbot.launch.action import Action as Action
 from zbot.launch.actions.composable import ComposableNodeContainer as ComposableNodeContainer

@@ -65,7 +65,7 @@ class PopLaunchConfigurations(Action):
 
 
 class ResetLaunchConfigurations(Action):
-    """Remove all launch configurations except the given ones."""
+    """Replace all launch configurations by the given configurations."""
 
     def __init__(
         self,
@@ -76,7 +76,7 @@ class ResetLaunchConfigurations(Action):
         self.launch_configurations = dict(launch_configurations or {})
 
     def execute(self, context: LaunchContext) -> None:
-        """Remove the other configurations. The given values may still refer to them."""
+        """Replace the configurations. Substitutions in the new values still get the old values."""
         kept = {
             perform(context, name): perform(context, value)
             for name, value in self.launch_configurations.items()

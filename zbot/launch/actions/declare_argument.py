@@ -20,7 +20,7 @@ class DeclareLaunchArgument(Action):
 
     Args:
         name: Its name.
-        default_value: The value if the argument is not given. None means that it is required.
+        default_value: The value if the argument is not given. None makes the argument required.
         description: The purpose of the argument.
         choices: The valid values. None means that any value is valid.
 
@@ -41,7 +41,8 @@ class DeclareLaunchArgument(Action):
         self.name = name
         self.description = description or "no description given"
         self.choices = None if choices is None else list(choices)
-        # zbot also accepts a bool or a number. ROS 2's launch fails later, with an unclear error.
+        # zbot also accepts a bool or a number as the default. ROS 2's launch fails later with such
+        # a default, and its error is unclear.
         is_value = isinstance(default_value, (bool, int, float))
         given = str(default_value) if is_value else default_value
         if self.choices is not None and not self.choices:

@@ -29,7 +29,7 @@ class Prepared:
     """A command line after substitution, ready to start."""
 
     words: list[str]
-    name: str  #: such as `talker`
+    name: str  #: name of the process, such as `talker`
     cwd: str | None
     env: dict[str, str]
 

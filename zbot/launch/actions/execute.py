@@ -45,15 +45,16 @@ class ExecuteLocal(Action):
         sigterm_timeout: Seconds from SIGINT to SIGTERM.
         sigkill_timeout: Seconds from SIGTERM to SIGKILL.
         emulate_tty: Whether stdout and stderr are pseudo terminals.
-        output: The sinks of the output, e.g. `screen`, `log`, `both`, `own_log`, `full` or `none`.
-        output_format: Format of a line. It contains `{line}`, and `{label}` if wanted.
+        output: Where the output goes, e.g. `screen`, `log`, `both`, `own_log`, `full` or `none`.
+        output_format: Format of a line. It contains `{line}`, and may contain `{label}`.
         cached_output: Whether `get_stdout` and `get_stderr` return the output.
         log_cmd: Whether to log the command line.
-        on_exit: Actions, or a function that returns actions, for the end of the process. A text
-            or a substitution, alone or in a list, gives `shutdown`, or nothing if it is empty.
+        on_exit: Actions, or a function that returns actions, for the end of the process. Texts and
+            substitutions are also possible. The text `shutdown` ends the launch, and an empty text
+            has no effect.
         respawn: Whether to start the program again when it ends.
         respawn_delay: Seconds to wait before the program starts again.
-        respawn_max_retries: The largest number of restarts. A negative number means no limit.
+        respawn_max_retries: The maximum number of restarts. A negative number means no limit.
     """
 
     def __init__(
@@ -79,7 +80,7 @@ class ExecuteLocal(Action):
         self.shell = shell
         self.sigterm_timeout, self.sigkill_timeout = _text(sigterm_timeout), _text(sigkill_timeout)
         self.emulate_tty, self.output = emulate_tty, output
-        # The default format in ROS 2 contains `{this...}`. It gives the same lines as `_LINE`.
+        # ROS 2's default format contains `{this...}`. Lines with that format look as with `_LINE`.
         self.output_format = _LINE if "{this" in output_format else output_format
         self.cached_output, self.log_cmd = cached_output, log_cmd
         self.on_exit: Any = on_exit
@@ -92,7 +93,7 @@ class ExecuteLocal(Action):
 
     @property
     def name(self) -> Any:
-        """The process's label, e.g. `talker-1`. Before the start it is the given name."""
+        """The process's label, e.g. `talker-1`. Before the start, this is the given name."""
         return self.process_details.get("name") or self.process_description.name
 
     @property
@@ -160,7 +161,10 @@ class ExecuteLocal(Action):
         return None
 
     def _skip(self, context: LaunchContext) -> None:
-        """Let the actions that wait for the end of a short program go on."""
+        """Emit events for the start and exit of a left-out program, if it normally ends soon.
+
+        So the actions that wait for the end of this program are still executed.
+        """
         words = [perform(context, word) for word in self.process_description.cmd[:1]]
         if not words or not ends_by_itself(words[0]):
             return
@@ -251,14 +255,14 @@ class ExecuteProcess(ExecuteLocal):
 
     @classmethod
     def _parse_cmdline(cls, cmd: str, parser: Parser) -> list[list[Substitution]]:
-        """Return the words of a command line. Extensions use this private name of launch."""
+        """Return the words of a command line. Extensions of launch call this private method."""
         from zbot.launch.frontend.tags import words  # noqa: PLC0415 - cycle
 
         return words(parser.parse_substitution(cmd))
 
 
 def _reaction(given: Any, context: LaunchContext) -> Reaction:
-    """Return `on_exit` with actions in the place of texts and substitutions."""
+    """Return `on_exit`, in which actions replace the texts and substitutions."""
     if given is None or callable(given) or isinstance(given, LaunchDescriptionEntity):
         return cast("Reaction", given)
     parts = [given] if isinstance(given, (str, Substitution)) else given

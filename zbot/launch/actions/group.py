@@ -1,4 +1,4 @@
-"""Action for a group of actions, which has its own configurations and environment."""
+"""Action that executes a group of actions with their own configurations and environment."""
 
 from __future__ import annotations
 
@@ -29,7 +29,8 @@ class GroupAction(Action):
     Args:
         actions: The actions.
         scoped: Whether configurations, namespaces and environment are restored after the actions.
-        forwarding: Whether actions of a scoped group get the outer configurations and environment.
+        forwarding: Whether actions of a scoped group get the configurations and the environment
+            that are set outside of the group.
         launch_configurations: Configurations to set for the actions.
     """
 
@@ -69,9 +70,9 @@ class GroupAction(Action):
     def describe_conditional_sub_entities(
         self,
     ) -> list[tuple[str, Sequence[LaunchDescriptionEntity]]]:
-        """Return the actions if there is a condition."""
+        """Return the actions if the group has a condition."""
         return [] if self.condition is None else [("group condition", self.actions)]
 
     def describe_sub_entities(self) -> list[LaunchDescriptionEntity]:
-        """Return the actions if there is no condition."""
+        """Return the actions if the group has no condition."""
         return self.actions if self.condition is None else []

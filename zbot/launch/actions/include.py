@@ -61,22 +61,24 @@ class IncludeLaunchDescription(Action):
             raise EntityTypeError("launch_description_source", "a source or a path", source)
         self.launch_description_source = source
         given: Any = launch_arguments or ()
-        # Examples of ROS 2 pass `.items()`. A dictionary works too.
+        # ROS 2's examples use the `.items()` of a dictionary. The dictionary itself works too.
         pairs = given.items() if hasattr(given, "items") else given
         self.launch_arguments: list[tuple[Any, Any]] = list(pairs)
 
     def execute(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity]:
         """Return the actions that set the file's arguments, and the file's entities.
 
-        A file of a well-known package that cannot run in zbot is left out, with one sentence.
+        If the file is in a well-known package that cannot run in zbot, log a warning and return no
+        entities.
 
-        Until the last entity, `ThisLaunchFile` and similar substitutions refer to the file.
+        While the launch visits the file's entities, `ThisLaunchFile` and similar substitutions
+        refer to the file.
 
         Raises:
             IncludeLoopError: The file includes itself without end.
             LaunchArgumentError: The include does not give a required argument of the file.
-            LaunchFileError: No launch file includes the file, and a required argument is missing.
-                The error shows the line.
+            LaunchFileError: A required argument is missing, and this include is not in a launch
+                file. The error shows the line that declares the argument.
         """
         try:
             description = self.launch_description_source.get_launch_description(context)
@@ -116,8 +118,8 @@ class IncludeLaunchDescription(Action):
         return (*chain, link)
 
     def _check(self, description: LaunchDescription, given: Mapping[str, str]) -> None:
-        # As in launch, this check runs before the first action of the file. It ignores arguments of
-        # the including file that have the same name.
+        # As in ROS 2's launch, this check runs before the first action of the file. The check
+        # ignores arguments of the including file that have the same name.
         for found in declared_arguments(description, follow_includes=False):
             action = found.action
             if action.default_value is None and not found.conditional and action.name not in given:

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from zbot.launch.ros_node import LaunchNode
     from zbot.launch.substitution import SomeSubstitutionsType
 
-#: Number and goal state of each transition, by its label.
+#: The number and the goal state of each transition. The keys are the labels of the transitions.
 _GOALS = {
     "configure": (1, "inactive"),
     "cleanup": (2, "unconfigured"),
@@ -64,7 +64,7 @@ class LifecycleNode(Node):
     def execute(self, context: LaunchContext) -> list[Any] | None:
         """Start the node and listen to its transition events."""
         super().execute(context)
-        is_started = bool(self.process_details)  # a program that cannot run here is left out
+        is_started = bool(self.process_details)  # a program that cannot run in zbot is left out
         if context.is_shutdown or not is_started:
             return None
         from zbot.launch.ros_node import launch_node  # noqa: PLC0415 - imports Zenoh

@@ -26,9 +26,9 @@ SEPARATOR = ";"
 def loop_iteration(
     values: Mapping[str, Any], entities: Iterable[LaunchDescriptionEntity]
 ) -> list[LaunchDescriptionEntity]:
-    """Return the entities, between actions that set and remove the locals of one iteration."""
+    """Return the entities of one iteration, and actions that set and remove its locals."""
     seen = {ForEachVar.get_local_arg_name(key): one for key, one in values.items()}
-    # These are three functions, as in launch, because launch's tests compare entity by entity.
+    # Three functions do this, as in ROS 2's launch, because launch's tests compare each entity.
     opened = [OpaqueFunction(function=_open), OpaqueFunction(function=_fill, args=(seen,))]
     return [*opened, *entities, OpaqueFunction(function=_close)]
 
@@ -47,7 +47,7 @@ def _close(context: LaunchContext) -> None:
 
 
 class ForEach(Action):
-    """Call a function with each dictionary of a list, and execute the entities that it returns.
+    """Call a function with each dictionary of a list, and execute the returned entities.
 
     Args:
         input_values: YAML dictionaries, separated by semicolons: `{name: a, id: 1};{name: b}`.
@@ -80,7 +80,7 @@ class ForEach(Action):
 
 
 class ForLoop(Action):
-    """Call a function `length` times, with 0, 1 and so on. Execute the entities that it returns.
+    """Call a function with each number from 0 to `length` - 1, and execute the returned entities.
 
     Args:
         length: The number of iterations.

@@ -71,7 +71,8 @@ class Node(ExecuteProcess):
         self.package = None if package is None else normalize(package)
         self.executable = normalize(executable)
         super().__init__(cmd=[self.executable], name=exec_name, **options)
-        # Tests of launch_ros read these two by their mangled names, e.g. `_Node__parameters`.
+        # Tests of launch_ros read these two attributes as `_Node__parameters` and
+        # `_Node__remappings`.
         self.__parameters = normalize_parameters(parameters or ())
         self.__remappings = [_pair(one) for one in remappings or ()]
         self.arguments = [normalize(word) for word in _listed(arguments)]
@@ -120,13 +121,13 @@ class Node(ExecuteProcess):
         return not any(text in self.node_name for text in unknown)
 
     def execute(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity] | None:
-        """Start the node, unless the launch is ending. Warn if its name is in use.
+        """Start the node, unless the launch is ending. Warn if another node has the same name.
 
         Raises:
             ZbotError: The package or the executable does not exist.
         """
         following = super().execute(context)
-        is_started = bool(self.process_details)  # a program that cannot run here is left out
+        is_started = bool(self.process_details)  # a program that cannot run in zbot is left out
         if self._name is not None and is_started and not context.is_shutdown:
             name = self.node_name.removeprefix(self.UNSPECIFIED_NODE_NAMESPACE)
             add_node_name(context, name)
@@ -150,7 +151,7 @@ class Node(ExecuteProcess):
         name = perform(context, description.name) if description.name else ""
         name = name or executable.replace("\\", "/").rpartition("/")[2]
         prepared = description.prepare(context, [*words, *self._ros_words(context)], name)
-        if prepared.cwd is not None:  # from there, `zbot run` would not find this workspace
+        if prepared.cwd is not None:  # in this folder, `zbot run` may not find the workspace
             roots = os.pathsep.join(str(root.absolute()) for root, _ in search_roots())
             prepared.env.setdefault("ZBOT_WORKSPACE", roots)
         return prepared

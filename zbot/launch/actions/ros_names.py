@@ -14,7 +14,8 @@ if TYPE_CHECKING:
     from zbot.launch.context import LaunchContext
     from zbot.launch.substitution import SomeSubstitutionsType
 
-#: Launch configurations with the names of launch_ros. A scoped group restores them.
+#: Launch configurations that contain the namespace, the remaps and the parameters of later nodes.
+#: launch_ros uses the same names. A scoped group restores these configurations.
 NAMESPACE, REMAPS, PARAMETERS = "ros_namespace", "ros_remaps", "global_params"
 
 
@@ -33,7 +34,10 @@ def absolute(namespace: str) -> str:
 
 
 def prefix_namespace(base_ns: str | None = None, ns: str | None = None) -> str | None:
-    """Return what `join_namespace` returns, without a trailing slash. Arguments may be None."""
+    """Join two namespaces like `join_namespace`, and remove a trailing slash.
+
+    If one argument is None, return the other argument.
+    """
     if base_ns is None or ns is None:
         joined = base_ns if ns is None else ns
     else:
@@ -108,7 +112,7 @@ class SetParametersFromFile(Action):
     ) -> None:
         super().__init__(**options)
         self.filename = normalize(filename)
-        del node_name  # the file itself names the nodes
+        del node_name  # the file itself contains the names of the nodes
 
     def execute(self, context: LaunchContext) -> None:
         """Append the setting to the present parameters."""
@@ -116,7 +120,7 @@ class SetParametersFromFile(Action):
 
 
 class SetUseSimTime(Action):
-    """Choose whether later nodes take the time from `/clock`."""
+    """Set whether the clocks of later nodes use the time from `/clock`."""
 
     def __init__(self, value: bool | SomeSubstitutionsType, **options: Any) -> None:
         super().__init__(**options)

@@ -23,7 +23,7 @@ class RosTimer(TimerAction):
     _is_simulated = False
 
     def execute(self, context: LaunchContext) -> None:
-        """Start the period."""
+        """Start the timer."""
         self._is_simulated = _is_simulated(context)
         super().execute(context)
 
@@ -32,7 +32,7 @@ class RosTimer(TimerAction):
         from zbot.parameters.parameter import Parameter  # noqa: PLC0415 - few files need it
 
         node = launch_node(context).node
-        # The second check sees the settings of actions that follow this timer in the launch file.
+        # Check again, because actions that follow this timer in the launch file have run now.
         if self._is_simulated or _is_simulated(context):
             node.set_parameters([Parameter("use_sim_time", value=True)])
         clock = node.get_clock()

@@ -19,7 +19,7 @@ class ReadyToTestEvent(Event):
 
 
 class ReadyToTest(Action):
-    """Marks the point at which the tests may start. It has no effect without tests."""
+    """Action that lets the tests of the launch start. Without tests, it has no effect."""
 
     def execute(self, context: LaunchContext) -> None:
         """Emit the event for the test runner."""

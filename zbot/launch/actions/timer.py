@@ -1,4 +1,4 @@
-"""Timer action."""
+"""Timer action, which executes other actions after a period."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ class TimerAction(Action):
         self._task: asyncio.Task[Any] | None = None
 
     def execute(self, context: LaunchContext) -> None:
-        """Start the period."""
+        """Start the timer."""
         seconds = _seconds(self.period, context)
         self._done = context.running_loop.create_future()
         context.add_completion_future(self._done)

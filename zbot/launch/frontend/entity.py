@@ -1,4 +1,4 @@
-"""Tree of the tags in a launch file. XML and YAML files have the same tree."""
+"""Tree of the tags in a launch file. The tree is the same for an XML file and for a YAML file."""
 
 from __future__ import annotations
 
@@ -23,11 +23,11 @@ class Entity:
 
     Args:
         type_name: The tag's name.
-        attributes: Its attributes, as they are in the file.
-        children: The entities inside it.
+        attributes: The tag's attributes, as they are in the file.
+        children: The entities inside this tag.
         path: The file.
         line: The line number in the file, which starts at 1.
-        parent: The entity that contains it.
+        parent: The entity that contains this tag.
     """
 
     def __init__(
@@ -82,7 +82,7 @@ class Entity:
         return MissingAttributeError(self.path, self.line, reason)
 
     def value(self, name: str) -> Any:
-        """Return an attribute without conversion. In YAML it may be a number or a list."""
+        """Return an attribute without conversion. In YAML, the value may be a number or a list."""
         self._used.add(name)
         return self.attributes.get(name)
 
@@ -153,7 +153,7 @@ class Entity:
         return InvalidFrontendLaunchFileError(self.path, self.line, reason, hint)
 
     def assert_entity_completely_parsed(self) -> None:
-        """Check that every attribute and every child was read.
+        """Check that every attribute and every child was used.
 
         Raises:
             InvalidFrontendLaunchFileError: An attribute or a child is unknown.

@@ -37,10 +37,10 @@ class Parser:
         """Return the tree of a launch file in XML or YAML, and a parser for it.
 
         Args:
-            file: Its path, or an open file.
+            file: The path of the file, or an open file.
 
         Raises:
-            InvalidFrontendLaunchFileError: The file is neither XML nor YAML.
+            InvalidFrontendLaunchFileError: The file is not valid XML or YAML.
             OSError: The file cannot be read.
         """
         if isinstance(file, (str, PathLike)):
@@ -55,7 +55,7 @@ class Parser:
         return parse(str(value).lower() if isinstance(value, bool) else str(value))
 
     def parse_if_substitutions(self, value: Any) -> Any:
-        """Return a value or a list. A text that contains substitutions becomes a list of them."""
+        """Parse a text, or each text of a list. See `substitution_text.parse_if_substitutions`."""
         return parse_if_substitutions(value)
 
     def escape_characters(self, value: str) -> str:

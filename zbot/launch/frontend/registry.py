@@ -28,7 +28,7 @@ _EXPOSED: dict[str, Callable[[list[list[Substitution]]], Substitution]] = {}
 
 
 def action(*names: str) -> Callable[[Builder], Builder]:
-    """Register a function as the builder of actions for these tags."""
+    """Register a function that builds the actions for these tags."""
 
     def register(builder: Builder) -> Builder:
         ACTIONS.update(dict.fromkeys(names, builder))
@@ -68,7 +68,7 @@ def expose_action(name: str) -> Callable[[Exposed], Exposed]:
 def expose_substitution(name: str) -> Callable[[Exposed], Exposed]:
     """Register a function, or a class with a classmethod `parse`, for a substitution.
 
-    The function takes the arguments, and returns a class and its keyword arguments.
+    The function takes the substitution's arguments, and returns a class and its keyword arguments.
     """
     return _registered_in(_EXPOSED, name)
 
@@ -96,7 +96,7 @@ def _joined(arguments: list[list[Substitution]]) -> list[Substitution]:
 
 
 def _with_option(make: Callable[..., Substitution], option: str) -> Callable[..., Substitution]:
-    """Return a factory that passes a second argument, if given, by the keyword in `option`."""
+    """Return a factory for one or two arguments. `option` is the keyword of the second argument."""
     return lambda first, *second: make(first, **({option: second[0]} if second else {}))
 
 
@@ -105,14 +105,14 @@ def _optional_environment(name: Any, default: Any = "") -> Substitution:
 
 
 def _expression(*words: Any) -> Substitution:
-    if len(words) == 2:  # as in ROS 2, the second word names modules, separated by commas
+    if len(words) == 2:  # as in ROS 2, the second word is a list of modules, separated by commas
         return subs.PythonExpression(words[0], python_modules=words[1])
     return subs.PythonExpression(_joined([*words]))
 
 
 _configuration = _with_option(subs.LaunchConfiguration, "default")
 
-#: For each substitution: its factory, its minimum and its maximum number of arguments.
+#: The factory of each substitution, and the minimum and the maximum number of its arguments.
 _FACTORIES: dict[str, tuple[Callable[..., Substitution], int, int]] = {
     "var": (_configuration, 1, 2),
     "arg": (_configuration, 1, 2),

@@ -62,7 +62,7 @@ class _Parser:
         self._text = text
         self._at = 0
         self._levels = 0
-        self._is_quoted = False  #: whether inside quotes, where other quotes are plain text
+        self._is_quoted = False  #: whether `_at` is inside quotes, where quotes are plain text
 
     @property
     def _next(self) -> str:

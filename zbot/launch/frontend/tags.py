@@ -36,7 +36,7 @@ def required_text(entity: Entity, parser: Parser, name: str) -> list[Substitutio
 
 
 def boolean(entity: Entity, name: str, *, default: bool) -> bool:
-    """Return an attribute that is true or false."""
+    """Return an attribute that is true or false. Return `default` if the attribute is missing."""
     found: bool | None = entity.get_attr(name, data_type=bool, optional=True, can_be_str=False)
     return default if found is None else found
 
@@ -123,10 +123,10 @@ def _named_values(entity: Entity, parser: Parser, tag: str) -> dict[Any, list[Su
 
 
 def add_plain_tags(tags: dict[str, tuple[Any, ...]]) -> None:
-    """Register tags that need all their attributes.
+    """Register tags whose attributes are all required.
 
     Args:
-        tags: For each tag: the class of the action, and the attributes that contain its arguments.
+        tags: The class of each tag's action, and the attributes with the arguments of this class.
     """
     for tag, (kind, *attributes) in tags.items():
         action(tag)(partial(_plain_action, kind, attributes))

@@ -1,4 +1,4 @@
-"""Log of a launch on the screen and in files. The names are the same as in `launch.logging`.
+"""Log of a launch, on the screen and in files. `launch.logging` of ROS 2 has the same names.
 
 All launches of a process share `launch_config`, so they write to one folder in one format.
 """
@@ -67,7 +67,7 @@ class LaunchConfig:
         self.set_log_format("default")
 
     def reset_loggers(self) -> None:
-        """Remove handlers and levels from all loggers that `logger` returned."""
+        """Remove handlers and levels from all loggers that the method `logger` returned."""
         for logger in self._loggers.values():
             logger.setLevel(logging.NOTSET)
             logger.handlers.clear()
@@ -125,7 +125,7 @@ class LaunchConfig:
     def set_screen_format(self, screen_format: str, *, screen_style: Style | None = None) -> None:
         """Set the format of lines on the screen.
 
-        If `$OVERRIDE_LAUNCH_SCREEN_FORMAT` is set, it replaces this format.
+        If `$OVERRIDE_LAUNCH_SCREEN_FORMAT` is set, its value is used instead of `screen_format`.
 
         Args:
             screen_format: `default`, `default_with_timestamp`, or a format for `logging.Formatter`.
@@ -142,7 +142,7 @@ class LaunchConfig:
     def set_log_format(self, log_format: str, *, log_style: Style | None = None) -> None:
         """Set the format of lines in files.
 
-        If `$OVERRIDE_LAUNCH_LOG_FORMAT` is set, it replaces this format.
+        If `$OVERRIDE_LAUNCH_LOG_FORMAT` is set, its value is used instead of `log_format`.
 
         Args:
             log_format: `default`, or a format for `logging.Formatter`.
@@ -187,9 +187,13 @@ class LaunchConfig:
         return self.file_handlers[file_name]
 
     def logger(self, name: str) -> logging.Logger:
-        """Return a logger that has the level of the launch and no handlers."""
+        """Return the logger that has this name.
+
+        The first call gives the logger the level of the launch, if the logger has no level yet.
+        """
         if name not in self._loggers:
-            # The "root" of launch is a separate logger: libraries write to Python's root logger.
+            # The "root" of launch is a separate logger, because libraries write to Python's root
+            # logger.
             logger = logging.getLogger(name) if name != "root" else logging.Logger("root")
             logger.propagate = False
             if logger.level == logging.NOTSET:
@@ -246,7 +250,7 @@ def get_output_loggers(
     for stream in ("stdout", "stderr"):
         logger = launch_config.logger(f"{process_name}-{stream}")
         own = sinks[stream]
-        # a second run of the same program may use other sinks
+        # Remove the old handlers, because a second run of the same program may use other sinks.
         logger.handlers.clear()
         if "screen" in both | own:
             _add(logger, launch_config.get_screen_handler(), "{message}")

@@ -28,7 +28,10 @@ def make_unique_log_dir(*, base_path: str) -> str:
 
 
 def renew_latest_log_dir(*, log_dir: str) -> bool:
-    """Set the link `latest`, which is next to the folder. Return whether that worked."""
+    """Set the link `latest` to a folder, and return whether this succeeded.
+
+    The link is next to the folder.
+    """
     folder = Path(log_dir)
     latest = folder.parent / "latest"
     try:
@@ -36,6 +39,6 @@ def renew_latest_log_dir(*, log_dir: str) -> bool:
             latest.unlink()
         latest.symlink_to(folder.name)
     except OSError:
-        # Not an error: Windows may forbid links, and another launch may replace the link.
+        # This is not an error: Windows may forbid links, and another launch may replace the link.
         return False
     return True

@@ -29,7 +29,7 @@ class _FormatterPerLogger:
         super().__init__(*args, **options)
         self._formatters: dict[str, logging.Formatter] = {}
 
-    # The names are the same as in `launch.logging`.
+    # `launch.logging` has the same names of methods.
     def setFormatterFor(  # noqa: N802
         self, logger: logging.Logger | str, formatter: logging.Formatter
     ) -> None:
@@ -69,7 +69,10 @@ class ScreenHandler(_FormatterPerLogger, _StreamHandler):
 
 
 class LogFileHandler(_FormatterPerLogger, logging.FileHandler):
-    """Appends lines to a file. Creates it at the first write. Warns once if it is not writable."""
+    """Appends lines to a file, and warns once if the file is not writable.
+
+    The first line creates the file.
+    """
 
     def __init__(self, path: str | Path, encoding: str = "utf-8") -> None:
         super().__init__(path, encoding=encoding, delay=True, errors="backslashreplace")
@@ -100,10 +103,11 @@ class LogFileHandler(_FormatterPerLogger, logging.FileHandler):
 def show(line: str, colour: str = "") -> None:
     """Write a line to the screen, in a colour if one is given.
 
-    A terminal gets the line's colours and carriage returns, which progress bars use. It gets no
-    other control characters, because a program may print text that came over the network.
+    A terminal gets the line's colours, and its carriage returns, because progress bars use them.
+    Other control characters are escaped, because the text may have come over the network.
     """
-    # The launch continues when the reader of stdout has exited, as with `| head`.
+    # Ignore errors, because the launch continues when the reader of stdout has exited, as with
+    # `| head`.
     try:
         if _is_terminal():
             parts = (escape_control_characters(one, keep_colours=True) for one in line.split("\r"))
@@ -114,7 +118,10 @@ def show(line: str, colour: str = "") -> None:
 
 
 def is_coloured() -> bool:
-    """Return whether to use colours. Without an environment variable, a terminal gets colours."""
+    """Return whether to use colours.
+
+    The environment variables for colours decide. If none is set, only a terminal gets colours.
+    """
     if os.environ.get("NO_COLOR") or os.environ.get("RCUTILS_COLORIZED_OUTPUT") == "0":
         return False
     if os.environ.get("FORCE_COLOR") or os.environ.get("RCUTILS_COLORIZED_OUTPUT") == "1":

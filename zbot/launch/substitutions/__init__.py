@@ -1,4 +1,4 @@
-"""Substitutions of launch files, under the names of launch and launch_ros."""
+"""Substitutions of launch files, with the same names as in launch and launch_ros."""
 
 from zbot.launch.substitution import TextSubstitution as TextSubstitution
 from zbot.launch.substitutions.command import Command as Command

@@ -67,7 +67,7 @@ class Command(Substitution):
 
 
 class FindExecutable(Substitution):
-    """The path of a program on the PATH. zbot's own command replaces a missing `ros2`."""
+    """The path of a program on the PATH. If `ros2` is missing, a script that runs zbot is used."""
 
     def __init__(self, *, name: SomeSubstitutionsType) -> None:
         self.name = normalize(name)

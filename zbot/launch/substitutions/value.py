@@ -120,7 +120,8 @@ class ForEachVar(Substitution):
 
     Args:
         name: The name of the value.
-        default_value: The value if the iteration has no value of this name. None means an error.
+        default_value: The value if the iteration has no value of this name. With None, this is an
+            error.
     """
 
     def __init__(

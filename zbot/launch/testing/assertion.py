@@ -1,4 +1,4 @@
-"""Assertions about the processes of a launch, under the names of launch_testing."""
+"""Assertions about the processes of a launch, with the same names as in launch_testing."""
 
 from __future__ import annotations
 
@@ -117,7 +117,7 @@ class SequentialTextChecker:
         """Return the line where the last found text ends, two lines before it and two after it."""
         lines = self._text.splitlines()
         reached = self._text[: self._place].count("\n")
-        # If the text ends at the end of a line, the next line is used, if there is a next line.
+        # If the found text ends at the end of a line, use the next line, or else the last line.
         if self._text[self._place : self._place + 1] == "\n":
             reached += 1
         reached = min(reached, len(lines) - 1)

@@ -37,12 +37,13 @@ def expect_output(
         lines: The output as lines, instead of `text`.
         expected_text: A text, a pattern, or a list of texts and patterns. The output must contain
             the items of the list in the same order.
-        expected_lines: The same for lines. A text may be anywhere in a line. A pattern must match
-            from the beginning of a line.
+        expected_lines: Like `expected_text`, but each item must be in a line of its own. A text may
+            be anywhere in a line. A pattern must match from the beginning of a line.
         strip_ansi_escape_sequences: Whether to remove colours from the output first.
         strict: Whether the output must start with the expected parts, without gaps between them.
-            More output may follow, because the program may still be running. But a single text must
-            be the whole output. A single line or line pattern must match every line of the output.
+            More output may follow, because the program may still be running. There are two
+            exceptions. A string in `expected_text` must be the whole output. A string or pattern in
+            `expected_lines`, without a list, must match every line of the output.
 
     Raises:
         ChoiceError: Exactly one of `text` and `lines` is required. The same is true for
@@ -66,12 +67,12 @@ def expected_output_from_file(path: str, encoding: str | None = None) -> list[An
     """Return the expected lines in a file.
 
     Args:
-        path: The file without its suffix. A file `.txt` contains lines, a file `.regex` contains
-            patterns.
+        path: The path without the suffix. A file with the suffix `.txt` contains lines, and a file
+            with the suffix `.regex` contains patterns.
         encoding: The encoding of the file, e.g. `unicode_escape` if it contains escapes.
 
     Raises:
-        LaunchTestError: Neither file exists.
+        LaunchTestError: No file with this path and one of these suffixes exists.
     """
     texts, patterns = Path(f"{path}.txt"), Path(f"{path}.regex")
     if texts.is_file():

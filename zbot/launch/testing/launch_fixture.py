@@ -14,9 +14,9 @@ from zbot.launch.testing.running_launch import RunningLaunch, ready_actions
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
-#: The object, name and scope of each fixture, by the object's id.
+#: The object, name and scope of each fixture. The keys are the ids of the objects.
 _names: dict[int, tuple[Any, str, str]] = {}
-#: The running launches, by the names of their fixtures. The newest launch is the last.
+#: The running launches. The keys are the names of their fixtures. The newest launch is the last.
 running: dict[str, RunningLaunch] = {}
 
 
@@ -26,7 +26,8 @@ def fixture(
     """Turn a function that returns a launch description into a fixture.
 
     Args:
-        decorated: The function. It may return or yield a tuple that begins with the description.
+        decorated: The function. It returns or yields the description, or a tuple that begins with
+            the description.
         auto_shutdown: Whether the launch ends when all its processes have ended.
         options: The options of `pytest.fixture`.
     """
@@ -72,7 +73,7 @@ def _description(name: str, value: Any) -> LaunchDescription:
 
 
 def name_and_scope(made: Any) -> tuple[str, str]:
-    """Return name and scope of a fixture that `fixture` created.
+    """Return name and scope of a fixture that the decorator `fixture` created.
 
     Raises:
         LaunchTestError: The object is not such a fixture.

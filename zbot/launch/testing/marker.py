@@ -21,7 +21,7 @@ def keep_alive(test_description: T) -> T:
 
 
 def ready_to_test_action_timeout(timeout: float) -> Callable[[T], T]:
-    """Set the seconds to wait for the launch's `ReadyToTest`. The default is 15."""
+    """Set the maximum number of seconds to wait for the launch's `ReadyToTest`. Default: 15."""
 
     def decorate(test_description: T) -> T:
         _markers(test_description)["ready_timeout"] = timeout
@@ -71,7 +71,9 @@ def post_shutdown_test() -> Callable[[T], T]:
 def retry_on_failure(
     *, times: int, delay: float | None = None
 ) -> Callable[[Callable[..., T]], Callable[..., T]]:
-    """Run a test up to `times` times until no assertion fails, with pauses of `delay` seconds.
+    """Repeat a test until no assertion fails. The test runs at most `times` times.
+
+    Between two runs is a pause of `delay` seconds.
 
     Raises:
         LaunchTestError: `times` is below 1.

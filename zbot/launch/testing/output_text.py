@@ -1,4 +1,4 @@
-"""Functions that search an output for expected texts, and filters that remove lines from it."""
+"""Functions that search for expected texts in an output, or remove lines from an output."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ def get_default_filtered_prefixes() -> list[str]:
 
 
 def get_default_filtered_patterns() -> list[str]:
-    """Return the patterns of lines that `basic_output_filter` removes by default: none."""
+    """Return an empty list. By default, `basic_output_filter` uses only prefixes, no patterns."""
     return []
 
 
@@ -80,7 +80,7 @@ def basic_output_filter(
 
     Args:
         filtered_prefixes: Prefixes of lines to remove. None means `pid` and `rc`.
-        filtered_patterns: Patterns of lines to remove. They must match from the line's beginning.
+        filtered_patterns: Patterns of lines to remove. They must match at the beginning of a line.
     """
     if filtered_prefixes is None:
         filtered_prefixes = get_default_filtered_prefixes()
@@ -107,7 +107,7 @@ def ros_output_filter(
     Args:
         filtered_prefixes: The same as for `basic_output_filter`.
         filtered_patterns: The same as for `basic_output_filter`.
-        filtered_rmw_implementation: Ignored, because Zenoh writes no lines that must be removed.
+        filtered_rmw_implementation: Has no effect, because Zenoh does not write to the output.
     """
     del filtered_rmw_implementation
     return basic_output_filter(filtered_prefixes, filtered_patterns)

@@ -17,10 +17,10 @@ NO_CMD_ARGS: Any = object()
 
 
 class Records(Protocol):
-    """Records about processes."""
+    """Interface of objects that store the output or the exits of processes."""
 
     def processes(self) -> Collection[ExecuteLocal]:
-        """Return the processes that have a record."""
+        """Return the processes that were started."""
         ...
 
 

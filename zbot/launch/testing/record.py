@@ -19,7 +19,7 @@ _TIMEOUT_S = 10.0  # the default of launch_testing
 
 
 class OutputRecord:
-    """Output events. Each event has `text`, `from_stdout`, `process_name` and `action`."""
+    """List of output events. Each event has `text`, `from_stdout`, `process_name` and `action`."""
 
     def __init__(self) -> None:
         self.io_event = threading.Condition()
@@ -34,7 +34,10 @@ class OutputRecord:
             self.io_event.notify_all()
 
     def track(self, started: object) -> None:
-        """Add a process that has no output yet. Objects that are not process events are ignored."""
+        """Add the process of an event. Then the process is known even if it has no output yet.
+
+        Objects that are not events of a process are ignored.
+        """
         if isinstance(started, RunningProcessEvent):
             with self.io_event:
                 self._processes[started.action] = started.process_name
@@ -136,7 +139,7 @@ class OutputRecord:
 
 
 class ExitRecord:
-    """Last event of each process, which is its start, or its exit with the `returncode`."""
+    """The last event of each process: its start, or its exit with the `returncode`."""
 
     def __init__(self) -> None:
         self.proc_event = threading.Condition()

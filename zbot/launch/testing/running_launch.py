@@ -21,7 +21,8 @@ if TYPE_CHECKING:
     from zbot.launch.entity import LaunchDescriptionEntity
 
 READY_TIMEOUT_S = 15.0  # the default of launch_testing
-# SIGINT, SIGTERM and SIGKILL come 5 s apart, unless an action sets other timeouts.
+# Time in which a launch should end. By default, SIGTERM comes 5 s after SIGINT, and SIGKILL 5 s
+# after SIGTERM. An action may set longer times.
 _LONGEST_END_S = 60.0
 
 

@@ -30,7 +30,7 @@ class StagedTest:
         self.has_two_stages = inspect.isgeneratorfunction(function) or inspect.isasyncgenfunction(
             function
         )
-        #: Tests that wait at their `yield`, by the launch's id. A failed test is stored as None.
+        #: Tests that wait at their `yield`. The key is the id of the launch. None is a failed test.
         self._waiting: defaultdict[int, deque[Any]] = defaultdict(deque)
 
     def as_one_function(self, *, shutdown: bool) -> Any:
@@ -75,7 +75,7 @@ class StagedTest:
         return running[self._fixture_name]
 
     def _begin(self, args: Any, given: Any) -> Any:
-        """Run the test up to its `yield`. Return its generator, or None if it has no `yield`."""
+        """Run the test until its `yield`. Return the generator, or None if there is no `yield`."""
         made = self._function(*args, **given)
         if inspect.iscoroutine(made):
             asyncio.run(made)
@@ -107,13 +107,13 @@ class StagedTest:
 
 
 class _AsyncGeneratorRunner:
-    """An asynchronous generator, with the event loop that runs both of its parts."""
+    """An asynchronous generator, with the event loop that runs it before and after the `yield`."""
 
     def __init__(self, made: AsyncGenerator[Any, Any]) -> None:
         self._made, self._loop = made, asyncio.new_event_loop()
 
     def begun(self) -> _AsyncGeneratorRunner | None:
-        """Run the generator up to its `yield`. Return None if it has no `yield`."""
+        """Run the generator until its `yield`. Return None if there is no `yield`."""
         nothing = object()
         is_open = False
         try:
@@ -124,7 +124,7 @@ class _AsyncGeneratorRunner:
         return self if is_open else None
 
     def end(self, nothing: object) -> object:
-        """Run the rest of the generator. Return `nothing` if it has no second `yield`."""
+        """Run the rest of the generator. Return `nothing` if there is no second `yield`."""
         try:
             return self._next(nothing)
         finally:

@@ -1,4 +1,4 @@
-"""Run of a test file, which consists of its launch and its test cases."""
+"""Run of a launch test: the launch and the test cases of one test file."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def load_module(path: Path) -> ModuleType:
 
 
 def test_runs(module: ModuleType) -> list[TestRun]:
-    """Return one run for each set of values of `parametrize`. Without it, return one run."""
+    """Return one run for each set of values of `parametrize`. Return one run if it is not used."""
     function = getattr(module, _FUNCTION)
     return [TestRun(module, row) for row in markers_of(function).get("rows", [{}])]
 
@@ -69,7 +69,7 @@ class TestRun:
 
     @property
     def name(self) -> str:
-        """The parameters as pytest writes them, e.g. `[1-fast]`. It is empty without parameters."""
+        """The parameters as pytest writes them, e.g. `[1-fast]`, or an empty text without them."""
         values = "-".join(map(str, self._parameters.values()))
         return f"[{values}]" if values else ""
 
@@ -121,7 +121,7 @@ class TestRun:
         return [active, self._run_cases(attributes, verbosity, after=True)]
 
     def validate(self) -> None:
-        """Check that the description has the same arguments as `parametrize`.
+        """Check that `generate_test_description` has the same arguments as `parametrize`.
 
         Raises:
             LaunchTestError: The arguments differ.
@@ -190,7 +190,7 @@ class TestRun:
 def _bound(
     case: type[unittest.TestCase], names: Sequence[str], attributes: dict[str, Any]
 ) -> type[unittest.TestCase]:
-    """Return a subclass of a test case whose methods get values for their arguments."""
+    """Return a subclass of a test case. Its methods get their arguments from `attributes`."""
     members: dict[str, Any] = {
         name: value for name, value in attributes.items() if not hasattr(case, name)
     }

@@ -1,4 +1,4 @@
-"""Runner of all runs of a test file, with the interface of `LaunchTestRunner` in ROS 2."""
+"""Runner of all launches in a test file, with the interface of `LaunchTestRunner` in ROS 2."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ class LaunchTestRunner:
         self._arguments = parse_arguments(launch_file_arguments)
 
     def validate(self) -> None:
-        """Check that each `generate_test_description` takes the arguments of its `parametrize`.
+        """Check that each `generate_test_description` has the same arguments as its `parametrize`.
 
         Raises:
             LaunchTestError: The arguments differ.

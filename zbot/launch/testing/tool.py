@@ -1,4 +1,4 @@
-"""Tools for tests that start processes or wait for processes."""
+"""Functions for tests that start processes, or that wait for output or for the end of processes."""
 
 from __future__ import annotations
 
@@ -31,9 +31,9 @@ class ProcessProxy:
     """A process under test.
 
     Args:
-        process_action: Its action.
-        proc_info: The record of its start and exit.
-        proc_output: The record of its output.
+        process_action: The action of the process.
+        proc_info: The record of the process's start and exit.
+        proc_output: The record of the process's output.
         output_filter: Function that changes the output before the properties return it.
     """
 
@@ -116,8 +116,8 @@ def launch_process(
     Args:
         launch_service: The launch.
         process_action: The process.
-        proc_info: The record of its start and exit.
-        proc_output: The record of its output.
+        proc_info: The record of the process's start and exit.
+        proc_output: The record of the process's output.
         options: The options of `ProcessProxy`.
     """
     launch_service.include_launch_description(LaunchDescription([process_action]))
@@ -177,8 +177,8 @@ def wait_for_output_sync(
     Args:
         launch_context: The value of the fixture `launch_context`.
         execute_process_action: The process, which needs `cached_output=True`.
-        validate_output: Called with the text. To reject the text, it raises `AssertionError` or
-            returns a false value other than `None`.
+        validate_output: Function that is called with the text. To reject the text, the function
+            raises `AssertionError` or returns a false value other than `None`.
         timeout: Seconds to wait.
 
     Returns:

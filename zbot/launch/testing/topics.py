@@ -1,4 +1,4 @@
-"""Wait for messages on several topics, like `WaitForTopics` of launch_testing_ros."""
+"""Class that waits for messages on several topics, like `WaitForTopics` of launch_testing_ros."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class WaitForTopics:
-    """Subscribes to topics, in its own context and thread.
+    """Waits for messages on topics, with its own context, node and thread.
 
     Args:
         topic_tuples: Pairs of topic name and message class.
@@ -53,7 +53,7 @@ class WaitForTopics:
         self._executor.spin_until_future_complete(self._stop)
 
     def wait(self) -> bool:
-        """Wait until each topic has a message. Return False if the timeout passes first."""
+        """Wait until each topic has a message. Return False if the timeout is over before that."""
         self._listen()
         with self._changed:
             return self._changed.wait_for(lambda: not self.topics_not_received(), self.timeout)
@@ -95,7 +95,7 @@ class WaitForTopics:
             return list(self._messages[topic_name])
 
     def shutdown(self) -> None:
-        """Stop listening. A second call does nothing."""
+        """End the subscriptions and the thread. A second call does nothing."""
         if self._thread.is_alive():
             self._executor.create_task(self._stop.set_result, True)
             self._thread.join()

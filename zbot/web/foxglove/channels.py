@@ -30,7 +30,7 @@ class _Topic:
 
 
 class Channels:
-    """Channels of all topics. A topic is subscribed to while a client shows it.
+    """Channels of all topics. The server subscribes to a topic while a client shows the topic.
 
     Args:
         system: The running system.
@@ -42,10 +42,13 @@ class Channels:
         self._context = context
         self._lock = threading.RLock()
         self._topics: dict[str, _Topic] = {}
-        self._unknown: dict[str, str] = {}  #: types that could not be found, and their topics
+        self._unknown: dict[str, str] = {}  #: types that were not found, by topic
 
     def update(self, graph: Snapshot) -> None:
-        """Offer the topics of a graph. It may ask other machines for types, which takes a while."""
+        """Offer the topics of a graph.
+
+        This call may ask other machines for types, which takes a while.
+        """
         found = {name: types[0] for name, types in graph.topics() if not is_hidden(name)}
         with self._lock:
             gone = [name for name, one in self._topics.items() if found.get(name) != one.type_name]

@@ -1,8 +1,9 @@
-"""Guard in front of the server for Foxglove. It refuses websites, and machines without the token.
+"""Guard of the server for Foxglove: a proxy that refuses unknown websites and wrong tokens.
 
-Any website in the user's browser can open a websocket to 127.0.0.1, and `foxglove-sdk` accepts each
-one. So the SDK listens on a random address that websites cannot guess, and the guard passes on
-what it has checked.
+Any website in the user's browser can open a websocket to 127.0.0.1, and the server of
+`foxglove-sdk` accepts every websocket. So this server listens on a random address that websites
+cannot guess. Clients connect to the guard, which checks each request before it connects the client
+to the server.
 """
 
 from __future__ import annotations
@@ -22,7 +23,8 @@ if TYPE_CHECKING:
 
 #: The web application of Foxglove.
 FOXGLOVE_ORIGIN = "https://app.foxglove.dev"
-#: Schemes of applications on this machine, e.g. Foxglove for the desktop. No website has them.
+#: Schemes of the origins of applications on this machine, e.g. Foxglove for the desktop. The origin
+#: of a website never has one of these schemes.
 _APPLICATIONS = frozenset({"app", "file", "lichtblick", "foxglove"})
 _LOCAL_NAMES = frozenset({"localhost", "127.0.0.1", "::1"})
 _MOST_BYTES = 16_384
@@ -31,12 +33,12 @@ _BLOCK_BYTES = 2**18
 
 
 class Guard:
-    """TCP server that passes websockets to another server of this machine.
+    """TCP server that forwards websockets to another server of this machine.
 
     Args:
         host: The host that the guard listens on.
         inner: Host and port of the server behind the guard.
-        token: The token that the address must contain. `None` on loopback.
+        token: The token that the address must contain. It is `None` for a loopback host.
         origins: Further origins whose pages may connect, e.g. `http://lab:8080`.
     """
 
@@ -52,7 +54,7 @@ class Guard:
         self._origins = frozenset({FOXGLOVE_ORIGIN, *origins})
 
     async def serve(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
-        """Check a connection, and pass it on until one side closes it."""
+        """Check a client's request. Then copy data in both directions until one side closes."""
         try:
             with contextlib.closing(writer):
                 head = await self._head(reader)
@@ -76,7 +78,7 @@ class Guard:
         return head if len(head) <= _MOST_BYTES else None
 
     def refusal(self, head: bytes) -> str:
-        """Return why a request is refused, or an empty text."""
+        """Return the reason why a request is refused, or an empty text if it is accepted."""
         method, target, fields = _parsed(head)
         if method != "GET" or fields.get("upgrade", "").lower() != "websocket":
             return "this is no web page: open this address in Foxglove or Lichtblick"
@@ -114,7 +116,7 @@ class Guard:
             name = (parts.hostname or "").lower()
         except ValueError:
             return False
-        # Lichtblick is often served by this machine.
+        # A web server on this machine often serves Lichtblick.
         return parts.scheme in _APPLICATIONS or name in _LOCAL_NAMES
 
     @staticmethod
@@ -145,9 +147,9 @@ class Guard:
 
 
 def free_loopback_address() -> str:
-    """Return an address that only this machine can reach, and that websites cannot guess.
+    """Return a random loopback address, which websites cannot guess.
 
-    On a system with only one such address, the result is 127.0.0.1.
+    If the system has only one loopback address, return 127.0.0.1.
     """
     import secrets  # noqa: PLC0415 - only here
 

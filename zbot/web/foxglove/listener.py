@@ -1,4 +1,4 @@
-"""Listener of the server for Foxglove: what its clients subscribe to, publish, read and set."""
+"""Listener of the server for Foxglove. It handles the requests of the server's clients."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ class Listener:
         with self._lock:
             known = self._published.get((client.id, client_channel_id))
         if known is None:
-            return  # its publisher was refused
+            return  # the publisher was refused
         reference, cls, encoding = known
         try:
             reference.entity.publish(client_message(data, cls, encoding))
@@ -79,7 +79,7 @@ class Listener:
         param_names: list[str],
         request_id: str | None = None,  # noqa: ARG002 - as above
     ) -> list[Any]:
-        """Return parameters."""
+        """Return the parameters with these names. No names mean all parameters."""
         return self._parameters.read(param_names)
 
     def on_set_parameters(
@@ -88,7 +88,7 @@ class Listener:
         parameters: list[Any],
         request_id: str | None = None,  # noqa: ARG002 - as above
     ) -> list[Any]:
-        """Set parameters, and return their values."""
+        """Set parameters, and return the values that they have afterwards."""
         try:
             if self._system.read_only:
                 _warn("a client tried to set a parameter: this server is read-only")
@@ -102,16 +102,16 @@ class Listener:
         """Do nothing: clients ask again when a parameter has changed."""
 
     def on_parameters_unsubscribe(self, param_names: list[str]) -> None:
-        """Do nothing, as above."""
+        """Do nothing, because `on_parameters_subscribe` does nothing."""
 
     def on_playback_control_request(self, playback_control_request: Any) -> None:
-        """Do nothing: the domain is live."""
+        """Do nothing: this server shows live data, which has no playback."""
 
     def on_connection_graph_subscribe(self) -> None:
         """Do nothing: the server always has the newest graph."""
 
     def on_connection_graph_unsubscribe(self) -> None:
-        """Do nothing, as above."""
+        """Do nothing: the server always has the newest graph."""
 
 
 class EncodingError(ZbotError, ValueError):
@@ -128,7 +128,7 @@ def client_message(data: bytes, cls: Any, encoding: str) -> Any:
     Raises:
         ZbotError: The bytes or the values do not fit the type.
         ValueError: There is no such field, or a value does not fit it.
-        TypeError: The same.
+        TypeError: A value has a type that does not fit the field.
     """
     if encoding == "cdr":
         return deserialize_message(data, cls)

@@ -31,7 +31,7 @@ class Parameters:
         self._system = system
 
     def read(self, names: Iterable[str]) -> list[Any]:
-        """Return the SDK's parameters with some names. No names mean all parameters."""
+        """Return the parameters with these names, as the SDK's objects. No names mean all."""
         wanted: dict[str, list[str] | None] = {}
         for name in names:
             node, _, parameter = name.partition(".")
@@ -62,10 +62,10 @@ class Parameters:
         return self.read(names) if names else []
 
     def _fitting(self, node: str, name: str, value: Any) -> Any:
-        """Return a value in the type of a parameter: JSON writes 1.0 as 1."""
+        """Convert a number to the type of the parameter, because JSON writes 1.0 as 1."""
         request = self._request(_GET, names=[name])
         values = self._call(node, "get_parameters", _GET, request).values
-        # Nodes of ROS 2 give no value of a parameter that they do not have.
+        # The response of a node of ROS 2 has no value if the parameter does not exist.
         present = parameter_value_to_python(values[0]) if len(values) else None
         if isinstance(present, float) and isinstance(value, int) and not isinstance(value, bool):
             return float(value)
@@ -92,7 +92,7 @@ class Parameters:
         request = self._request(_GET, names=names)
         values = self._call(node, "get_parameters", _GET, request).values
         if len(values) != len(names):
-            return []  # a node of ROS 2 gives no value at all if it lacks one of the parameters
+            return []  # a node of ROS 2 returns no values if one of the names is unknown
         found = (
             (name, parameter_value_to_python(one)) for name, one in zip(names, values, strict=True)
         )
@@ -111,7 +111,7 @@ class Parameters:
 
 
 def _plain(value: Any) -> Any:
-    """Return a value of the kinds that the SDK takes."""
+    """Convert a value to a type that the SDK accepts."""
     if isinstance(value, (bool, int, float, str, bytes)):
         return value
     items = list(value)

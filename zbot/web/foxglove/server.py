@@ -66,10 +66,10 @@ def serve(
 
     Args:
         host: The address to listen on. If it is not a loopback address, clients need a token.
-        port: The port. If it is taken, the next free port is used. 0 means any.
-        read_only: Whether clients can only look.
+        port: The port. If it is taken, the next free port is used. 0 means any free port.
+        read_only: Whether clients can only read.
         origins: Addresses of further web applications that may connect.
-        on_ready: Called with the address of the websocket, and with that of the web application.
+        on_ready: Called with the address of the websocket and the address of the web application.
 
     Raises:
         NoFoxgloveExtraError: The package `foxglove-sdk` is not installed.
@@ -92,11 +92,11 @@ def serve(
 
 @contextlib.contextmanager
 def _sdk_server(system: System) -> Iterator[tuple[str, int]]:
-    """Run the SDK's server behind the guard, and yield its address."""
+    """Run the SDK's server behind the guard. Yield the host and the port of the SDK's server."""
     import foxglove  # noqa: PLC0415 - an extra
     from foxglove.websocket import Capability  # noqa: PLC0415 - as above
 
-    foxglove.set_log_level("CRITICAL")  # it reports each client that closes its window
+    foxglove.set_log_level("CRITICAL")  # the SDK would report each client that closes its window
     context = foxglove.Context()
     channels, parameters = Channels(system, context), Parameters(system)
     capabilities = [Capability.ConnectionGraph, Capability.Parameters]

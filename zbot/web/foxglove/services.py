@@ -20,7 +20,9 @@ _PATIENCE_S = 10.0
 
 
 class Services:
-    """Services that the server offers. Services of every node, e.g. for parameters, are left out.
+    """Services that the server offers.
+
+    The standard services that every node has, e.g. for parameters, are left out.
 
     Args:
         system: The running system.
@@ -33,7 +35,10 @@ class Services:
         self._offered: dict[str, str] = {}
 
     def update(self, graph: Snapshot) -> None:
-        """Offer the services of a graph. It may ask other machines for types."""
+        """Offer the services of a graph.
+
+        This call may ask other machines for types, which takes a while.
+        """
         found = _wanted(graph)
         gone = [name for name, kind in self._offered.items() if found.get(name) != kind]
         if gone:
@@ -56,7 +61,7 @@ class Services:
                 response=_schema(f"{kind}_Response"),
             )
         except ZbotError:
-            return  # its type is not known
+            return  # the type's definition was not found
         handler = self._handler(name, kind, service)
         self._server.add_services([Service(name, schema=schema, handler=handler)])
 

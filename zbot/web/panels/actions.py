@@ -130,7 +130,7 @@ class _ActionDetails(ServedDetails):
             self.follow(None)
 
     async def run_goal(self, client: ActionClient[Any, Any, Any]) -> None:
-        """Send a goal, wait for its result, and show it."""
+        """Send a goal, wait for its result, and show the result."""
         self.send_button.set_enabled(False)
         goal = await await_future(client.send_goal_async(self.form.message(), self.take))
         if not goal.accepted:

@@ -40,7 +40,7 @@ class _Bags:
         self.page = page
         self.control = control_of(page.system)
         self.found: dict[str, FoundBag] = {}
-        self.number = 0  # how many times the bags were listed
+        self.number = 0  # how many times the list of bags has changed
         self.is_looking = False
         with ui.element("div").classes("zb-fill zb-bags"):
             self.state = ui.element("div").classes("zb-row zb-card zb-recording")
@@ -143,7 +143,10 @@ class _Bags:
 
 
 def _no_result(function: Any) -> Any:
-    """Return a function with a result: None means to `run_in_thread` that the server ends."""
+    """Return a function that calls `function` and returns True.
+
+    `run_in_thread` needs a result, because it takes None for a shutdown of the server.
+    """
 
     def call(*arguments: Any) -> bool:
         function(*arguments)

@@ -132,7 +132,8 @@ class _Class:
         self.heading.set_text(f"Graph of {self.chosen}" if is_shown else "")
         if is_shown and state != self.drawn:
             self.drawn = state
-            # As an image, the SVG is safe: browsers run no script in it, even from a node's name.
+            # As an image, the SVG is safe: browsers run no script in an image, even if a node's
+            # name contains a script.
             svg = draw(view(self.snapshot)).svg().encode()
             address = f"data:image/svg+xml;base64,{base64.b64encode(svg).decode()}"
             self.picture.props(f'src="{address}"')

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from zbot.graph.view import GraphView
     from zbot.web.panel import Section
 
-# At this rate, a change is visible after 0.2 s, and a launch of many nodes needs few drawings.
+# At this rate, a change is visible within 0.2 s, and a launch of many nodes needs few drawings.
 _DRAW_HZ = 5.0
 _RATE_HZ = 1.0
 _CHOSEN = "chosen"
@@ -81,7 +81,7 @@ class GraphPanel:
             self.page.call("zbot.graph.show", self._id, self.svg(), self._chosen)
 
     def svg(self) -> str:
-        """Return the drawing. It contains the rates if the page shows them."""
+        """Return the drawing as SVG. It contains the rates if the page shows rates."""
         if self.drawing is None:
             return ""
         labels = self.rates.labels(self.drawing.view) if self.shows_rates else None

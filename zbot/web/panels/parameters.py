@@ -27,7 +27,8 @@ if TYPE_CHECKING:
 _EVENTS = "/parameter_events"
 _EVENTS_KEPT = 200
 _LIVE_HZ = 15.0
-_LOAD_PAUSE_S = 1.0  # a program may publish thousands of events, each with new parameters
+# Shortest time between two loads. A program may publish thousands of events with new parameters.
+_LOAD_PAUSE_S = 1.0
 #: Names of parameters that every node has. The panel shows these parameters last.
 _EVERY_NODE_HAS = ("start_type_description_service", "use_sim_time", "qos_overrides.")
 
@@ -95,7 +96,7 @@ class _NodeParameters:
                 ui.label("This node has no parameters.").classes("zb-muted")
 
     def update(self) -> None:
-        """Show the values of new events. If these are not enough, load all parameters again."""
+        """Show the values of new events. If `follow` returns False, load all parameters again."""
         for record in self.watch.since(self.last):
             self.last = record.number
             event = self.watch.read(record)

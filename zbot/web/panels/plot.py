@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 _WINDOWS_S = {5: "5 s", 10: "10 s", 30: "30 s", 60: "1 min", 300: "5 min"}
 _DEFAULT_WINDOW_S = 10
-#: Seconds between movements of the time axis. It also moves between messages of a slow topic.
+#: Seconds between movements of the time axis. The axis also moves between messages of a slow topic.
 _SCROLL_S = 0.1
 _LEGEND_HZ = 4.0
 _COLOURS = 6
@@ -29,7 +29,7 @@ _OVER_TIME = "over time"
 
 
 class _Watcher:
-    """Watcher of topics for a page. It also works while the page is hidden, to avoid gaps."""
+    """Watcher of topics for a page. It also works while the page is hidden: curves have no gaps."""
 
     def __init__(self, page: Page) -> None:
         self._page = page
@@ -124,7 +124,7 @@ class _Plot:
         self.show_state()
 
     def fields(self) -> dict[str, list[str]]:
-        """Return the paths of each topic's numbers. Arrays without a fixed size have none."""
+        """Return the paths of each topic's numbers, without elements of arrays of variable size."""
         found = {}
         for topic, types in self.page.system.snapshot().topics():
             try:

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 #: The page subscribes to at most this number of the list's topics. A filter shortens the list.
 _MOST_WATCHED = 300
-# In hertz. Users cannot read numbers that change more often.
+# Updates a second. Users cannot read numbers that change more often.
 _LIST_HZ = 2.0
 _COLUMNS = (
     Column("Topic", "zb-mono zb-cut"),

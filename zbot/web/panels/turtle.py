@@ -33,7 +33,7 @@ _ARROW_ICONS = {
     "ArrowRight": "keyboard_arrow_right",
 }
 _BLACK = "#000000"
-#: Letters in the order of a keyboard.
+#: Keys that turn the turtle. They have the same order around F as on a keyboard.
 _WHEEL = ("e", "r", "t", "d", CANCEL, "g", "c", "v", "b")
 
 
@@ -283,7 +283,8 @@ def _colour(label: str, on_choice: Callable[[], Coroutine[Any, Any, None]]) -> u
         box.set_value(event.args)
         await with_errors_shown(on_choice)()
 
-    # "change" comes once. "input" would come for each colour while the user moves the mouse.
+    # The event "change" comes once. The event "input" would come for each colour while the user
+    # moves the mouse.
     box.on("change", choose, js_handler="(value) => emit(value)")
     return box.classes("zb-colour")
 

@@ -1,1 +1,1 @@
-"""Web programs' way into the system: WebSockets that speak the rosbridge v2 protocol."""
+"""WebSockets with the rosbridge v2 protocol, through which web programs use the system."""

@@ -20,9 +20,10 @@ if TYPE_CHECKING:
     from zbot.web.rosbridge.session import Session
     from zbot.web.shared_entities import EntityReference
 
-#: Most goals of one client at the same time, and most goals that it executes.
+#: The largest number of unfinished goals that a client may send. Each action that the client serves
+#: has the same limit of goals that are executed at the same time.
 MAX_GOALS = 100
-#: Most actions that one client may serve.
+#: The largest number of actions that one client may serve.
 MAX_ACTIONS = 50
 _numbers = itertools.count(1)
 
@@ -51,7 +52,7 @@ class ActionOperations:
         }
 
     def close(self) -> None:
-        """Stop to serve. Goals that the client has sent go on, but nobody waits for them."""
+        """End the client's actions. Goals that the client has sent continue, without an answer."""
         for action in self._served.values():
             action.close()
         for goal in tuple(self._goals.values()):
@@ -110,7 +111,7 @@ class ActionOperations:
 
 
 class _SentGoal:
-    """Goal that the client sends. The result, or an error, is sent to it once."""
+    """Goal that the client sends. The client gets one answer: the result or an error."""
 
     def __init__(
         self,
@@ -183,11 +184,11 @@ class _SentGoal:
         self._answer(values, response.status, is_success=True)
 
     def fail(self, text: str) -> None:
-        """Answer with an error. After another answer, do nothing."""
+        """Answer with an error."""
         self._answer(text, GoalState.UNKNOWN.value, is_success=False)
 
     def _answer(self, values: Any, status: int, *, is_success: bool) -> None:
-        is_new = self._key not in self._goals  # too many goals: this one was never kept
+        is_new = self._key not in self._goals  # too many goals: this goal was not kept
         if self.end() or is_new:
             self._send(
                 {"op": "action_result", "values": values, "status": status, "result": is_success}
@@ -197,7 +198,7 @@ class _SentGoal:
         self._session.send({**fields, "id": self._message.id, "action": self._name}, *self._form)
 
     def end(self) -> bool:
-        """Forget the goal. Return whether it was known."""
+        """Forget the goal. Return False if it was forgotten before."""
         if self._goals.get(self._key) is not self or self._goals.pop(self._key, None) is None:
             return False  # another thread was faster
         if self._client is not None and self._session.bridge.node.context.ok():
@@ -210,7 +211,7 @@ class _ServedAction:
 
     def __init__(self, session: Session, given: str, name: str, action_type: Any) -> None:
         self._session = session
-        self._given = given  #: as the client writes it; it finds its callback by it
+        self._given = given  #: the name as the client wrote it; the client finds its callback by it
         self._name = name
         self._type = action_type
         self._goals: dict[str, tuple[Any, Future[Any]]] = {}
@@ -238,7 +239,7 @@ class _ServedAction:
                 feedback=True,
             )
             if goal_handle.is_cancel_requested:
-                self._send("cancel_action_goal", id_)  # it came before the goal was kept
+                self._send("cancel_action_goal", id_)  # the request came before the goal was kept
             outcome: Any = await future
         finally:
             del self._goals[id_]

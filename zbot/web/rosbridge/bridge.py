@@ -38,7 +38,7 @@ class Bridge:
     Attributes:
         node: The node that publishes, subscribes, calls and serves for the clients.
         shared: Publishers, service clients and action clients that all rosbridge clients share.
-        threads: Threads that carry out messages and encode what is sent.
+        threads: Threads that handle messages of clients and encode messages for clients.
         waiting_threads: Threads that wait for answers of nodes, e.g. for parameters. A node that
             does not answer delays only these threads.
         is_read_only: Whether clients can only read.
@@ -79,14 +79,14 @@ class Bridge:
         get_logger("zbot.web").error("".join(traceback.format_exception(error)))
 
     def sentence(self, error: Exception) -> str:
-        """Return what a client is told about an error. An error of the server itself is logged."""
+        """Return the text of an error for a client. Log an error of the server itself."""
         if isinstance(error, ZbotError):
             return str(error)
         self.report(error)
         return f"the server failed: {error!r}"
 
     def close(self) -> None:
-        """Start no more work. The end of the system's context ends the node."""
+        """Cancel all work that has not begun. The end of the system's context ends the node."""
         for threads in (self.threads, self.waiting_threads):
             threads.shutdown(wait=False, cancel_futures=True)
 

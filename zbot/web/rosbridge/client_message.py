@@ -1,4 +1,4 @@
-"""Messages that clients of rosbridge send, with their limits and with one error."""
+"""Messages that clients of rosbridge send, their limits, and the error for a wrong message."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ MAX_BYTES = 16 * 1024 * 1024
 #: Longest name, type and id, in characters.
 _MAX_WORD = 1000
 _MAX_FRAGMENTED_MESSAGES = 16
-#: Memory that a part needs beside its characters, so that empty parts count too.
+#: Bytes that are counted for a part in addition to its characters, so that empty parts count too.
 _SIZE_OF_PART = 100
 
 
 class RosbridgeError(ZbotError, ValueError):
-    """A client's message cannot be carried out. The client gets the sentence as a status."""
+    """A client's message cannot be executed. The client gets the text of this error."""
 
 
 class ClientMessage:
@@ -49,7 +49,7 @@ class ClientMessage:
         """Return a string that is not empty and has at most 1000 characters.
 
         Raises:
-            RosbridgeError: The field is missing and has no default, or is not such a string.
+            RosbridgeError: The field is missing and has no default, or it is not such a string.
         """
         value = self._fields.get(name)
         if value is None and default is not None:
@@ -104,7 +104,8 @@ def read_message(data: str | bytes) -> ClientMessage:
     """Return the message in a text.
 
     Raises:
-        RosbridgeError: The text is not a JSON object with an operation, or is too long or deep.
+        RosbridgeError: The text is not a JSON object with an operation, is too long, or has too
+            many levels.
     """
     if isinstance(data, bytes):
         raise RosbridgeError("a binary message cannot be read: send JSON as text")
@@ -124,14 +125,15 @@ class _Incomplete:
 class Fragments:
     """Parts of messages that a client sends in fragments.
 
-    At most 16 messages may be incomplete, with 16 MiB in all. Then the oldest one is forgotten.
+    At most 16 messages may be incomplete, and their parts may have at most 16 MiB in all. Beyond
+    a limit, the oldest incomplete message is dropped, and the client gets an error.
     """
 
     def __init__(self) -> None:
         self._incomplete: dict[str | int, _Incomplete] = {}
 
     def add(self, fragment: ClientMessage) -> str | None:
-        """Keep a fragment. Return the text of the message when its last part has come.
+        """Keep a fragment. If it completes a message, return the message's text, otherwise None.
 
         Raises:
             RosbridgeError: The fragment is not valid, or the parts are too long.

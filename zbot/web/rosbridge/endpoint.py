@@ -1,4 +1,4 @@
-"""WebSocket of the server where clients of rosbridge connect."""
+"""WebSocket endpoint of the server, to which clients of rosbridge connect."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _POLICY_VIOLATION = 1008
 
 
 def endpoint(bridge: Bridge) -> Callable[[WebSocket], Awaitable[None]]:
-    """Return the function (ASGI) that serves a client until it leaves."""
+    """Return the function that serves one client until the client disconnects."""
 
     async def serve(socket: WebSocket) -> None:
         await socket.accept()
@@ -31,7 +31,7 @@ def endpoint(bridge: Bridge) -> Callable[[WebSocket], Awaitable[None]]:
         has_news = asyncio.Event()
 
         def run(function: Callable[..., object], *arguments: object) -> None:
-            with contextlib.suppress(RuntimeError):  # the server has closed its loop: it ends
+            with contextlib.suppress(RuntimeError):  # the server is ending and has closed its loop
                 loop.call_soon_threadsafe(function, *arguments)
 
         def wake() -> None:
@@ -70,8 +70,8 @@ async def _receive(socket: WebSocket, session: Session) -> None:
         data = event.get("text")
         if data is None:
             data = event.get("bytes") or b""
-        # In a thread, as a message may need a definition from another machine. The next message
-        # is read after that, so a client that sends too fast has to wait.
+        # This runs in a thread, because a message may need a definition from another machine. The
+        # next message is received only after that, so a client that sends too fast has to wait.
         await loop.run_in_executor(session.bridge.threads, session.take, data)
 
 
@@ -85,7 +85,7 @@ async def _send(socket: WebSocket, session: Session, has_news: asyncio.Event) ->
             has_news.clear()
             batch = await loop.run_in_executor(session.bridge.threads, session.outbox.take)
             for frame in batch.frames:
-                # This waits while the client reads too slowly.
+                # Sending waits while the client reads too slowly.
                 if isinstance(frame, str):
                     await socket.send_text(frame)
                 else:
@@ -93,7 +93,7 @@ async def _send(socket: WebSocket, session: Session, has_news: asyncio.Event) ->
             delay_s = batch.delay_s
         await socket.close(_POLICY_VIOLATION, "too many responses wait, as you read too slowly")
     except WebSocketDisconnect:
-        return  # the client has left meanwhile
+        return  # the client has disconnected meanwhile
 
 
 async def _wait(event: asyncio.Event, timeout_s: float | None) -> None:

@@ -1,4 +1,4 @@
-"""Frames of a WebSocket: a message for a client, compressed or in fragments if it wants that."""
+"""WebSocket frames of a message for a client. Clients may ask for compression or fragments."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from zbot.web.rosbridge import cbor
 
 Compression: TypeAlias = Literal["none", "png", "cbor", "cbor-raw"]
 
-#: Text or bytes that one frame carries.
+#: Content of one frame: text or bytes.
 Frame: TypeAlias = "str | bytes"
 
 COMPRESSIONS = ("none", "png", "cbor", "cbor-raw")
@@ -28,8 +28,9 @@ def frames(
 
     Args:
         fields: The message. For `cbor` and `cbor-raw` it may contain bytes and typed arrays,
-            otherwise only what JSON has.
-        compression: One of `COMPRESSIONS`. `cbor` and `cbor-raw` are never in fragments.
+            otherwise only values that JSON allows.
+        compression: One of `COMPRESSIONS`. With `cbor` and `cbor-raw`, there are never
+            fragments.
         fragment_size: The largest number of characters of the message in one frame. A message has
             at most 10,000 fragments, so the fragments of a very long message may be longer.
     """

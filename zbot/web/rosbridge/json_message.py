@@ -25,17 +25,18 @@ _OLD_TIME_FIELDS = {"secs": "sec", "nsecs": "nanosec"}
 def message_from_json(message_type: type[Any], value: Any, now: Callable[[], Any]) -> Any:
     """Return a message with the fields in a JSON object. Missing fields get their defaults.
 
-    A header without a stamp gets the current time. If the message has a header and the object does
-    not, the header gets the current time too. `null` is NaN in a field for floats. Octets are
-    base64 or a list of numbers.
+    A header without a stamp gets the current time. If a header field of the message is missing in
+    the object, the header gets the current time too. In a field for floats, `null` means NaN. A
+    field for octets may be base64 or a list of numbers.
 
     Args:
-        message_type: The message's class, also a part of a service or an action.
-        value: The JSON object. A list has the values of the first fields.
+        message_type: The message's class. It may also be a part of a service or an action.
+        value: The JSON object. A list is allowed too: it has the values of the first fields.
         now: Returns the current time as a `Time` message.
 
     Raises:
-        RosbridgeError: The value does not fit the type. The sentence names the field.
+        RosbridgeError: The value does not fit the type. The error's text contains the
+            path of the field.
     """
     spec = message_spec_of(message_type)
     if isinstance(value, list):

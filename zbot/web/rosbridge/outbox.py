@@ -1,4 +1,7 @@
-"""Bounded queue of what waits for one client, so that a slow client cannot fill the memory."""
+"""Queue of the frames and messages that wait for one client.
+
+The size of the queue is limited, so that a slow client cannot fill the memory.
+"""
 
 from __future__ import annotations
 
@@ -13,12 +16,14 @@ if TYPE_CHECKING:
 
     from zbot.web.rosbridge.frame import Frame
 
-#: Messages of topics that wait, in bytes before encoding. If more wait, the oldest are dropped.
+#: The largest size of the waiting messages of topics, in bytes before encoding. If there are more,
+#: the oldest messages of the topic that received the last message are dropped.
 MAX_TOPIC_BYTES = 64_000_000
-#: Responses that wait. If more wait, the client is disconnected, because none may be dropped.
+#: The largest number of waiting responses, and their largest size in bytes. If there are more, the
+#: server disconnects the client, because no response may be dropped.
 MAX_REPLIES = 2000
 MAX_REPLY_BYTES = 64_000_000
-#: Queue of a subscription without `queue_length`.
+#: Length of the queue of a subscription without `queue_length`.
 DEFAULT_QUEUE_LENGTH = 100
 _BATCH_BYTES = 1_000_000
 _BATCH_FRAMES = 64
@@ -28,38 +33,39 @@ _BATCH_FRAMES = 64
 class TopicQueue:
     """Messages of one subscription that wait for the client.
 
-    Without `queue_length`, a message is dropped if it comes too soon after the one before.
-    With it, the messages wait, and the oldest one is dropped when the queue is full.
+    If `queue_length` is 0, a message is dropped when less than `period_s` has passed since the last
+    kept message. Otherwise messages wait until they are due, and the oldest message is dropped when
+    the queue is full.
     """
 
     encode: Callable[[bytes], list[Frame]]  #: called when the message is sent
     period_s: float = 0.0
     queue_length: int = 0
-    dropped: int = 0  #: because the queue was full
+    dropped: int = 0  #: number of messages that were dropped because the queue was full
     payloads: deque[bytes] = field(default_factory=deque)
-    due_s: float = 0.0  #: monotonic time of the next message, at the earliest
+    due_s: float = 0.0  #: earliest time of the next message, in seconds of `Outbox`'s clock
 
 
 @dataclass
 class Batch:
-    """What to send now."""
+    """Frames to send now, and the time of the next batch."""
 
     frames: list[Frame]
-    delay_s: float | None  #: time until more is due; 0 if it is due now, None if nothing waits
+    delay_s: float | None  #: seconds until the next batch; 0 if due now, None if nothing waits
 
 
 class Outbox:
     """Frames and messages that wait for one client. Any thread may call any method.
 
     Args:
-        wake: A quick function, called when something new is due.
+        wake: A quick function, called when there may be something to send.
         clock: Returns the time in seconds.
     """
 
     def __init__(
         self, wake: Callable[[], None], clock: Callable[[], float] = time.monotonic
     ) -> None:
-        self.is_overrun = False  #: whether too many responses wait, so that the client must go
+        self.is_overrun = False  #: whether too many responses wait; the client is disconnected
         self._wake = wake
         self._clock = clock
         self._lock = threading.Lock()
@@ -83,12 +89,12 @@ class Outbox:
         self._wake()
 
     def add(self, queue: TopicQueue) -> None:
-        """Add a topic."""
+        """Add the queue of a topic."""
         with self._lock:
             self._topics.append(queue)
 
     def remove(self, queue: TopicQueue) -> None:
-        """Remove a topic with its messages. A topic that was removed before is ignored."""
+        """Remove the queue of a topic. A queue that was removed before is ignored."""
         with self._lock:
             if queue in self._topics:
                 self._topics.remove(queue)
@@ -96,7 +102,7 @@ class Outbox:
                 queue.payloads.clear()
 
     def put(self, queue: TopicQueue, payload: bytes) -> None:
-        """Add a topic's message. The oldest messages of the topic may be dropped for it."""
+        """Add a topic's message. The oldest messages of the topic may be dropped."""
         with self._lock:
             if not self._accepts(queue):
                 return
@@ -123,7 +129,10 @@ class Outbox:
         return self._topic_bytes > max(MAX_TOPIC_BYTES, len(queue.payloads[-1]))
 
     def take(self) -> Batch:
-        """Take what is due: the responses first, then one message of each topic in turn."""
+        """Remove and return frames that are due.
+
+        Responses come first. Then each topic sends one message in turn.
+        """
         frames: list[Frame] = []
         size = 0
         while len(frames) < _BATCH_FRAMES and size < _BATCH_BYTES:
@@ -135,7 +144,7 @@ class Outbox:
         return Batch(frames, 0.0)
 
     def _next(self) -> list[Frame] | float | None:
-        """Return the next frames, or the delay until the next ones, or None if nothing waits."""
+        """Return the next frames, the seconds until frames are due, or None if nothing waits."""
         with self._lock:
             if self._replies:
                 frame = self._replies.popleft()

@@ -1,7 +1,8 @@
 """Services that describe the system to web programs. Their names begin with `/rosapi/`.
 
-They are answered here, and only to clients of rosbridge. If a node of the domain serves such a name
-itself, as ROS 2's package rosapi does, the clients call that node.
+Only clients of rosbridge can call these services, because this module answers the calls without a
+node. If a node of the domain serves a service with such a name, e.g. the node of ROS 2's package
+rosapi, clients call the service of that node.
 """
 
 from __future__ import annotations
@@ -45,7 +46,7 @@ def arguments(args: Any) -> dict[str, Any]:
     """Return the arguments of a call by name.
 
     Raises:
-        RosbridgeError: They are not an object.
+        RosbridgeError: The arguments are not a JSON object.
     """
     if args is None or args == []:
         return {}
@@ -70,7 +71,7 @@ def _with_type(names_and_types: list[tuple[str, list[str]]], wanted: str) -> lis
 
 
 def _short(type_name: str) -> str:
-    """Return `std_msgs/String` for `std_msgs/msg/String`, as web programs may use both."""
+    """Return `std_msgs/String` for `std_msgs/msg/String`. Web programs may use both forms."""
     return f"{type_name.partition('/')[0]}/{type_name.rpartition('/')[2]}"
 
 
@@ -90,7 +91,7 @@ def _topics_and_raw_types(bridge: Bridge, args: dict[str, Any]) -> dict[str, Any
 
 def _full_text(bridge: Bridge, type_name: str) -> str:
     try:
-        bridge.interface("msg", type_name)  # it may have to come from another machine
+        bridge.interface("msg", type_name)  # another machine may have to send the definition
         return definition_text(type_name)
     except ZbotError as error:
         return f"# {error}"
@@ -199,13 +200,13 @@ def _set_param(bridge: Bridge, args: dict[str, Any]) -> dict[str, Any]:
     name = _word(args, "name")
     parameter = parameter_from_json(_split(name)[1], _word(args, "value"))
     if type(parameter.value) is int and isinstance(_value(bridge, name), float):
-        # JavaScript writes 1.0 as 1, so the parameter's own type decides.
+        # JavaScript writes 1.0 as 1, so the value is converted to the parameter's type.
         parameter = Parameter(parameter.name, value=float(parameter.value))
     return _set(bridge, name, parameter)
 
 
 def parameter_from_json(name: str, text: str) -> Parameter[Any]:
-    """Return a parameter with a value in JSON.
+    """Return a parameter whose value is given as JSON.
 
     Raises:
         RosbridgeError: The text is not JSON, or a parameter cannot have the value.
@@ -234,7 +235,7 @@ def _set(bridge: Bridge, name: str, parameter: Parameter[Any]) -> dict[str, Any]
 
 
 def _value(bridge: Bridge, name: str) -> Any:
-    """Return a parameter's value. Return `None` if it is not set."""
+    """Return a parameter's value, or `None` if the parameter is not set."""
     response = _ask(bridge, name, "get_parameters", _GET, names=[_split(name)[1]])
     if len(response.values) != 1:
         return None
@@ -272,7 +273,10 @@ def _client(bridge: Bridge, service: str, type_name: str) -> EntityReference[Any
 
 
 def _get_param_names(bridge: Bridge, _args: dict[str, Any]) -> dict[str, Any]:
-    """Ask all nodes at the same time. A node that does not answer in time is left out."""
+    """Ask all nodes for the names of their parameters at the same time.
+
+    A node that does not answer in time is left out.
+    """
     services = [service for service, types in bridge.graph().services() if _LIST in types]
     found: list[str] = []
     with contextlib.ExitStack() as stack:
@@ -304,7 +308,7 @@ def _get_ros_version(_bridge: Bridge, _args: dict[str, Any]) -> dict[str, Any]:
     return {"version": 2, "distro": "zbot"}
 
 
-#: The services by their full names.
+#: The functions that answer the services, by the full names of the services.
 PROCEDURES: dict[str, Procedure] = {
     f"/rosapi/{name}": procedure
     for name, procedure in {

@@ -1,4 +1,4 @@
-"""Operations on services: calls, and services that a client serves."""
+"""Operations on services: calls by a client, and services that a client serves."""
 
 from __future__ import annotations
 
@@ -21,17 +21,18 @@ if TYPE_CHECKING:
     from zbot.web.rosbridge.session import Session
     from zbot.web.shared_entities import EntityReference
 
-#: Most calls of a client that wait for a response, and most calls that wait for its response.
+#: The largest number of calls of a client that wait for a response. Each service that the client
+#: serves has the same limit of requests that wait for a response of the client.
 MAX_CALLS = 200
-#: Most services that one client may serve.
+#: The largest number of services that one client may serve.
 MAX_SERVICES = 100
-#: Longest wait for a response if the client gives none, in seconds.
+#: Longest wait for a response if the call has no field `timeout`, in seconds.
 DEFAULT_TIMEOUT_S = 10.0
 _numbers = itertools.count(1)
 
 
 class ClientFailedError(ZbotError):
-    """A client did not answer a request. The caller of the service gets the sentence."""
+    """A client did not answer a request correctly. The caller gets the text of this error."""
 
 
 class ServiceOperations:
@@ -56,7 +57,7 @@ class ServiceOperations:
         }
 
     def close(self) -> None:
-        """Stop to serve. Responses to the client's own calls are not waited for any more."""
+        """End the client's services. Ignore later responses to the client's own calls."""
         for service in self._served.values():
             service.close()
         for call in tuple(self._calls):
@@ -106,7 +107,7 @@ class ServiceOperations:
 
 
 class _Call:
-    """Call of a service by the client. Its first response, error or timeout is sent."""
+    """Call of a service by the client. The client gets one answer: the response or an error."""
 
     def __init__(
         self, session: Session, message: ClientMessage, name: str, calls: set[_Call]
@@ -123,7 +124,7 @@ class _Call:
 
     def start(self) -> None:
         bridge = self._session.bridge
-        # Old programs write the call's id behind the name.
+        # Old programs append `#` and the call's id to the name.
         name = bridge.node.resolve_service_name(self._name.partition("#")[0])
         types = dict(bridge.graph().services()).get(name, [])
         procedure = None if types else rosapi.PROCEDURES.get(name)
@@ -163,7 +164,7 @@ class _Call:
             self._answer(json_value(future.result()), is_success=True)
 
     def fail(self, text: str) -> None:
-        """Answer with an error. After another answer, do nothing."""
+        """Answer with an error. If there was an answer before, do nothing."""
         self._answer(text, is_success=False)
 
     def _answer(self, values: Any, *, is_success: bool) -> None:
@@ -181,7 +182,7 @@ class _Call:
         )
 
     def end(self) -> bool:
-        """Forget the call. Return whether it was waiting."""
+        """Forget the call. Return False if it was forgotten before."""
         try:
             self._calls.remove(self)
         except KeyError:
@@ -200,7 +201,7 @@ class _ServedService:
 
     def __init__(self, session: Session, given: str, name: str, service_type: Any) -> None:
         self._session = session
-        self._given = given  #: as the client writes it; it finds its callback by it
+        self._given = given  #: the name as the client wrote it; the client finds its callback by it
         self.name = name
         self._type = service_type
         self._futures: dict[str, Future[Any]] = {}

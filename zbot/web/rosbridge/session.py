@@ -1,4 +1,4 @@
-"""Session of one client. It carries out the client's messages, and collects the answers."""
+"""Session of one client. It executes the client's messages, and collects the answers."""
 
 from __future__ import annotations
 
@@ -22,17 +22,18 @@ _LEVELS = ("none", "error", "warning", "info")
 
 
 class Session:
-    """State of one client. `take` is called by one thread at a time.
+    """Session of one client. Only one thread at a time may call `take`.
 
     Args:
         bridge: The node and the executor of all clients.
         wake: A quick function, called by any thread when `outbox` has something to send.
-        call_later: Calls a quick function after some seconds. Any thread may call it.
+        call_later: Function that calls a quick function after a delay in seconds. Any thread may
+            call `call_later`.
 
     Attributes:
         bridge: The node and the executor of all clients.
-        call_later: Calls a quick function after some seconds. Any thread may call it.
-        outbox: What waits for the client.
+        call_later: The argument `call_later`.
+        outbox: The messages that wait for the client.
     """
 
     def __init__(
@@ -61,7 +62,7 @@ class Session:
         }
 
     def take(self, data: str | bytes) -> None:
-        """Carry out a message of the client. An error becomes a status message."""
+        """Execute a message of the client. If there is an error, send it as a status message."""
         with self._lock:
             if not self._is_closed:
                 self._carry_out(data)
@@ -87,7 +88,7 @@ class Session:
         compression: str = "none",
         fragment_size: int | None = None,
     ) -> None:
-        """Send a message that the client must get. Fields with `None` are left out."""
+        """Send a message that is never dropped. Fields with `None` are left out."""
         kept = {name: value for name, value in fields.items() if value is not None}
         self.outbox.reply(frames(kept, compression, fragment_size))
 
@@ -114,7 +115,7 @@ class Session:
             raise RosbridgeError(f"{what} is not possible: zbot web runs with --read-only")
 
     def close(self) -> None:
-        """Give up everything that the client has created. Goals that it has sent go on."""
+        """Destroy everything that the client has created. Goals that it has sent continue."""
         with self._lock:
             self._is_closed = True
             self._topics.close()

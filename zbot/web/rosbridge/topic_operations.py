@@ -1,4 +1,4 @@
-"""Operations on topics: advertise, publish, subscribe and their opposites."""
+"""Operations on topics: advertise, unadvertise, publish, subscribe and unsubscribe."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from zbot.web.rosbridge.session import Session
     from zbot.web.shared_entities import EntityReference
 
-#: Most topics that one client may publish on, and as many that it may subscribe to.
+#: The largest number of topics that one client may publish on. Subscriptions have the same limit.
 MAX_TOPICS = 200
 _MAX_IDS = 100
 _MAX_QUEUE = 1000
@@ -102,7 +102,7 @@ class TopicOperations:
         return reference.entity
 
     def _check_type(self, topic: str, message_type: Any) -> None:
-        """Check that no other node uses the topic with another type."""
+        """Raise `RosbridgeError` if nodes use the topic, but only with other types."""
         types = dict(self._session.bridge.graph().topics()).get(topic, [])
         name = type_name(message_type)
         if types and name not in types:
@@ -180,12 +180,15 @@ def _read_options(message: ClientMessage) -> _Options:
 
 
 class _Subscription:
-    """Subscription of a client, with the options of each part of the client that wants it."""
+    """Subscription of a client to a topic.
+
+    Several parts of the client may subscribe to the same topic, each with its own id and options.
+    """
 
     def __init__(self, session: Session, name: str, topic: str, message_type: Any) -> None:
         self.message_type = message_type
         self._session = session
-        self._name = name  #: as the client writes it; clients find their callbacks by it
+        self._name = name  #: the name as the client wrote it; the client finds its callback by it
         self._topic = topic
         self._type_name = type_name(message_type)
         self._options: dict[Any, _Options] = {}
@@ -209,14 +212,20 @@ class _Subscription:
         )
 
     def set(self, id_: Any, options: _Options) -> None:
-        """Add or replace the options of one part of the client. All parts get the fastest."""
+        """Add or replace the options of one part of the client.
+
+        All parts get messages at the highest rate that one of the parts wants.
+        """
         if id_ not in self._options and len(self._options) >= _MAX_IDS:
             raise RosbridgeError(f"a client can subscribe to a topic {_MAX_IDS} times")
         self._options[id_] = options
         self._combine()
 
     def forget(self, id_: Any) -> bool:
-        """Forget the options of one part, or of all without an id. Return whether some are left."""
+        """Forget the options of one part, or of all parts if the id is None.
+
+        Return whether options of other parts remain.
+        """
         if id_ is None:
             self._options.clear()
         else:
@@ -231,7 +240,7 @@ class _Subscription:
         self._queue.queue_length = max(one.queue_length for one in options)
         sizes = [one.fragment_size for one in options if one.fragment_size is not None]
         self._fragment_size = min(sizes, default=None)
-        # The most compact form that one part wants. All clients read all forms.
+        # Use the most compact form that one part wants. All clients can read all forms.
         self._compression = max((one.compression for one in options), key=COMPRESSIONS.index)
 
     def _put(self, payload: bytes, _info: MessageInfo) -> None:
@@ -258,7 +267,8 @@ class _Subscription:
 
     def _report_dropped(self) -> None:
         dropped = self._queue.dropped
-        # The first loss is reported, then at each doubling: a slow client gets few reports.
+        # Report the first loss, and then each time the number has doubled. So a slow client gets
+        # few reports.
         if dropped >= max(1, 2 * self._reported):
             self._reported = dropped
             text = f"{dropped} messages of {self._topic} were dropped, because their queue was full"

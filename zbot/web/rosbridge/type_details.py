@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 def type_details(message_type: type[Any]) -> list[dict[str, Any]]:
-    """Return the description of a message's type and, after it, those of the types inside it."""
+    """Return the description of a message's type, followed by those of the types inside it."""
     found: dict[str, dict[str, Any]] = {}
     _add(message_type, found)
     return list(found.values())

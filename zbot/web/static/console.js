@@ -7,7 +7,8 @@ window.zbotConsole = (() => {
     element.className = classes;
   }
 
-  // A node that was found late sends older lines. The search begins at the newest line.
+  // Inserts a row by its time, because a node that was discovered late sends older lines. The
+  // search for the place begins at the newest line.
   function newRow(body, stamp) {
     let next = null;
     for (let row = body.lastElementChild; row?.stamp > stamp; row = row.previousElementSibling) next = row;

@@ -178,7 +178,7 @@ zbot.graph = (() => {
       const room = h - above - below;
       const smallest = w < NARROW ? SMALLEST : 0;
       const scale = Math.max(Math.min(w / width, room / height, LARGEST), smallest);
-      // A drawing that has no room begins at the left and at the top. The user can move it.
+      // If the drawing is too large, its left and its top are visible. The user can move it.
       const x = left + Math.min(0, (width - w / scale) / 2);
       const y = top - above / scale + Math.min(0, (height - room / scale) / 2);
       this.look([x, y, w / scale, h / scale], !this.view);
@@ -288,7 +288,7 @@ zbot.graph = (() => {
   const LIGHTS = ["chosen", "incoming", "outgoing", "both"];
   const kindOf = (child) => `${child.localName}.${child.getAttribute("class") ?? ""}`;
 
-  // Set by CSS, because browsers do not animate SVG attributes.
+  // Sets the place of a group by CSS, because browsers do not animate SVG attributes.
   function place(group) {
     const at = /translate\(([-\d.]+),([-\d.]+)\)/.exec(group.getAttribute("transform") ?? "");
     if (at) group.style.transform = `translate(${at[1]}px, ${at[2]}px)`;

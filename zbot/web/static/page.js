@@ -29,14 +29,14 @@ window.zbot = (() => {
   }
   askIn(0);
 
-  // NiceGUI calls this function after the changes that it sent before, so they are drawn now.
+  // NiceGUI applies the changes that it sent before this call, so the page already shows them.
   function answered(isChanged) {
     isWaiting = false;
     pause = isChanged ? FASTEST_MS : Math.min(SLOWEST_MS, pause * 1.3);
     askIn(askedAt + pause - performance.now() - FRAME_MS / 2); // half a frame before the next frame
   }
 
-  // After a user's input, changes should be visible at once.
+  // After a user's input, changes should be visible immediately.
   function hurry() {
     pause = FASTEST_MS;
     if (!isWaiting) askIn(0);

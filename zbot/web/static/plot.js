@@ -56,8 +56,8 @@ zbot.plot = (() => {
     draw(id);
   }
 
-  // The curves with these names use the axis on the right. `over` names the curve of the x axis;
-  // it is empty if the x axis is the time.
+  // The curves with these names use the axis on the right. `over` is the name of the
+  // curve on the x axis, or empty if the x axis is the time.
   function setAxes(id, right, over) {
     Object.assign(plots.get(id), { right, over, isNew: true });
     draw(id);
@@ -108,7 +108,7 @@ zbot.plot = (() => {
     return points;
   }
 
-  // Returns the values over those of another curve: its last value at that time.
+  // Returns points: y is a value of the curve, and x is the last value of `over` at the same time.
   function paired(curve, over, fromS) {
     const points = [];
     let at = indexOf(over.times, fromS) - 1;

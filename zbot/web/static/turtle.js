@@ -8,7 +8,8 @@ window.zbotTurtle = (() => {
   let canvas, context, overlay;
   let chosen = "";
   let turtles = new Map();
-  // A chain of drawings. Decoding an image takes time, and later lines must be above the image.
+  // Pictures are drawn one after the other, because the decoding of an image takes time, and later
+  // lines must be above the image.
   let work = Promise.resolve();
 
   function start() {

@@ -75,7 +75,7 @@ class PluginType(str, Enum):
     DECOMPRESSOR = "decompressor"
 
 
-#: What zbot has of each kind, with a description.
+#: Names and descriptions of zbot's plugins, by kind.
 _PLUGINS = {
     PluginType.STORAGE: {"mcap": "MCAP files", "sqlite3": "sqlite3 files"},
     PluginType.CONVERTER: {},

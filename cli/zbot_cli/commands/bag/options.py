@@ -48,8 +48,8 @@ def open_bag(path: Path, storage: StorageId | None) -> Reader:
     """Open a bag. Print a warning if a part of it is missing.
 
     Raises:
-        BagNotFoundError: There is nothing with this path.
-        BagReadError: It is not a bag, or cannot be read.
+        BagNotFoundError: There is no file or folder with this path.
+        BagReadError: The path is not a bag, or the bag cannot be read.
         NoBagExtraError: The extra `bag` is not installed.
     """
     from zbot.bag.reader import Reader  # noqa: PLC0415 - not needed by --help
@@ -89,7 +89,7 @@ def refuse_together(options: Mapping[str, bool]) -> None:
         options: Whether each option was given.
 
     Raises:
-        typer.BadParameter: More than one was given.
+        typer.BadParameter: More than one of the options was given.
     """
     given = [name for name, is_given in options.items() if is_given]
     if len(given) > 1:
@@ -102,7 +102,7 @@ def warn(text: str) -> None:
 
 
 def without_storages(words: list[str]) -> Iterator[str]:
-    """Yield the words without the storage in `-i BAG STORAGE`. The format is detected."""
+    """Yield the words without the storage in `-i BAG STORAGE`, because the format is detected."""
     storages = {one.value for one in StorageId}
     for index, word in enumerate(words):
         is_storage = index > 1 and word in storages and words[index - 2] in {"-i", "--input"}

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
     from zbot.bag.selection import Selection
 
-_CLOCK_HZ = 40  # of `--clock` without a number, as in ros2
+_CLOCK_HZ = 40  # rate of `--clock` without a number, as in ros2
 
 
 _BAR_HZ = 3
@@ -42,7 +42,7 @@ class MessageOrder(str, Enum):
 
 
 class RequestSource(str, Enum):
-    """Values of `--service-requests-source`: whose recorded events contain the requests."""
+    """Values of `--service-requests-source`: use the events of servers or of clients."""
 
     SERVICE = "service_introspection"
     CLIENT = "client_introspection"
@@ -301,7 +301,7 @@ def burst(
         int, typer.Option("--read-ahead-queue-size", min=1, help="Messages to read in advance")
     ] = 1000,
 ) -> None:
-    """Publish messages one after the other without pauses, then pause the playback."""
+    """Publish the first messages of a bag as fast as possible, and then stay paused."""
     from zbot.bag.play_options import PlayOptions  # noqa: PLC0415 - needed only to play
     from zbot.bag.qos_profiles import read_overrides  # noqa: PLC0415 - as above
     from zbot_cli.commands.bag import playback  # noqa: PLC0415 - as above

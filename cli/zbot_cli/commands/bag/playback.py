@@ -36,7 +36,7 @@ class RemapError(ZbotError):
 
 @dataclass(frozen=True)
 class Playback:
-    """What `zbot bag play` or `zbot bag burst` was asked for."""
+    """Playback of bags with the options of `zbot bag play` or `zbot bag burst`."""
 
     bags: Sequence[Reader]
     options: PlayOptions
@@ -44,7 +44,7 @@ class Playback:
     log_level: str = "info"
     bar_hz: float = 0
     bar_separation_lines: int = 0
-    #: Messages to publish without pauses at the start. 0 means all, and `None` means no such burst.
+    #: Number of messages to publish without pauses at the start. 0 means all, `None` means none.
     burst_count: int | None = None
 
     def run(self) -> None:
@@ -53,8 +53,8 @@ class Playback:
         Raises:
             BagReadError: A part of a bag is damaged.
         """
-        # Python's lock may stay with the reading thread for so long, and then a message is late.
-        # Python's own value is 5 ms.
+        # The thread that reads the bag may hold Python's global lock for this time, in seconds.
+        # Meanwhile no message can be published. Python's default of 5 ms makes messages late.
         sys.setswitchinterval(0.0005)
         with hidden_node("play", NODE_NAME) as node, contextlib.ExitStack() as stack:
             set_log_level(node, self.log_level)

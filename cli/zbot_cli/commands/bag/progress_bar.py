@@ -50,7 +50,7 @@ class ProgressBar:
         self._stream.flush()
 
     def leave(self) -> None:
-        """Draw the bar for the last time, and move the cursor behind it."""
+        """Draw the bar for the last time, and move the cursor below the bar."""
         self.draw()
         self._stream.write("\n" * (self._separation_lines + 2))
         self._stream.flush()
@@ -58,9 +58,12 @@ class ProgressBar:
 
 @contextlib.contextmanager
 def progress_bar(player: Player, rate_hz: float, separation_lines: int) -> Iterator[None]:
-    """Draw a bar during the `with` block. A rate below 0 means as often as it can be seen.
+    """Draw a bar during the `with` block. Draw no bar if the output is not a terminal.
 
-    A rate of 0 means no bar. There is also none if the output is no terminal.
+    Args:
+        player: The player.
+        rate_hz: Updates per second. 0 means no bar. A value below 0 means 30 updates per second.
+        separation_lines: Empty lines between the log lines and the bar.
     """
     if not rate_hz or not sys.stdout.isatty():
         yield

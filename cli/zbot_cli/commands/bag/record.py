@@ -29,7 +29,7 @@ class CompressionMode(str, Enum):
 
 
 class Preset(str, Enum):
-    """rosbag2's names for the form of an MCAP file, and zbot's own default."""
+    """rosbag2's presets for the form of an MCAP file, and `zstd`, which is zbot's own default."""
 
     ZSTD = "zstd"
     NONE = "none"

@@ -33,7 +33,7 @@ class RecordOptionError(ZbotError):
 
 @dataclass(frozen=True)
 class Recording:
-    """What `zbot bag record` was asked for."""
+    """Recording with the options of `zbot bag record`."""
 
     selection: Selection
     output: Path | None
@@ -141,10 +141,10 @@ class Recording:
 
 
 def check_selection(selection: Selection) -> None:
-    """Check that something is selected, and that the rules to leave out have something to do.
+    """Check that something is selected, and that each `--exclude-...` option has an effect.
 
     Raises:
-        RecordOptionError: This is not so.
+        RecordOptionError: Nothing is selected, or an `--exclude-...` option has no effect.
     """
     is_wide = selection.all_topics or selection.topic_types or selection.regex
     is_any = is_wide or selection.all_services or selection.all_actions

@@ -85,7 +85,7 @@ def start(
 
 
 def robot_module() -> Any:
-    """Return the module about robots. Few classes have one."""
+    """Return the module for robots. It is imported late, because few classes have a robot."""
     from zbot_cli.commands.class_ import robot  # noqa: PLC0415 - as above
 
     return robot
@@ -244,7 +244,7 @@ def say(text: Annotated[list[str], typer.Argument(help="Text of the message")]) 
 def free(
     number: Annotated[int, typer.Argument(min=1, max=232, help="Number of a student")],
 ) -> None:
-    """Free the number of a laptop that left."""
+    """Free a student's number, so that another laptop can get it."""
     from zbot.classroom.teacher import command  # noqa: PLC0415 - not needed by `--help`
 
     print(f"number {number} is free; {command({'op': 'free', 'number': number})['name']} had it")

@@ -1,4 +1,4 @@
-"""Check of assignments that were handed in as bags, or that a teacher has recorded."""
+"""Check of bags that students handed in, or that a teacher has recorded."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from zbot.graph.snapshot import NamesAndTypes
     from zbot.wire.tokens import NodeToken
 
-#: Keys of a bag's metadata in the recording of a class.
+#: Keys that `zbot class record` adds to the metadata of a bag.
 NUMBER_KEY, NAME_KEY = "student_number", "student_name"
 
 
@@ -60,13 +60,13 @@ class _Recorded:
 def check_bag(path: Path, expectations: Sequence[Expectation]) -> Verdict:
     """Return the verdict for a bag.
 
-    Its number and name are those of the student if `zbot class record` has written the bag.
-    Otherwise the number is 0, and the name is that of the bag.
+    If `zbot class record` has written the bag, the verdict has the number and name of the student.
+    Otherwise the verdict has the number 0 and the name of the bag.
 
     Raises:
         NotInBagError: An expectation is not about publishers or services.
-        BagNotFoundError: There is nothing with this path.
-        BagReadError: It is not a bag, or a part of it is damaged.
+        BagNotFoundError: There is no file or folder with this path.
+        BagReadError: The path is not a bag, or a part of the bag is damaged.
     """
     for one in expectations:
         if one.kind is EntityKind.NODE:

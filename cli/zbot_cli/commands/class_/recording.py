@@ -24,12 +24,12 @@ from zbot_cli.domain.client import full_name
 if TYPE_CHECKING:
     from collections.abc import Collection
 
-_LOOK_S = 2.0  #: time between looks at the list of students
+_LOOK_S = 2.0  #: seconds between two requests for the list of students
 _NOT_IN_NAMES = re.compile(r"[^A-Za-z0-9_-]+")
 
 
 class NoStudentError(ClassroomError, LookupError):
-    """Nobody in the class has a number."""
+    """No student in the class has the given number."""
 
     def __init__(self, number: int) -> None:
         self.number = number
@@ -41,8 +41,10 @@ class ClassRecording:
 
     Args:
         folder: The folder. `None` means a folder with the date.
-        numbers: Numbers of students. None given means all, also those who join later.
-        topics: Names of topics in the students' domains. None given means all.
+        numbers: Numbers of students. If it is empty, all students are recorded, also students who
+            join later.
+        topics: Names of topics in the students' domains. If it is empty, all topics, services and
+            actions are recorded.
         max_bytes: Size of a file after which the next file begins. 0 means no limit.
     """
 
@@ -67,7 +69,7 @@ class ClassRecording:
 
         Raises:
             NoClassError: No class is open on this machine.
-            NoStudentError: Nobody has one of the numbers.
+            NoStudentError: One of the numbers belongs to no student.
             BagExistsError: The folder exists.
             BagWriteError: The folder cannot be made.
             NoBagExtraError: The extra `bag` is not installed.

@@ -44,7 +44,7 @@ class RobotStartError(ZbotError):
 
 @dataclass(frozen=True)
 class RobotSpec:
-    """A robot in the words of `--robot`."""
+    """Robot that a value of `--robot` describes."""
 
     name: str  #: its topics are in `/class/NAME/`
     ros_domain: int
@@ -68,10 +68,10 @@ def check_rclpy() -> None:
 
 
 def start(robot: RobotSpec, rates: list[str]) -> None:
-    """Start a robot's bridge in the background. It ends with the class.
+    """Start a robot's bridge in the background. The bridge ends when the class is closed.
 
     Raises:
-        RobotStartError: It did not start. The error has the last line of its log.
+        RobotStartError: The bridge did not start. The error has the last line of the bridge's log.
     """
     folder = membership.folder()
     make_private_folder(folder)
@@ -124,7 +124,7 @@ def run(robot: RobotSpec, rates: list[str]) -> None:
 
 
 def until_key(told: dict[str, Any], take_back: Callable[[], object]) -> None:
-    """Wait for a key on a terminal, and then take the robot back. Without a terminal, return."""
+    """Print who drives the robot. On a terminal, wait for a key, and then take the robot back."""
     from zbot_cli.input.keyboard import has_keyboard, keys_to  # noqa: PLC0415 - for a terminal only
 
     who = f"{told['name']} (number {told['number']})"

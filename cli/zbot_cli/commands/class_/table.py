@@ -21,7 +21,7 @@ def table(found: dict[str, Any], invitation: Invitation) -> str:
     heading = f'"{found["class"]}": {here} here; {invitation.command}'
     heading += f"; PIN: {invitation.pin}" if invitation.pin else ""
     names = {student["number"]: student["name"] for student in found["students"]}
-    # A class that an older zbot runs tells nothing about robots.
+    # An older version of zbot sends no list of robots.
     lines += [_robot_line(one, names) for one in found.get("robots", ())]
     return "\n".join([heading, *lines])
 

@@ -58,7 +58,7 @@ class PackageNotFoundError(ZbotError):
 
 
 class ExecutableNotFoundError(ZbotError):
-    """No executable of this name is in the given package, or in any package if none is given."""
+    """The given package has no executable of this name, or no package has one."""
 
     def __init__(self, name: str, known: Sequence[str], packages: Sequence[Package] = ()) -> None:
         self.name = name
@@ -222,9 +222,9 @@ def _file(word: str) -> Executable:
 
 
 def _named(name: str, packages: Iterable[Package]) -> list[Executable]:
-    """Return the executables of a name, each program once.
+    """Return the executables with a name, each program once.
 
-    If no executable has the name, return those that have it with `.py`.
+    If no executable has this name, return the executables that are called `name.py`.
     """
     listed = [one for package in packages for one in package.executables]
     for wanted in (name, f"{name}.py"):

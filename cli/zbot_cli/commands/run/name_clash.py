@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 class NameClashWarner:
-    """Finder for `sys.meta_path` that never finds a module. It warns if a file replaces one.
+    """Finder for `sys.meta_path` that only warns if a file replaces a module of Python.
 
     Args:
         folders: The folders that Python searches first.
@@ -39,9 +39,9 @@ class NameClashWarner:
 
 
 def warn_of_unused_files(source: bytes, folder: str) -> None:
-    """Warn about files that a script means to import, but that Python does not import.
+    """Warn about files in a script's folder that the script tries to import, but cannot import.
 
-    Python, or zbot, has already imported its own module of the same name.
+    The script gets Python's own module of the same name, which is already imported.
 
     Args:
         source: The text of the script.

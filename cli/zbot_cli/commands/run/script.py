@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class NothingToRunError(ZbotError):
-    """A file with only definitions has neither a `main()` nor exactly one node class."""
+    """A file with only definitions has no `main()`, and does not have exactly one node class."""
 
     def __init__(self, path: str) -> None:
         self.path = path
@@ -33,7 +33,7 @@ def run_script(path: str) -> Any:
     is called. If it has no `main()`, a node of its only node class is created and spun.
 
     Raises:
-        NothingToRunError: The file has neither a `main()` nor exactly one node class.
+        NothingToRunError: The file has no `main()`, and does not have exactly one node class.
     """
     with io.open_code(str(Path(path).resolve())) as file:
         source = file.read()

@@ -89,7 +89,7 @@ class ServiceCall:
             self._values = [sys.stdin.read()]
 
     def run(self) -> None:
-        """Check everything, wait for the server, and call.
+        """Check the type and the values, wait for the server, and call the service.
 
         Raises:
             NoServerError: No server appeared in time.
@@ -152,7 +152,7 @@ class ServiceCall:
             count += 1
             if self._rate_hz is None:
                 return
-            # Each pause ends at a time counted from the first call, so that the mean rate is exact.
+            # The end of a pause is counted from the first call, so that the mean rate is exact.
             pause.until(started + count / self._rate_hz)
 
     def _call_once(self, client: Client[Any, Any], request: Any) -> None:
@@ -172,7 +172,7 @@ class ServiceCall:
 
 
 def served_type_of(graph: Snapshot, name: str, wanted: str | None) -> str | None:
-    """Return the type with which to call a service, or `None` while it has no server.
+    """Return the type with which to call a service, or `None` while the service has no server.
 
     Args:
         graph: The graph of the domain.

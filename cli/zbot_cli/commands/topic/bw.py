@@ -32,7 +32,7 @@ class _SizeMeter:
         self._sizes.append(len(message))
 
     def figures(self) -> dict[str, float] | None:
-        times, sizes = list(self._times), list(self._sizes)  # Zenoh's thread may add more
+        times, sizes = list(self._times), list(self._sizes)  # Zenoh's thread may add items
         if min(len(times), len(sizes)) < 2:
             return None
         elapsed = (self._now_ns() - times[0]) / 1e9

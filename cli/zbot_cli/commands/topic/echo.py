@@ -100,7 +100,7 @@ class Echo:
             raise NothingReceivedError(self._names, self._timeout_s)
 
     def _start(self, node: Node) -> list[str]:
-        """Subscribe to the topics that exist. Return the names without a similar topic."""
+        """Subscribe to the topics that exist. Return the topics without a printed similar name."""
         unexplained: list[str] = []
         graph = node.context.graph
         snapshot = graph.snapshot()
@@ -189,7 +189,10 @@ def _filter(form: Form) -> Filter | None:
 
 
 def _split(words: list[str]) -> tuple[list[str], str | None]:
-    """Return topics and type. A last word with `/` or `.`, but no leading slash, is the type."""
+    """Return the topics and the type.
+
+    The last word is the type if it contains `/` or `.`, and does not begin with `/`.
+    """
     if len(words) > 1 and not words[-1].startswith("/") and "*" not in words[-1]:
         from zbot_cli.domain.types import resolve_message_type  # noqa: PLC0415 - only with a type
 

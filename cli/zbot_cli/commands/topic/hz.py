@@ -41,7 +41,7 @@ class _IntervalMeter:
         self._last = now
 
     def figures(self) -> dict[str, float] | None:
-        intervals = list(self._intervals)  # Zenoh's thread adds to them at any time
+        intervals = list(self._intervals)  # Zenoh's thread may add an interval at any time
         if not (self._changed and intervals):
             return None
         self._changed = False

@@ -32,7 +32,7 @@ _NO_MESSAGES = "no new messages"
 
 
 class NoTopicError(ZbotError):
-    """The command line names no topic to measure."""
+    """The command line contains no topic to measure."""
 
     def __init__(self) -> None:
         super().__init__("name a topic (zbot topic hz /chatter), or say --all")
@@ -42,7 +42,7 @@ class Meter(Protocol):
     """Collector of the figures of one topic."""
 
     def add(self, message: Any) -> None:
-        """Add a message. It is decoded if the measurement decodes. Otherwise it is bytes."""
+        """Add a message. If `Measurement.decodes` is false, the message is bytes."""
 
     def figures(self) -> dict[str, float] | None:
         """Return the figures, or `None` if no message came since the last call."""
@@ -51,7 +51,7 @@ class Meter(Protocol):
 class Measurement(Protocol):
     """Quantity to measure. It makes a meter for each topic, and formats the meter's figures."""
 
-    decodes: bool  #: whether its meters get decoded messages
+    decodes: bool  #: whether the meters get decoded messages
     prints_subscription: bool  #: whether "Subscribed to" is printed for a single topic too
     compares_stamps: bool  #: whether stamps are compared with the node's time
     columns: tuple[str, ...]

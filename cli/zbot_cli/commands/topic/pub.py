@@ -51,7 +51,7 @@ class NoSubscriberError(ZbotError):
 
 
 class UntypedTopicError(ZbotError):
-    """The command line names no type, and no node uses the topic yet."""
+    """The command line does not give a type, and no node uses the topic yet."""
 
     def __init__(self, name: str) -> None:
         self.hint = f'name the type: zbot topic pub {name} std_msgs/msg/String "data: hello"'
@@ -72,7 +72,7 @@ class Pace:
     rate_hz: float = 1.0
     print_every: int = 1
     times: int = 0  #: 0 means until Ctrl-C
-    wait_for: int | None = None  #: subscriptions; `None` means 1 if `times` is above 0, else 0
+    wait_for: int | None = None  #: subscriptions to wait for; `None`: 1 if `times` > 0, else 0
     max_wait_s: float | None = None
     keep_alive_s: float = 0.1
 
@@ -130,7 +130,7 @@ class Pub:
         self._use_sim_time = use_sim_time
 
     def run(self) -> None:
-        """Check everything, wait for subscribers, and publish."""
+        """Check the type and the values, wait for subscribers, and publish."""
         import zbot  # noqa: F401, PLC0415 - makes the message packages importable
         from zbot_cli.domain.topic_types import message_class  # noqa: PLC0415 - needed only to publish
 

@@ -14,7 +14,8 @@ if TYPE_CHECKING:
 
     from zbot_cli.packages.check.subject import Subject
 
-#: Packages that launch files import. `ros2 launch` brings them, so they need no declaration.
+#: Packages that launch files import. `ros2 launch` installs these packages, so package.xml need not
+#: declare them.
 _OF_LAUNCH = ("launch", "launch_ros", "launch_xml", "launch_yaml", "ament_index_python")
 
 

@@ -65,7 +65,7 @@ def _hint(subject: Subject, module: str) -> str:
 
 
 def _names(statements: Iterable[ast.stmt]) -> Iterator[str]:
-    """Yield the names that a module may define at import, from all branches of conditions."""
+    """Yield the names that a module may define when it is imported, from all branches of `if`."""
     for statement in statements:
         match statement:
             case (

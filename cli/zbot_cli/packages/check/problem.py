@@ -13,7 +13,7 @@ class Problem:
     path: Path
     line: int  #: counted from 1; 0 for the whole file
     text: str
-    is_error: bool = True  #: `False` if it works in zbot, but may fail in ROS 2
+    is_error: bool = True  #: `False` if the package works in zbot, but may fail in ROS 2
 
     def __str__(self) -> str:
         shown = shown_path(self.path)
@@ -22,8 +22,8 @@ class Problem:
 
 
 def shown_path(path: Path) -> Path:
-    """Return a path relative to the current folder, if it is in it."""
+    """Return a path inside the current folder as a relative path, and other paths unchanged."""
     try:
         return path.relative_to(Path.cwd())
-    except (ValueError, FileNotFoundError):  # it is elsewhere, or the current folder is deleted
+    except (ValueError, FileNotFoundError):  # not inside, or the current folder is deleted
         return path

@@ -45,7 +45,7 @@ class Subject:
                 self.problems.append(tree)
 
     def _installed_files(self) -> Iterator[Path]:
-        """Yield the Python files that are programs, or that a build file names."""
+        """Yield setup.py, the programs, and the other Python files that a build installs."""
         if (self.folder / "setup.py").is_file():
             yield self.folder / "setup.py"
         with contextlib.suppress(SetupFileError):  # other checks report errors in setup.py
@@ -71,7 +71,7 @@ class Subject:
 
     @property
     def build_type(self) -> str:
-        """Build type of ROS 2. It is empty if package.xml names no build type."""
+        """Build type of ROS 2. It is empty if package.xml has no build type."""
         return self.manifest.build_type if self.manifest else ""
 
 

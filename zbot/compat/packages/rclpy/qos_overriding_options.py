@@ -34,7 +34,9 @@ def _declare_qos_parameters(
     qos: QoSProfile,
     options: QoSOverridingOptions,
 ) -> None:
-    """Declare the policies of a publisher or subscription as parameters. Set their values in `qos`.
+    """Declare the policies of a publisher or subscription as parameters.
+
+    Write the values of the parameters into `qos`.
 
     Raises:
         InvalidQosOverridesError: The options' callback refuses the result.

@@ -1,4 +1,4 @@
-"""ROS 2's `rosbag2_py`: bags are written, read, recorded and played."""
+"""ROS 2's `rosbag2_py`, which writes, reads, records and plays bags."""
 
 from zbot.bag.rosbag2_types import (
     BagMetadata,

@@ -19,6 +19,7 @@ from zbot.interfaces.lookup import (
 )
 from zbot.interfaces.set_fields import set_message_fields
 
-# The submodule has the name of a function. A later import of it would replace the function.
+# This submodule and a function have the same name. Import the submodule first, because a later
+# import of the submodule would replace the function.
 importlib.import_module("rosidl_runtime_py.get_interfaces")
 get_interfaces = lookup.get_interfaces

@@ -40,7 +40,8 @@ _submodule = submodules(
 
 
 def __getattr__(name: str) -> Any:
-    # Few programs use another node's buffer, and importing actions for this costs time.
+    # Import these classes only when a program uses them. Few programs use another node's buffer,
+    # and the import of actions takes time.
     if name in {"BufferClient", "BufferServer"}:
         return getattr(importlib.import_module("zbot.tf2.remote_buffer"), name)
     return _submodule(name)

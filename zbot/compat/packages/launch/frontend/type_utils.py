@@ -14,7 +14,7 @@ from zbot.launch.typed_value import (
     is_valid_scalar_type,
 )
 
-# Names of ROS 2's first versions of this module.
+# Older versions of this module in ROS 2 have these names.
 check_is_list = check_is_typing_list = is_typing_list
 check_is_instance_of_valid_type = is_instance_of_valid_type
 check_type = is_instance_of

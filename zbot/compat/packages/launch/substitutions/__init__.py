@@ -1,4 +1,4 @@
-"""Substitutions, whose strings are only known when a launch file runs."""
+"""Substitutions, whose texts are known only during a launch."""
 
 from zbot.launch.errors import SubstitutionError as SubstitutionFailure
 from zbot.launch.substitutions import (

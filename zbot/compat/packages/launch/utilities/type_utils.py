@@ -21,7 +21,7 @@ from zbot.launch.typed_value import (
     perform_typed_substitution,
 )
 
-# Names for annotations in extensions. Any value is enough: type checkers read ROS 2's package.
+# Extensions use these names in annotations. Their values have no effect in zbot.
 AllowedValueType = ScalarValueType = ListValueType = SomeValueType
 SomeScalarType = SomeSequenceType = StrSomeValueType = SomeValueType
 StrSomeScalarType = StrSomeSequenceType = SomeValueType
