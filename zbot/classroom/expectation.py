@@ -55,10 +55,7 @@ class ExpectationError(ClassroomError, ValueError):
 
 
 class Observed(Protocol):
-    """What was seen of a student's programs: a graph, or a bag.
-
-    pyright does not accept a `cached_property` as the property `nodes`.
-    """
+    """What was seen of a student's programs: a graph, or a bag."""
 
     @property
     def nodes(self) -> Sequence[NodeToken]:

@@ -1,9 +1,10 @@
 """Locations of definitions: zbot itself, the workspace, an installed ROS 2, Python packages.
 
-zbot's copies of ROS 2's own packages come first: every program uses them, and they are found fast.
+zbot's copies of ROS 2's own packages come first, because every program needs them, and this folder
+is the fastest to search.
 The next locations are the workspace, the packages that the user has added with `zbot interface
-add`, an installed ROS 2, and Python packages. zbot's copies of the packages of robots come last,
-because these packages differ between versions.
+add`, an installed ROS 2, and Python packages. zbot's copies of message packages for robots come
+last: a robot may use another version of such a package, so the user's version must win.
 """
 
 from __future__ import annotations
@@ -64,7 +65,7 @@ def core_packages() -> list[str]:
 
 
 def has_other_versions(package: str) -> bool:
-    """Return whether a package's definitions are zbot's own copy for robots.
+    """Return whether a package's definitions come from zbot's folder `robot_defs`.
 
     A robot may have another version of such a package.
     """

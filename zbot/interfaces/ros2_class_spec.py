@@ -1,4 +1,4 @@
-"""Specs of classes from an installed ROS 2, made from their attributes."""
+"""Specs of the message classes of an installed ROS 2. The attributes of a class give its spec."""
 
 from __future__ import annotations
 
@@ -64,7 +64,10 @@ def _default(cls: type[Any], name: str) -> Any:
 
 
 def _field_type(slot: Any) -> FieldType:
-    """Return the field type for an object of rosidl_parser.definition, which is not imported."""
+    """Return the field type for an object of `rosidl_parser.definition`.
+
+    Only the name of the object's class is compared, so that zbot need not import this module.
+    """
     match type(slot).__name__:
         case "Array":
             return _many(slot.value_type, "array", slot.size)

@@ -164,7 +164,7 @@ def _from_numbers(image: Any, factor: int) -> Picture:
 
 
 def _rows(image: Any, pixel: int) -> tuple[bytes, int]:
-    """Return the data, filled up to complete rows, and the bytes from one row to the next.
+    """Return the data, filled up to complete rows, and the length of a row in bytes.
 
     Args:
         image: The message.

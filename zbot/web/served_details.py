@@ -54,7 +54,10 @@ class ServedDetails:
         raise NotImplementedError
 
     def fill(self, interface: Any) -> None:
-        """Show the form for an interface class. A `ZbotError` is shown instead of the form."""
+        """Show the form for an interface class.
+
+        If this raises a `ZbotError`, the caller shows the error's text instead.
+        """
         raise NotImplementedError
 
     def _look(self) -> None:

@@ -96,7 +96,7 @@ class TurtleControl:
         page.on_close(self.close)
 
     def close(self) -> None:
-        """Remove the node and the clients from the graph."""
+        """Remove the page's own node and clients from the graph."""
         clients, self._clients = self._clients, {}
         for reference in clients.values():
             self._page.drop(reference)

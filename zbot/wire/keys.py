@@ -16,9 +16,9 @@ __all__ = [
 ]
 
 ENCODING_PREFIX = "application/msgpack;"
-#: Domain of the names that all domains of a classroom share: the number, and the text in keys.
+#: Domain of the names below `/class/`, which all domains of a classroom share.
 SHARED_DOMAIN = 255
-SHARED_SPACE = "class"
+SHARED_SPACE = "class"  #: the text in keys in place of this domain's number
 _MAX_DOMAIN_DIGITS = 3
 
 

@@ -60,7 +60,7 @@ def _print_differences() -> None:
     try:
         for one in environment.differences():
             print(one.text, file=sys.stderr)
-    except ZbotError as error:  # a variable or file that no program can use
+    except ZbotError as error:  # an environment variable or a configuration file is not valid
         print(error, file=sys.stderr)
 
 
@@ -77,7 +77,12 @@ def _ask_pin(class_name: str) -> str | None:
 
 
 def _ask_name(given: str, known: str) -> bool | None:
-    """Ask whether the student has the similar name. Without a terminal, return `None`."""
+    """Ask whether the student is `known`. Without a terminal, return `None`.
+
+    Args:
+        given: The name that the student typed.
+        known: A similar name in the teacher's list.
+    """
     if not sys.stdin.isatty():
         return None
     return typer.confirm(f'The teacher\'s list has no "{given}", but "{known}". Are you {known}?')

@@ -1,4 +1,4 @@
-"""Publish joint states of a robot whose joints no hardware measures.
+"""Publish joint states of a robot that has no sensors for its joints.
 
 Run:        zbot run joint_state_publisher joint_state_publisher [robot.urdf]
 Subscribes: robot_description (std_msgs/String); the topics of source_list (sensor_msgs/JointState)
@@ -33,7 +33,8 @@ class JointStatePublisher(zbot.Node):
     """Publishes values for every joint that moves.
 
     Args:
-        path: A URDF file. If it is empty, the description comes from the topic.
+        path: Path of a URDF file. If the path is an empty string, the description comes from the
+            topic.
         options: The options of `zbot.Node`.
     """
 

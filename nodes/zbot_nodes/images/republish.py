@@ -25,7 +25,9 @@ _DEPTH = 10
 
 
 class Republish(zbot.Node):
-    """Publishes each image, and its other form if a node subscribes to this form.
+    """Publishes each image in the form in which it came, raw or compressed.
+
+    It converts the image to the other form only if a node subscribes to that form.
 
     Args:
         options: The options of `zbot.Node`.

@@ -121,7 +121,7 @@ class TopicTool(zbot.Node):
 
 
 def overrides(names: Sequence[str], values: Sequence[Any]) -> list[zbot.Parameter[Any]]:
-    """Return the parameters that the words of a command line set."""
+    """Return parameters with the values of a command line."""
     return [zbot.Parameter(name, value=one) for name, one in zip(names, values, strict=False)]
 
 

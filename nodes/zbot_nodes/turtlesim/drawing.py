@@ -10,7 +10,8 @@ from zbot_nodes.turtlesim.picture import png
 
 WIDTH = HEIGHT = 500  #: pixels
 _UNTOUCHED = (255, 255, 255, 0)  # white for the colour sensor, transparent for a page
-_MOST_LINES = 2000  # drawn by one turtle in 32 s; a page that asks later gets a whole picture
+# A turtle draws so many lines in 32 s. A page that asks for new lines less often gets a picture.
+_MOST_LINES = 2000
 
 
 class Pen(NamedTuple):
@@ -63,7 +64,10 @@ class Drawing:
             )
 
     def since(self, until: int) -> list[Line] | None:
-        """Return the lines that were added after `self.until` was equal to `until`.
+        """Return the newest lines.
+
+        Args:
+            until: An earlier value of `self.until`. All lines since then are returned.
 
         Returns:
             The lines, or `None` if the drawing was cleared since then or there are too many lines.

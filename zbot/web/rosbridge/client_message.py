@@ -12,7 +12,7 @@ MAX_BYTES = 16 * 1024 * 1024
 #: Longest name, type and id, in characters.
 _MAX_WORD = 1000
 _MAX_FRAGMENTED_MESSAGES = 16
-#: Bytes that are counted for a part in addition to its characters, so that empty parts count too.
+#: Size of a fragment without its characters, in bytes. With it, empty fragments count too.
 _SIZE_OF_PART = 100
 
 
@@ -101,7 +101,7 @@ class ClientMessage:
 
 
 def read_message(data: str | bytes) -> ClientMessage:
-    """Return the message in a text.
+    """Parse a text, and return the message that it contains.
 
     Raises:
         RosbridgeError: The text is not a JSON object with an operation, is too long, or has too

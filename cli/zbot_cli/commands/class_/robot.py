@@ -51,7 +51,7 @@ class RobotSpec:
 
     @classmethod
     def parse(cls, text: str) -> RobotSpec:
-        """Return the robot in `dds`, `dds:5` or `arm=dds:5`.
+        """Parse a text such as `dds`, `dds:5` or `arm=dds:5`.
 
         Raises:
             RobotSpecError: The text has another form.
