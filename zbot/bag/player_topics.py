@@ -31,14 +31,14 @@ _DISCOVERY_S = 0.5  #: longest wait for the discovery of servers that run alread
 
 
 class MessagePublisher(Protocol):
-    """Publisher of a topic, or client that sends the requests in events."""
+    """Publisher of a topic, or client that repeats the requests of recorded service events."""
 
     def publish(self, msg: Any, /) -> None:
         """Send a message."""
 
 
 class PlayedTopic:
-    """Topic that is played: its publisher, and errors."""
+    """Topic that is played, with its publisher and the number of messages with errors."""
 
     def __init__(
         self, name: str, publisher: MessagePublisher, prepare: Callable[[bytes], Any]

@@ -22,7 +22,7 @@ _NODE_SERVICES = ("rcl_interfaces/srv/", "type_description_interfaces/srv/")
 
 
 class Direction(str, Enum):
-    """Direction in which a topic goes, or in which a service is offered."""
+    """Direction of the messages of a topic. For a service: from its server to its clients."""
 
     IN = "in"  #: from ROS 2 to zbot
     OUT = "out"  #: from zbot to ROS 2
@@ -81,8 +81,8 @@ class Selection:
     """Patterns for what a bridge carries. They are compared with the names in ROS 2.
 
     Without patterns, the bridge carries everything except for hidden names and for the topics and
-    services that every node has. If there is a pattern for topics, services or actions, the bridge
-    carries only the names that a pattern selects.
+    services that every node has. With one pattern or more, the bridge carries only the names that a
+    pattern selects. So with a pattern for topics only, it carries no services and actions.
     """
 
     topics: tuple[Pattern, ...] = ()
@@ -126,7 +126,8 @@ class Selection:
         if self._is_everything:
             return usual
         for one in wanted:
-            # Hidden names, and topics and services of every node, need a pattern without `*`.
+            # A hidden name, or a name that every node has, e.g. `/rosout`, is carried only if it
+            # is written out in a pattern without `*`.
             if one.matches(name, direction) and (usual or "*" not in one.text):
                 return True
         return False

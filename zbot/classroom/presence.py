@@ -70,7 +70,9 @@ class Presence:
         self._is_closed = document_of(sample.payload).get("closed") is True
 
     def _of_class(self) -> dict[str, Any] | None:
-        """Return the notices and the nodes that the class sees, or `None` if the class is silent.
+        """Ask the class for its notices, and for the nodes of this laptop that the class sees.
+
+        Return `None` if the class does not answer.
 
         A class does not answer a laptop that it does not accept.
         """

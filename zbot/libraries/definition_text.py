@@ -43,7 +43,7 @@ class InvalidResourceName(InvalidSpecification, TypeError, NameError):  # noqa: 
 
     def __init__(self, reason: str) -> None:
         super().__init__(reason)
-        self.name = None  # Python must not look for a similar variable
+        self.name = None  # so the traceback of this NameError does not suggest a similar variable
 
 
 class UnknownMessageType(InvalidSpecification):
@@ -167,9 +167,10 @@ def _plain(value: Any) -> Any:
 
 
 class _Declared:
-    """Part of a definition that can be compared, with the comments that belong to it."""
+    """Base of the parts of a definition. Parts can be compared. Their comments do not count."""
 
-    annotations: dict[str, Any]  #: `comment`, a list of lines, and `unit`, the text in `[m/s]`
+    #: `comment` has a list of lines. `unit` has the text between brackets, e.g. of `[m/s]`.
+    annotations: dict[str, Any]
 
     def __eq__(self, other: object) -> bool:
         return type(other) is type(self) and self._contents() == other._contents()
@@ -331,21 +332,21 @@ def parse_action_string(pkg_name: str, action_name: str, action_string: str) -> 
 def parse_message_file(
     pkg_name: str, interface_filename: str | PathLike[str]
 ) -> MessageSpecification:
-    """Return the contents of a .msg file. Raise `OSError` too, if it cannot be read."""
+    """Return the contents of a .msg file. If it cannot be read, raise `OSError`."""
     return parse_message_string(pkg_name, *_name_and_text(interface_filename))
 
 
 def parse_service_file(
     pkg_name: str, interface_filename: str | PathLike[str]
 ) -> ServiceSpecification:
-    """Return the contents of a .srv file. Raise `OSError` too, if it cannot be read."""
+    """Return the contents of a .srv file. If it cannot be read, raise `OSError`."""
     return parse_service_string(pkg_name, *_name_and_text(interface_filename))
 
 
 def parse_action_file(
     pkg_name: str, interface_filename: str | PathLike[str]
 ) -> ActionSpecification:
-    """Return the contents of a .action file. Raise `OSError` too, if it cannot be read."""
+    """Return the contents of a .action file. If it cannot be read, raise `OSError`."""
     return parse_action_string(pkg_name, *_name_and_text(interface_filename))
 
 

@@ -344,9 +344,9 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
 
     def post(self, response: ResponseFuture[ResponseT]) -> None:
         """Let the executor run the callbacks of a call's future. Any thread may call this."""
-        # One response in `_completed` is enough to end `spin_once`. Other responses are added only
-        # if they have callbacks. Otherwise the queue would grow for ever in a program that stops
-        # spinning as soon as its own call is over.
+        # A response without callbacks is added only if the queue is empty: one response is enough
+        # to end `spin_once`. If all were added, the queue would grow for ever in a program that
+        # stops to spin as soon as its own call is over.
         if response.has_callbacks or not self._completed:
             self._completed.append(response)
         self.ready_queue.post(self)

@@ -208,8 +208,8 @@ class Peering:
 
         A client waits only for the router, because the router already has the declarations of all
         peers. An answer arrives after all declarations that its sender made before. So after the
-        last answer, a published message reaches all subscriptions that the peers had when they
-        answered. For a session that was just opened, the wait takes 5 to 30 ms.
+        last answer, this session knows all subscriptions of the peers. The wait takes 5 to 30 ms
+        after a session was opened.
         """
         deadline = time.monotonic() + timeout_s
         if not self.wait_for_router(timeout_s):
@@ -286,7 +286,8 @@ class Peering:
 
     def _introduce_unlinked(self) -> float | None:
         """Introduce the peers that are not linked. Return the seconds until the next check."""
-        # The number is limited, because a program with its own configuration may be unreachable.
+        # Each peer is introduced a limited number of times, because a program with a Zenoh
+        # configuration of its own may never be reachable.
         counts = self._introductions
         unlinked = [zid for zid in self._unlinked() if counts[zid] < _MAX_INTRODUCTIONS]
         if not unlinked:

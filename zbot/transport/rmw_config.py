@@ -23,9 +23,9 @@ _OVERRIDE = "ZENOH_CONFIG_OVERRIDE"
 _ATTEMPTS = "ZENOH_ROUTER_CHECK_ATTEMPTS"
 _MAX_DIGITS = 9
 
-# The values of rmw_zenoh's own configuration files, which are equal in all distributions. Only the
-# timeouts of sessions differ: with ROS 2's lease of 60 s, a program could not end while a suspended
-# subscriber blocks it.
+# The values of rmw_zenoh's own configuration files. These files are equal in all distributions of
+# ROS 2. Only the timeouts of sessions are zbot's own. With rmw_zenoh's lease of 60 s, a program
+# with a suspended subscriber could need 60 s to end.
 _COMMON: dict[str, Any] = {
     "adminspace/enabled": True,
     "queries_default_timeout": 600_000,

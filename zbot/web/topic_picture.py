@@ -20,7 +20,8 @@ _IMAGE = "sensor_msgs/msg/Image"
 _COMPRESSED = "sensor_msgs/msg/CompressedImage"
 _SCAN = "sensor_msgs/msg/LaserScan"
 _PICTURE_HZ = 15.0
-#: The edge of the largest circle in the picture has about 1440 pixels. More points look the same.
+#: The edge of the largest circle in the picture has about 1440 pixels. With more points, the
+#: picture looks the same.
 _MOST_RAYS = 1440
 
 

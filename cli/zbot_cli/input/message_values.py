@@ -190,8 +190,8 @@ def _assigned(text: str) -> Tree:
         node = yaml_text.compose(text)
         if node is None:
             return Word("", None)
-        # A list or dictionary needs brackets. `data=a: b` is a string whose quotes the shell
-        # removed.
+        # A list or dictionary needs brackets. The text `a: b` is a string: the user typed
+        # `data="a: b"`, and the shell removed the quotes.
         if not isinstance(node, yaml_text.CollectionNode) or node.flow_style:
             return _tree(node, text)
     except yaml_text.YamlError:

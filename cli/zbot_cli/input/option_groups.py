@@ -50,7 +50,7 @@ class with_option_groups:  # noqa: N801 - a decorator
         return inspect.Signature(parameters)
 
     def __call__(self, **values: Any) -> None:
-        """Run the verb. The values of a group's options become one object of the group."""
+        """Run the verb. For each group, it gets one object with the values of the options."""
         for name, parameter in self._parameters.items():
             group = _group_of(parameter)
             if group is not None:

@@ -17,8 +17,8 @@ def reversed_arcs(size: int, arcs: list[Arc], known: Mapping[int, int]) -> list[
     Args:
         size: The number of vertices.
         arcs: The arcs. An arc from a vertex to itself is not reversed.
-        known: The layers of vertices in the previous layout. Arcs between these vertices keep
-            their old direction, if new arcs do not make a cycle with them.
+        known: The layers of vertices in the previous layout. An arc between such vertices keeps its
+            direction, except if the arc and new arcs make a cycle.
     """
     is_reversed = []
     for start, end, _ in arcs:
@@ -110,7 +110,10 @@ def _tighten(
     after: list[list[tuple[int, int]]],
     before: list[list[tuple[int, int]]],
 ) -> None:
-    """Move each vertex to the side with more arcs, to make the arcs shorter."""
+    """Move each vertex towards the later or the earlier layers, where it has more arcs.
+
+    So the sum of the lengths of all arcs gets smaller.
+    """
     for _ in range(4):
         for vertex in reversed(movable):
             if len(after[vertex]) > len(before[vertex]):
