@@ -44,7 +44,7 @@ NOUNS = {
     "setup-shell": "Make ros2, colcon and rqt_graph run zbot",
     "share": "Let one student read another's topics",
     "status": "Show the class or the other machine",
-    "test": "Run a package's tests, also those of launch files",
+    "test": "Run tests, also those of launch files",
     "topic": "Look at topics, print and publish messages",
     "web": "Show the running system in a browser",
 }

@@ -207,7 +207,7 @@ def dependencies(
     ] = None,
     as_json: AsJson = False,
 ) -> int:
-    """Show which packages are missing: packages of messages and packages of Python."""
+    """Show which packages are missing."""
     import zbot.compat  # noqa: F401, PLC0415 - its packages, such as rclpy, are here
     from zbot_cli.packages.lacking import OTHER, lacking_packages  # noqa: PLC0415 - slow to import
 

@@ -23,7 +23,7 @@ from zbot_cli.output.listing import new_app
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-app = new_app("Run a package's tests, also those of launch files", has_verbs=False)
+app = new_app("Run tests, also those of launch files", has_verbs=False)
 
 _FUNCTION = "generate_test_description"
 _PLUGIN = "zbot.compat.pytest_plugin"

@@ -301,7 +301,7 @@ def burst(
         int, typer.Option("--read-ahead-queue-size", min=1, help="Messages to read in advance")
     ] = 1000,
 ) -> None:
-    """Publish the first messages of a bag as fast as possible, and then stay paused."""
+    """Publish messages without pauses, then stay paused."""
     from zbot.bag.play_options import PlayOptions  # noqa: PLC0415 - needed only to play
     from zbot.bag.qos_profiles import read_overrides  # noqa: PLC0415 - as above
     from zbot_cli.commands.bag import playback  # noqa: PLC0415 - as above

@@ -56,7 +56,7 @@ def start(
     ] = None,
     as_json: AsJson = False,
 ) -> None:
-    """Start a class of students, or show the code with which students join."""
+    """Start a class, or show its join code."""
     from zbot.classroom import teacher  # noqa: PLC0415 - not needed by `--help`
     from zbot.classroom.invitation import invitation_to  # noqa: PLC0415 - as above
     from zbot.classroom.register import clean_name, load_roster  # noqa: PLC0415 - as above
@@ -244,7 +244,7 @@ def say(text: Annotated[list[str], typer.Argument(help="Text of the message")]) 
 def free(
     number: Annotated[int, typer.Argument(min=1, max=232, help="Number of a student")],
 ) -> None:
-    """Free a student's number, so that another laptop can get it."""
+    """Free a student's number for another laptop."""
     from zbot.classroom.teacher import command  # noqa: PLC0415 - not needed by `--help`
 
     print(f"number {number} is free; {command({'op': 'free', 'number': number})['name']} had it")
