@@ -40,6 +40,8 @@ class Installation:
     interfaces: dict[str, int] = field(default_factory=dict)  #: file -> line that names it
     compiled: dict[str, int] = field(default_factory=dict)  #: C++ program -> line that adds it
     missing: dict[str, int] = field(default_factory=dict)  #: file that does not exist -> line
+    #: Files and folders with tests, as they are written. `${NAME}` is an unknown variable.
+    tests: list[str] = field(default_factory=list)
 
 
 def read_cmake(folder: Path) -> Installation:
@@ -157,6 +159,15 @@ class _Reader:
             path = Path(word.rpartition(":")[2])
             inside = path.relative_to(self._folder) if path.is_relative_to(self._folder) else path
             self.installation.interfaces[inside.as_posix()] = line
+
+    def _read_add_launch_test(self, words: list[str], _line: int) -> None:
+        self.installation.tests.append(words[0])
+
+    def _read_ament_add_pytest_test(self, words: list[str], _line: int) -> None:
+        self.installation.tests += words[1:2]  # the first word is the name of the test
+
+    _read_add_ros_test = _read_add_ros_isolated_launch_test = _read_add_launch_test
+    _read_ament_add_ros_isolated_pytest_test = _read_ament_add_pytest_test
 
     def _read_install(self, words: list[str], line: int) -> None:
         kind, options = words[0], words[1:]

@@ -19,14 +19,17 @@ from zbot_cli.commands.build import UnknownPackagesError
 from zbot_cli.input.many_values import ManyValuesCommand
 from zbot_cli.output.exit_status import Status
 from zbot_cli.output.listing import new_app
+from zbot_cli.output.report import report
+from zbot_cli.packages.test_groups import groups_below, groups_of, is_package, test_folder
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterator, Sequence
 
 app = new_app("Run tests, also those of launch files", has_verbs=False)
 
 _FUNCTION = "generate_test_description"
 _PLUGIN = "zbot.compat.pytest_plugin"
+_NO_TESTS = 5  #: exit code of pytest
 
 
 class NoTestsError(ZbotError):
@@ -73,31 +76,62 @@ def run_tests(
     # The options of pytest begin at the first word with a dash, because typer removes the `--`.
     end = next((place for place, word in enumerate(given) if word.startswith("-")), len(given))
     given, options = given[:end], given[end:]
-    paths = [Path(word) for word in given if ":=" not in word]
-    if select:
-        paths += _test_folders(select)
-    elif not paths:
-        paths = [Path("test") if Path("test").is_dir() else Path()]
+    groups = list(_groups([Path(word) for word in given if ":=" not in word], select or []))
+    set_ros_variables()
+    set_workspace_variable(groups[0][0])
+    arguments = [word for word in given if ":=" in word]
+    codes = []
+    for paths in groups:
+        if len(groups) > 1:
+            print(f"-- {', '.join(map(str, paths))}", file=sys.stderr, flush=True)
+        try:
+            codes += _run_group(paths, arguments, options)
+        except ZbotError as error:
+            if len(groups) == 1:
+                raise
+            codes.append(report(error))  # the other packages are still tested
+    # A package without tests is an error only if no package has tests.
+    passed = all(code in {0, _NO_TESTS} for code in codes) and set(codes) != {_NO_TESTS}
+    return Status.OK if passed else Status.ERROR
+
+
+def _groups(paths: list[Path], names: list[str]) -> Iterator[list[Path]]:
+    """Yield the tests that run together in one process.
+
+    Args:
+        paths: Files and folders. Without paths, the current package or folder is tested.
+        names: Packages of the workspace.
+    """
     for path in paths:
         if not path.exists():
             raise NoTestsError(path)
-    set_ros_variables()
-    set_workspace_variable(paths[0])
-    arguments = [word for word in given if ":=" in word]
+    for folder in _folders(names):
+        yield from groups_of(folder)
+    if not (paths or names):
+        here = Path()
+        yield from groups_of(here) if is_package(here) else groups_below(test_folder(here))
+    folders = {path: list(groups_below(path)) for path in paths if path.is_dir()}
+    plain = [path for path in paths if folders.get(path, [[path]]) == [[path]]]
+    if plain:
+        yield plain
+    for path, groups in folders.items():
+        yield from () if path in plain else groups
+
+
+def _run_group(paths: list[Path], arguments: list[str], options: list[str]) -> list[int]:
+    """Run launch tests in this process, and other tests in one process of pytest."""
     launches = [path for path in paths if not options and _is_launch(path)]
     others = [path for path in paths if path not in launches]
-    failed = [path for path in launches if not _run_launch(path, arguments)]
-    code = _run_pytest(others, options) if others else 0
-    return Status.ERROR if failed or code else Status.OK
+    codes = [0 if _run_launch(path, arguments) else 1 for path in launches]
+    return [*codes, _run_pytest(others, options)] if others else codes
 
 
-def _test_folders(names: list[str]) -> list[Path]:
-    folders = {package_name(folder): folder for folder in package_folders()}
+def _folders(names: list[str]) -> list[Path]:
+    folders = {package_name(folder): folder for folder in package_folders()} if names else {}
     unknown = [name for name in names if name not in folders]
     if unknown:
         raise UnknownPackagesError("--packages-select", unknown, folders)
-    found = [folders[name] for name in names]
-    return [folder / "test" if (folder / "test").is_dir() else folder for folder in found]
+    return [folders[name] for name in names]
 
 
 def _is_launch(path: Path) -> bool:

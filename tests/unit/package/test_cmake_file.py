@@ -110,3 +110,14 @@ def test_an_unknown_variable_can_be_extended_many_times(folder: Path) -> None:
 def test_names_of_variables_may_contain_variables(folder: Path) -> None:
     text = "set(A B)\nset(B_dir data)\ninstall(FILES ${${A}_dir}/x.yaml DESTINATION share)"
     assert list(read(folder, text).files) == ["share/x.yaml"]
+
+
+def test_tests_are_found(folder: Path) -> None:
+    found = read(
+        folder,
+        "add_launch_test(test/a.test.py TIMEOUT 20)\n"
+        "ament_add_pytest_test(unit test/b.py WORKING_DIRECTORY x)\n"
+        "ament_add_pytest_test(${name} ${path})\n"
+        "ament_add_gtest(c test/c.cpp)\n",
+    )
+    assert found.tests == ["test/a.test.py", "test/b.py", "${path}"]
