@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import sys
+from functools import partial
+from importlib import import_module
 from importlib.machinery import ModuleSpec
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
@@ -11,6 +13,7 @@ from zbot.errors import close_matches
 from zbot.interfaces import registry
 from zbot.interfaces.classes import module_name
 from zbot.interfaces.errors import MissingPackageError, UnknownInterfaceError
+from zbot.interfaces.kinds import KINDS
 from zbot.interfaces.location import has_other_versions
 from zbot.interfaces.registry import has_package
 from zbot.interfaces.spec import ActionSpec, ServiceSpec
@@ -71,6 +74,16 @@ class _PackageLoader(Loader):
     def exec_module(self, module: ModuleType) -> None:
         package = module.__name__
         module.__doc__ = f"Interfaces of {package}, made by zbot from their definitions."
+        # In ROS 2, `import std_msgs` is enough for `std_msgs.msg` if any other module has imported
+        # `std_msgs.msg`. The generated classes of other packages often do this.
+        module.__dict__["__getattr__"] = partial(_kind_module, package)
+
+
+def _kind_module(package: str, kind: str) -> ModuleType:
+    """Return e.g. `std_msgs.msg`, and import it if necessary."""
+    if kind in KINDS and _interfaces(package, kind):
+        return import_module(f"{package}.{kind}")
+    raise AttributeError(f"module {package!r} has no attribute {kind!r}")
 
 
 class _KindLoader(Loader):

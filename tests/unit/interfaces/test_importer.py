@@ -226,3 +226,15 @@ print(String(data="x").data)
         [sys.executable, "-c", source], capture_output=True, text=True, check=True
     )
     assert done.stdout.split() == ["no_such_module", "x"]
+
+
+def test_the_import_of_a_package_is_enough() -> None:
+    program = (
+        "import zbot, std_msgs, example_interfaces\n"
+        "print(std_msgs.msg.Bool(data=True), example_interfaces.srv.AddTwoInts.Request(a=1).a)\n"
+        "print(hasattr(std_msgs, 'srv'), hasattr(std_msgs, 'nothing'))\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", program], capture_output=True, text=True, check=True
+    )
+    assert done.stdout == "std_msgs.msg.Bool(data=True) 1\nFalse False\n"
