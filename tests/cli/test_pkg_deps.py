@@ -101,6 +101,8 @@ def test_a_complete_workspace_lacks_nothing(write: Write, zbot_command: Command)
         ("python3-ultralytics-pip", "ultralytics", "pip install ultralytics"),
         ("python3-pyqt5", "PyQt5", "pip install pyqt5"),
         ("xacro", "xacro", "pip install xacro"),
+        ("python3-tk", "tkinter", "install your system's package python3-tk"),
+        ("python3-rospy", "rospy", "rospy is a part of ROS 1: use its successor in ROS 2"),
     ],
 )
 def test_keys_of_rosdep_mean_modules(key: str, module: str, how: str) -> None:

@@ -45,11 +45,13 @@ _REPOSITORIES = {
     "yasmin": "uleroboticsgroup/yasmin",
     "yasmin_ros": "uleroboticsgroup/yasmin",
 }
+#: Modules of ROS 1. Packages of PyPI with these names are not the genuine ones.
+_ROS1 = {"actionlib", "roslaunch", "roslib", "rospy", "tf"}
 _KEY = "python3-"
 #: Modules of rosdep's keys (without `python3-`) that `_PYPI` does not contain.
 _MODULES = {
     "libgpiod": "gpiod", "opencv": "cv2", "pil": "PIL", "pil-imagetk": "PIL", "smbus": "smbus",
-    "usb": "usb",
+    "tk": "tkinter", "usb": "usb",
 }  # fmt: skip
 #: Keys of rosdep for tools that a program does not import.
 _TOOLS = {"dev", "pip", "pytest", "setuptools", "venv"}
@@ -66,6 +68,10 @@ def name_on_pypi(module: str) -> str:
 
 def how_to_get(module: str) -> str:
     """Return the instruction with which the user gets the package of a top-level module."""
+    if module == "tkinter":
+        return "install your system's package python3-tk"  # it is a part of Python, not of PyPI
+    if module in _ROS1:
+        return f"{module} is a part of ROS 1: use its successor in ROS 2"
     name = name_on_pypi(module)
     if name:
         return f"pip install {name}"
