@@ -55,7 +55,8 @@ def test_rosapi_describes_the_system(
     assert web.call("/rosapi/publishers", topic="/speed") == {"publishers": ["/robot"]}
     assert web.call("/rosapi/subscribers", topic="/speed") == {"subscribers": []}
     assert web.call("/rosapi/service_node", service="/add") == {"node": "/robot"}
-    assert web.call("/rosapi/service_providers", service="/add") == {"providers": ["/robot"]}
+    for word in ("/add", "example_interfaces/srv/AddTwoInts"):  # rosapi's argument is a type
+        assert web.call("/rosapi/service_providers", service=word) == {"providers": ["/robot"]}
     assert web.call("/rosapi/action_servers") == {"action_servers": []}
     [twist, vector] = web.call("/rosapi/message_details", type="geometry_msgs/Twist")["typedefs"]
     assert twist["fieldtypes"] == ["geometry_msgs/Vector3"] * 2

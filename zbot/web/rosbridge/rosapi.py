@@ -114,7 +114,7 @@ def _node_details(bridge: Bridge, args: dict[str, Any]) -> dict[str, Any]:
     node, graph = _node_name(_word(args, "node")), bridge.graph()
 
     def names(kind: EntityKind) -> list[str]:
-        return [name for name, _ in graph.names_and_types(kind, node=node)]
+        return [name for name, _ in _shown(graph.names_and_types(kind, node=node))]
 
     return {
         "subscribing": names(EntityKind.SUBSCRIPTION),
@@ -162,7 +162,12 @@ def _subscribers(bridge: Bridge, args: dict[str, Any]) -> dict[str, Any]:
 
 
 def _service_providers(bridge: Bridge, args: dict[str, Any]) -> dict[str, Any]:
-    return {"providers": _ends(bridge.graph(), _word(args, "service"), EntityKind.SERVICE)}
+    # rosapi takes the type of services. Its documentation says name, so a name works too.
+    graph, word = bridge.graph(), _word(args, "service")
+    names = [name for name, types in graph.services() if word in types] or [word]
+    return {
+        "providers": sorted({n for one in names for n in _ends(graph, one, EntityKind.SERVICE)})
+    }
 
 
 def _service_node(bridge: Bridge, args: dict[str, Any]) -> dict[str, Any]:
