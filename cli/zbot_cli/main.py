@@ -173,7 +173,10 @@ def _take_rmw(words: list[str]) -> list[str]:
 
 
 def _print_and_exit(text: str) -> NoReturn:
-    print(text)
+    try:
+        print(text, flush=True)
+    except BrokenPipeError:
+        _silence_stdout()
     sys.exit(Status.OK)
 
 

@@ -63,6 +63,20 @@ def test_a_closed_pipe_is_not_an_error() -> None:
     assert (done.stdout, done.stderr) == ("Messages:\n", "")
 
 
+def test_help_into_a_closed_pipe_is_not_an_error() -> None:
+    reader, writer = os.pipe()
+    os.close(reader)
+    done = subprocess.run(
+        [sys.executable, "-m", "zbot_cli", "--help"],
+        stdout=writer,
+        stderr=subprocess.PIPE,
+        text=True,
+        check=False,
+    )
+    os.close(writer)
+    assert (done.returncode, done.stderr) == (0, "")
+
+
 def test_help_starts_fast() -> None:
     took: list[float] = []
     while len(took) < 5 and min(took, default=2.0) >= 2:  # one idle moment is enough
