@@ -10,6 +10,9 @@
         zbot.spin(node)
 
 The names, arguments and meanings are those of ROS 2's rclpy.
+
+PYTEST_DONT_REWRITE tells pytest not to warn if zbot is imported before pytest's plugins. In a
+sourced workspace, this is the case.
 """
 
 from typing import TYPE_CHECKING

@@ -99,6 +99,8 @@ PYTEST_OF_A_USER = """
 import pytest, zbot
 from std_msgs.msg import String
 
+pytest.register_assert_rewrite("zbot", "zbot_ros2_names")  # as for each installed plugin
+
 @pytest.fixture
 def node():
     zbot.init()
@@ -117,7 +119,7 @@ def test_a_message_arrives(node, turn):
     assert heard[0].data == str(turn)
 
 if __name__ == "__main__":
-    raise SystemExit(pytest.main(["-q", "-p", "no:cacheprovider", __file__]))
+    raise SystemExit(pytest.main(["-q", "-W", "error", "-p", "no:cacheprovider", __file__]))
 """
 
 SPINNING_THREAD = """
