@@ -152,16 +152,26 @@ def test_nodes_are_brought_up_in_their_order(bench: Bench, logged: list[Any]) ->
         "Activating map_saver",
     ]
     requests = ManageLifecycleNodes.Request
-    for command, active in (
-        (requests.PAUSE, False),
-        (requests.RESUME, True),
-        (requests.RESET, False),
-        (requests.STARTUP, True),
-        (requests.SHUTDOWN, False),
+    for command, active, text in (
+        (requests.PAUSE, False, "Managed nodes have been paused"),
+        (requests.RESUME, True, "Managed nodes are active"),
+        (requests.RESET, False, "Managed nodes have been reset"),
+        (requests.STARTUP, True, "Managed nodes are active"),
+        (requests.SHUTDOWN, False, "Managed nodes have been shut down"),
     ):
         assert manage(bench, command)
         assert is_active(bench) is active
-    assert not manage(bench, requests.STARTUP)  # they are finalized
+        assert logged[-1].message == text
+    for command, last, tried in (  # they are finalized
+        (requests.STARTUP, "Failed to bring up all requested nodes. Aborting bringup.", 1),
+        (requests.RESET, "Failed to reset nodes: aborting reset", 1),
+        (requests.SHUTDOWN, "Failed to shut down all nodes", 6),
+    ):
+        logged.clear()
+        assert not manage(bench, command)
+        assert logged[-1].message == last
+        failures = [one for one in logged if one.message.startswith("Failed to change state")]
+        assert len(failures) == tried
     defaults = {"service_timeout": 5.0, "bond_timeout": 4.0, "attempt_respawn_reconnection": True}
     assert {name: node.get_parameter(name).value for name in defaults} == defaults
 

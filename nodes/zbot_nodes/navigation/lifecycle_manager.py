@@ -11,7 +11,7 @@ Parameters: node_names, autostart (false), service_timeout (5.0 s), bond_timeout
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import zbot
 from zbot.qos import DurabilityPolicy, QoSProfile
@@ -36,13 +36,51 @@ _SHUTDOWN = (
     "Shutting down",
     State.PRIMARY_STATE_FINALIZED,
 )
-#: For each command: the transitions of the nodes, in their order.
-_COMMANDS: dict[int, tuple[Any, ...]] = {
-    ManageLifecycleNodes.Request.STARTUP: (_CONFIGURE, _ACTIVATE),
-    ManageLifecycleNodes.Request.PAUSE: (_DEACTIVATE,),
-    ManageLifecycleNodes.Request.RESUME: (_ACTIVATE,),
-    ManageLifecycleNodes.Request.RESET: (_DEACTIVATE, _CLEANUP),
-    ManageLifecycleNodes.Request.SHUTDOWN: (_DEACTIVATE, _CLEANUP, _SHUTDOWN),
+
+
+class _Command(NamedTuple):
+    """Command for all nodes: their transitions in order, and what the manager logs."""
+
+    transitions: tuple[tuple[int, str, int], ...]
+    begin: str
+    end: str
+    failure: str
+    is_stopped_by_failures: bool = True
+
+
+#: The texts are those of Nav2. Nav2 has no text for a failed shutdown.
+_COMMANDS = {
+    ManageLifecycleNodes.Request.STARTUP: _Command(
+        (_CONFIGURE, _ACTIVATE),
+        "Starting managed nodes bringup...",
+        "Managed nodes are active",
+        "Failed to bring up all requested nodes. Aborting bringup.",
+    ),
+    ManageLifecycleNodes.Request.PAUSE: _Command(
+        (_DEACTIVATE,),
+        "Pausing managed nodes...",
+        "Managed nodes have been paused",
+        "Failed to pause nodes: aborting pause",
+    ),
+    ManageLifecycleNodes.Request.RESUME: _Command(
+        (_ACTIVATE,),
+        "Resuming managed nodes...",
+        "Managed nodes are active",
+        "Failed to resume nodes: aborting resume",
+    ),
+    ManageLifecycleNodes.Request.RESET: _Command(
+        (_DEACTIVATE, _CLEANUP),
+        "Resetting managed nodes...",
+        "Managed nodes have been reset",
+        "Failed to reset nodes: aborting reset",
+    ),
+    ManageLifecycleNodes.Request.SHUTDOWN: _Command(
+        (_DEACTIVATE, _CLEANUP, _SHUTDOWN),
+        "Shutting down managed nodes...",
+        "Managed nodes have been shut down",
+        "Failed to shut down all nodes",
+        is_stopped_by_failures=False,
+    ),
 }
 
 
@@ -104,7 +142,6 @@ class LifecycleManager(zbot.Node):
         if timer is None:
             return
         self.destroy_timer(timer)
-        self.get_logger().info("Starting managed nodes bringup...")
         await self.run(ManageLifecycleNodes.Request.STARTUP)
 
     async def manage(
@@ -114,20 +151,27 @@ class LifecycleManager(zbot.Node):
         response.success = request.command in _COMMANDS and await self.run(request.command)
         return response
 
-    async def run(self, command: int) -> bool:
-        """Make the transitions of a command. Return whether all nodes made them."""
-        is_up = _COMMANDS[command][-1] is _ACTIVATE
-        succeeded = True
-        for transition in _COMMANDS[command]:
-            for name in self.names if is_up else reversed(self.names):
-                if not await self.change(name, *transition):
-                    succeeded = False
-                    if is_up:
-                        text = "Failed to bring up all requested nodes. Aborting bringup."
-                        self.get_logger().error(text)
-                        return False
+    async def run(self, number: int) -> bool:
+        """Run a command. Return whether all nodes made its transitions."""
+        command = _COMMANDS[number]
+        is_up = command.transitions[-1] is _ACTIVATE
+        self.get_logger().info(command.begin)
+        succeeded = await self.change_all(command, self.names if is_up else self.names[::-1])
         self.set_active(is_active=is_up and succeeded)
-        self.get_logger().info("Managed nodes are active" if is_up else "Managed nodes are down")
+        if succeeded:
+            self.get_logger().info(command.end)
+        else:
+            self.get_logger().error(command.failure)
+        return succeeded
+
+    async def change_all(self, command: _Command, names: list[str]) -> bool:
+        """Make the transitions of some nodes. Return whether all nodes made them."""
+        succeeded = True
+        for transition in command.transitions:
+            for name in names:
+                succeeded = await self.change(name, *transition) and succeeded
+                if not succeeded and command.is_stopped_by_failures:
+                    return False
         return succeeded
 
     async def change(self, name: str, number: int, what: str, goal: int) -> bool:
