@@ -54,6 +54,24 @@ def test_send_a_goal(web: WebProgram, node: zbot.Node, spin: Callable[..., Spinn
     assert "order needs an integer" in result["values"]
 
 
+def test_a_goal_has_one_answer(
+    web: WebProgram, node: zbot.Node, spin: Callable[..., Spinner]
+) -> None:
+    def execute(goal_handle: Any) -> Any:
+        goal_handle.succeed()
+        return Fibonacci.Result()
+
+    ActionServer(node, Fibonacci, "count", execute)
+    web.send(
+        "send_action_goal", id="g", action="/count", action_type="example_interfaces/Fibonacci"
+    )
+    goal = web.session._actions._goals["g"]
+    spin(node)
+    web.wait_for("action_result", id="g")
+    goal.fail("too late")
+    assert not [one for one in web.read() if one["op"] == "action_result"]
+
+
 def test_serve_an_action(web: WebProgram, node: zbot.Node, spin: Callable[..., Spinner]) -> None:
     web.send("advertise_action", action="/fold", type="example_interfaces/Fibonacci")
     client: ActionClient[Any, Any, Any] = ActionClient(node, Fibonacci, "fold")

@@ -64,7 +64,7 @@ class ActionOperations:
             raise RosbridgeError(f"you have a goal with the id {key!r} already")
         goal = _SentGoal(self._session, message, self._goals, key)
         if len(self._goals) >= MAX_GOALS:
-            goal.fail(f"you have {MAX_GOALS} goals already")
+            goal.refuse(f"you have {MAX_GOALS} goals already")
             return
         self._goals[key] = goal
         try:
@@ -180,19 +180,22 @@ class _SentGoal:
             self.fail(str(error))
             return
         response: Any = future.result()
-        values = json_value(response.result)
-        self._answer(values, response.status, is_success=True)
+        if self.end():
+            self._answer(json_value(response.result), response.status, is_success=True)
 
     def fail(self, text: str) -> None:
-        """Answer with an error."""
+        """End the goal, and answer with an error. A goal that has ended gets no second answer."""
+        if self.end():
+            self.refuse(text)
+
+    def refuse(self, text: str) -> None:
+        """Answer with an error for a goal that was not kept."""
         self._answer(text, GoalState.UNKNOWN.value, is_success=False)
 
     def _answer(self, values: Any, status: int, *, is_success: bool) -> None:
-        is_new = self._key not in self._goals  # too many goals: this goal was not kept
-        if self.end() or is_new:
-            self._send(
-                {"op": "action_result", "values": values, "status": status, "result": is_success}
-            )
+        self._send(
+            {"op": "action_result", "values": values, "status": status, "result": is_success}
+        )
 
     def _send(self, fields: dict[str, Any]) -> None:
         self._session.send({**fields, "id": self._message.id, "action": self._name}, *self._form)
