@@ -67,6 +67,18 @@ def test_watch_keeps_the_latest_and_counts(system: System, node: zbot.Node) -> N
         assert watch.problem == ""
 
 
+def test_a_jump_of_the_clock_does_not_change_the_rate(
+    system: System, node: zbot.Node, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    publisher = node.create_publisher(String, "chatter", 10)
+    with system.watch("/chatter") as watch:
+        publish_until(publisher, String(data="hello"), lambda: watch.rate_hz > 0)
+        later_ns = time.time_ns() + 3600 * 10**9
+        monkeypatch.setattr(time, "time_ns", lambda: later_ns)
+        assert watch.rate_hz > 0
+        assert watch.bytes_per_second > 0
+
+
 def test_watch_waits_for_an_unused_topic(system: System, node: zbot.Node) -> None:
     with system.watch("/later") as watch:
         assert watch.type_name is None

@@ -109,7 +109,8 @@ class Feed:
         self.count += 1
         record = Record(self.count, info["source_timestamp"], received_ns, payload)
         self.newest = record
-        self.meter.add(received_ns, len(payload))
+        # The clock of `received_ns` may jump, e.g. when the laptop sets its time.
+        self.meter.add(time.monotonic_ns(), len(payload))
         if self._history.maxlen:
             self._remember(record)
 
@@ -222,12 +223,12 @@ class Watch:
     @property
     def rate_hz(self) -> float:
         """Messages a second, over the last 5 s."""
-        return self._feed.meter.rates(time.time_ns())[0]
+        return self._feed.meter.rates(time.monotonic_ns())[0]
 
     @property
     def bytes_per_second(self) -> float:
         """Bytes of payload a second, over the last 5 s."""
-        return self._feed.meter.rates(time.time_ns())[1]
+        return self._feed.meter.rates(time.monotonic_ns())[1]
 
     def since(self, number: int) -> Sequence[Record]:
         """Return the kept messages after a number (0: all). The oldest message is the first."""
