@@ -46,8 +46,8 @@ def fixture(
                 launch.wait_until_ready()
                 yield value
             finally:
-                launch.stop()
                 running.pop(name, None)
+                launch.stop()
             next(rest, None)  # runs the code after the function's own yield
 
         # functools.wraps is not used, because pytest would unwrap `launched` and use `function`.

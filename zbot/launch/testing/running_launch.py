@@ -21,8 +21,8 @@ if TYPE_CHECKING:
     from zbot.launch.entity import LaunchDescriptionEntity
 
 READY_TIMEOUT_S = 15.0  # the default of launch_testing
-# Time in which a launch should end. By default, SIGTERM comes 5 s after SIGINT, and SIGKILL 5 s
-# after SIGTERM. An action may set longer times.
+# Longest time in which a launch may end. By default, SIGTERM comes 5 s after SIGINT, and SIGKILL
+# 5 s after SIGTERM. An action may set longer times.
 _LONGEST_END_S = 60.0
 
 
@@ -64,12 +64,14 @@ class RunningLaunch:
         ):
             context.register_event_handler(_handler(kind, function))
         self.service.include_launch_description(description)
-        self._thread = threading.Thread(target=self._run, name="launch under test", daemon=True)
+        self._thread = threading.Thread(
+            target=lambda: asyncio.run(self._run()), name="launch under test", daemon=True
+        )
         self._thread.start()
 
-    def _run(self) -> None:
+    async def _run(self) -> None:
         try:
-            asyncio.run(self.service.run_async(shutdown_when_idle=not self._keep_alive))
+            await self.service.run_async(shutdown_when_idle=not self._keep_alive)
         finally:
             with self._state_changed:
                 self.is_over = True
@@ -100,12 +102,20 @@ class RunningLaunch:
         )
 
     def stop(self) -> None:
-        """End the launch and wait until its processes have ended. A second call does nothing."""
+        """End the launch and wait until its processes have ended. A second call does nothing.
+
+        Raises:
+            LaunchTestError: The launch did not end within 60 s.
+        """
         with self._state_changed:
             if not self.is_over:
                 self.service.emit_event(Shutdown(reason="the tests are over"))
-            self._state_changed.wait_for(lambda: self.is_over, _LONGEST_END_S)
-        self._thread.join()
+        self._thread.join(_LONGEST_END_S)
+        if self._thread.is_alive():
+            raise LaunchTestError(
+                f"the launch did not end within {_LONGEST_END_S:g} s",
+                "set sigterm_timeout and sigkill_timeout to shorter times",
+            )
 
 
 def _handler(kind: type[Any], function: Any) -> EventHandler:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 import unittest
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
@@ -9,9 +10,9 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 from zbot.launch import LaunchDescription
-from zbot.launch.actions import Shutdown, TimerAction
+from zbot.launch.actions import ExecuteProcess, Shutdown, TimerAction
 from zbot.launch.actions.testing import ReadyToTest
-from zbot.launch.testing import test_run
+from zbot.launch.testing import running_launch, test_run
 from zbot.launch.testing.error import LaunchTestError
 from zbot.launch.testing.marker import keep_alive, parametrize, post_shutdown_test
 from zbot.launch.testing.test_runner import LaunchTestRunner
@@ -99,3 +100,16 @@ def test_a_description_needs_its_ready_to_test() -> None:
     (run,) = runs_of(lambda: LaunchDescription([]))
     with pytest.raises(LaunchTestError, match="containing a ReadyToTest action"):
         run.normalized_test_description(ready_fn=list)
+
+
+def test_a_launch_that_does_not_end_in_time_is_an_error(monkeypatch: pytest.MonkeyPatch) -> None:
+    deaf = "import signal, time; signal.signal(signal.SIGINT, signal.SIG_IGN); time.sleep(60)"
+    process = ExecuteProcess(cmd=[sys.executable, "-c", deaf], sigterm_timeout="1.0")
+    launch = running_launch.RunningLaunch(LaunchDescription([process, ReadyToTest()]))
+    launch.wait_until_ready()
+    with monkeypatch.context() as short:
+        short.setattr(running_launch, "_LONGEST_END_S", 0.01)
+        with pytest.raises(LaunchTestError, match=r"did not end within 0\.01 s"):
+            launch.stop()
+    launch.stop()
+    assert launch.is_over
