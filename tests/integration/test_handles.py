@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 from typing import TYPE_CHECKING, Any
 
 import pytest
@@ -47,6 +48,11 @@ def test_a_node_lists_only_its_own_entities(node: zbot.Node) -> None:
     make = ENTITIES["publisher"]
     make(node)
     assert [one.topic_name for one in node.publishers] == ["/parameter_events", "/chatter"]
+
+
+def test_the_class_has_no_entities() -> None:
+    members = dict(inspect.getmembers(zbot.Node))
+    assert {f"{kind}s" for kind in ENTITIES} <= set(members)
 
 
 def test_a_destroyed_node_has_no_entities(node: zbot.Node) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from operator import attrgetter
-from typing import TYPE_CHECKING, Any, Literal, TypeVar, cast
+from typing import TYPE_CHECKING, Any, Literal, TypeVar, cast, overload
 
 from zbot.errors import ArgumentTypeError, InvalidHandleError
 from zbot.executor.guard_condition import GuardCondition
@@ -40,7 +40,15 @@ class _Listing:
     def __init__(self, attribute: str) -> None:
         self._read: Callable[[Any], list[Any]] = attrgetter(f"_zbot_state.{attribute}")
 
-    def __get__(self, node: NodeEntities, owner: type[NodeEntities]) -> Iterator[Any]:
+    @overload
+    def __get__(self, node: None, owner: type[NodeEntities]) -> _Listing: ...
+    @overload
+    def __get__(self, node: NodeEntities, owner: type[NodeEntities]) -> Iterator[Any]: ...
+    def __get__(
+        self, node: NodeEntities | None, owner: type[NodeEntities]
+    ) -> _Listing | Iterator[Any]:
+        if node is None:  # read on the class, e.g. by inspect.getmembers
+            return self
         return iter(self._read(node).copy())
 
 
