@@ -28,6 +28,7 @@ _NO_SERVER_S = 3.0
 # Largest number of messages that are taken from a topic before it is the turn of other topics.
 _BATCH = 100
 _GONE = "the node in ROS 2 that has the service is gone"
+_NO_SERVER = f"no node in ROS 2 has had the service for {_NO_SERVER_S:g} s"
 
 
 class RclpySide:
@@ -330,7 +331,7 @@ class _Caller:
             late = [one for one in self._unsent if one[0] < late_s]
             self._unsent = [one for one in self._unsent if one[0] >= late_s]
         for _, _, answer in late:
-            answer.fail(CallError("no_server", _GONE))
+            answer.fail(CallError("no_server", _NO_SERVER))
 
     def _send(self, request: bytes, answer: Answer) -> None:
         try:
