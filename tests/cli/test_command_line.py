@@ -116,6 +116,22 @@ def test_ctrl_c_during_the_import_of_a_command_is_silent(module: str, words: lis
     assert (done.stdout, done.stderr) == ("", "")
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
+def test_ctrl_c_before_a_command_can_handle_it_is_silent() -> None:
+    signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})  # as a launch starts a command
+    try:
+        program = subprocess.Popen(
+            [sys.executable, "-m", "zbot_cli", "run", "talker"],
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+        )
+    finally:
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT})
+    program.send_signal(signal.SIGINT)
+    assert program.communicate(timeout=allowed(30)) == (b"", b"")
+    assert program.returncode in {-signal.SIGINT, Status.INTERRUPTED}
+
+
 INTERRUPTED_END = """
 import runpy, signal, sys
 from zbot_cli.input import keyboard_interrupt

@@ -5,14 +5,16 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import os
+import signal
 import subprocess
 import sys
 from typing import TYPE_CHECKING, Any, cast
 
 from zbot.launch.process_group import send
+from zbot.launch.zbot_command import zbot_command
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping, Sequence
+    from collections.abc import Callable, Iterator, Mapping, Sequence
 
     from zbot.launch.process_group import ProcessGroups
 
@@ -155,7 +157,8 @@ async def start(
         if isinstance(command, str):
             transport, _ = await loop.subprocess_shell(lambda: protocol, command, **options)
         else:
-            transport, _ = await loop.subprocess_exec(lambda: protocol, *command, **options)
+            with _blocked_interrupts(command):
+                transport, _ = await loop.subprocess_exec(lambda: protocol, *command, **options)
     except BaseException:
         for fd in masters:
             os.close(fd)
@@ -165,6 +168,24 @@ async def start(
             os.close(fd)
     terminals = [await _read(number, fd, on_data) for number, fd in enumerate(masters, 1)]
     return ChildProcess(transport, protocol, terminals, process_groups)
+
+
+@contextlib.contextmanager
+def _blocked_interrupts(command: Sequence[str]) -> Iterator[None]:
+    """Start a command of zbot with SIGINT blocked. zbot unblocks it when it can handle it.
+
+    Without this, Python would print a traceback if a launch ends while the command still starts.
+    Other programs start as usual, because they would never unblock SIGINT.
+    """
+    words = zbot_command()
+    if sys.platform == "win32" or list(command[: len(words)]) != words:
+        yield
+        return
+    signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})  # the process inherits the mask
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT})
 
 
 def _terminals() -> tuple[list[int], list[int]]:

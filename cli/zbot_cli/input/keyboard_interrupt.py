@@ -18,10 +18,13 @@ def end_process_on_ctrl_c() -> None:
     """Let Ctrl-C end the process without output, also during imports.
 
     Only the main thread may call this function. If SIGINT was ignored when this process started, it
-    stays ignored. For example, a shell script ignores SIGINT in a command with `&`.
+    stays ignored. For example, a shell script ignores SIGINT in a command with `&`. If SIGINT was
+    blocked, as in a process that a launch starts, it is unblocked.
     """
     if signal.getsignal(signal.SIGINT) != signal.SIG_IGN:
         signal.signal(signal.SIGINT, signal.SIG_DFL)
+    if sys.platform != "win32":
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT})
 
 
 def raise_on_ctrl_c() -> None:
