@@ -284,6 +284,7 @@ NETWORK_READERS = (
         "message",
         (
             "zbot.wire.codec",
+            "zbot.wire.run_values",
             "zbot.wire.default_memory",
             "zbot.interfaces.array_value",
             "zbot.interfaces.field_check",

@@ -6,54 +6,26 @@ unpacks all values of a run.
 
 from __future__ import annotations
 
-from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 from zbot.interfaces import get_interface
 from zbot.wire.cdr_layout import Alignment, TypeLayout
+from zbot.wire.function_source import FunctionSource
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
-
     from zbot.interfaces.spec import FieldType
 
 
-class Source:
+class Source(FunctionSource):
     """Lines of a function, and the current run, for which no line was added yet."""
 
     def __init__(self, known: Alignment) -> None:
-        self.names: dict[str, Any] = {}  #: values of the names in the source
+        super().__init__()
         self.called: dict[str, type[Any]] = {}  #: classes of inner messages by function name
-        self.lines: list[str] = []
         self.layout = TypeLayout()
         self.known = known  #: alignment after the run
         self.format = ""
         self.run_size = 0
-        self._indentation = 1
-        self._numbers = 0
-
-    def add(self, line: str) -> None:
-        """Add a line."""
-        self.lines.append("    " * self._indentation + line)
-
-    @contextmanager
-    def block(self, header: str) -> Iterator[None]:
-        """Add a line that begins a block. The lines added in the context belong to the block."""
-        self.add(header)
-        self._indentation += 1
-        yield
-        self._indentation -= 1
-
-    def fresh(self, prefix: str) -> str:
-        """Return a name that the source does not have yet."""
-        self._numbers += 1
-        return f"{prefix}{self._numbers}"
-
-    def constant(self, prefix: str, value: Any) -> str:
-        """Return a new name for a value."""
-        name = self.fresh(prefix)
-        self.names[name] = value
-        return name
 
     def function_for(self, verb: str, kind: FieldType) -> str:
         """Return the name of the function that reads or writes an inner message of a type."""

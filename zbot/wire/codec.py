@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, Generic, Literal, NoReturn, TypeVar
 from zbot.errors import ExternalShutdownException
 from zbot.interfaces import get_interface, message_spec_of
 from zbot.interfaces.array_value import fixed_array
-from zbot.wire import generator, value_check
+from zbot.wire import generator, run_codec, value_check
 from zbot.wire.default_memory import begin_message, count_elements
 from zbot.wire.errors import CodecError
 from zbot.wire.generator import Layout, function_name, is_numeric_array
@@ -94,7 +94,9 @@ class Codec(Generic[MessageT]):
 
     @property
     def source(self) -> str:
-        """Source of the generated functions, for debugging."""
+        """Source of `encode` and `decode`, for debugging."""
+        if self._has_runs:
+            return run_codec.source(self._spec)
         return "\n\n".join(
             write(self._spec, layout_of(self._class))
             for write in (generator.encode_source, generator.decode_source)
@@ -103,12 +105,31 @@ class Codec(Generic[MessageT]):
     @cached_property
     def encode(self) -> Callable[[MessageT], bytes]:
         """Return the bytes of a message. Raise `CodecError` if a field cannot be sent."""
-        names = {"ERRORS": _ERRORS, "explain": self._explain_encoding}
-        return _function(self._class, "encode", names)
+        if self._has_runs:
+            # The careful function is generated when it is needed for the first time.
+            return run_codec.encoder(self._spec, lambda one: self.encode_carefully(one))  # noqa: PLW0108
+        return self.encode_carefully
 
     @cached_property
     def decode(self) -> Callable[[Bytes], MessageT]:
         """Return the message that bytes contain. Raise `CodecError` if the bytes are not valid."""
+        if self._has_runs:
+            return run_codec.decoder(self._spec, lambda data: self.decode_carefully(data))  # noqa: PLW0108
+        return self.decode_carefully
+
+    @cached_property
+    def _has_runs(self) -> bool:
+        return not is_dataclass(self._class) and run_codec.is_supported(self._spec)
+
+    @cached_property
+    def encode_carefully(self) -> Callable[[MessageT], bytes]:
+        """Do the same as `encode`, but check each value. This needs more time for some types."""
+        names = {"ERRORS": _ERRORS, "explain": self._explain_encoding}
+        return _function(self._class, "encode", names)
+
+    @cached_property
+    def decode_carefully(self) -> Callable[[Bytes], MessageT]:
+        """Do the same as `decode`, but check each value. This needs more time for some types."""
         # The constructor of a dataclass may raise any exception.
         names = {"ERRORS": Exception, "explain": self._explain_decoding}
         arrays = {pack(f.name): f.name for f in self._spec.fields if is_numeric_array(f)}

@@ -1,0 +1,251 @@
+"""Generator of the Python source that decodes MessagePack to messages of a type by runs.
+
+The source reads only bytes that have the form of `zbot.wire.run_encoder`: all fields in their
+order, and integers and texts in their shortest or in a longer form. In the source, `data` contains
+all bytes of a message. The source writes a position as the sum of a variable and a constant.
+"""
+
+from __future__ import annotations
+
+from struct import Struct
+from typing import TYPE_CHECKING
+
+from zbot.interfaces import get_interface
+from zbot.interfaces.spec import INTEGER_RANGES
+from zbot.wire.cdr_layout import spec_named
+from zbot.wire.cdr_source import element
+from zbot.wire.function_source import FunctionSource
+from zbot.wire.messagepack import ITEM_SIZE, bin_header, ext_header, map_header, pack
+from zbot.wire.run_encoder import FLOAT
+from zbot.wire.run_values import TIME_KEYS, UINT32, array_header
+
+if TYPE_CHECKING:
+    from zbot.interfaces.spec import FieldType, MessageSpec
+
+_TIME = "builtin_interfaces/msg/Time"
+_UINT32_MAX = 2**32 - 1
+
+
+class RunDecoderSource(FunctionSource):
+    """Source of `decode(data)` for a type that `zbot.wire.run_codec.is_supported` accepts."""
+
+    def __init__(self, spec: MessageSpec) -> None:
+        super().__init__()
+        self._variable, self._offset = "", 0
+        self._format, self._size = "", 0
+        self._targets: list[str] = []
+        self._keys: list[bytes] = []  # the constants of the run
+        self._constant = b""  # bytes at the end of the run that are the same in each message
+        self._waiting: list[str] = []  # lines that use the values of the run
+        message = self._message(spec)
+        self._flush_run()
+        self.add(f"if {self._position} != len(data): raise UnusualError")
+        self.add(f"return {message}")
+
+    @property
+    def text(self) -> str:
+        """The source of `decode`. For bytes of another form, it returns `careful(data)`."""
+        guarded = "\n".join(f"    {line}" for line in self.lines)
+        return (
+            "def decode(data):\n    if type(data) is not bytes:\n        return careful(data)\n"
+            f"    try:\n{guarded}\n    except UNUSUAL:\n        return careful(data)\n"
+        )
+
+    def _message(self, spec: MessageSpec) -> str:
+        """Add the lines that read a message. Return the name of the message's variable."""
+        values: dict[str, str] = {}
+        if spec.name == _TIME:
+            values["sec"], values["nanosec"] = self._time()
+        else:
+            self._constant += map_header(len(spec.fields))
+            for field in spec.fields:
+                self._constant += pack(field.name)
+                values[field.name] = self._field(field.type)
+        message_class, message = get_interface(spec.name), self.fresh("m")
+        new, name = self.constant("new", message_class.__new__), self.constant("C", message_class)
+        self._then(f"{message} = {new}({name})")
+        for field_name, value in values.items():
+            self._then(f"{message}._{field_name} = {value}")
+        return message
+
+    def _field(self, kind: FieldType) -> str:
+        """Add the lines that read a field. Return the expression of the field's value."""
+        if kind.kind == "scalar":
+            return self._value(kind)
+        if not kind.typecode:
+            return self._items(kind)
+        return self._fixed_numbers(kind) if kind.kind == "array" else self._numbers(kind)
+
+    def _value(self, kind: FieldType) -> str:
+        if kind.is_message:
+            return self._message(spec_named(kind.base))
+        if kind.base in INTEGER_RANGES:
+            return self._integer(*INTEGER_RANGES[kind.base])
+        if kind.is_string:
+            return self._text()
+        if kind.base == "byte":
+            return f"bytes(({self._integer(0, 255)},))"
+        value = self.fresh("x")
+        if kind.base == "bool":
+            self._run(b"", "B", 1, value)
+            self._then(f"if {value} & 0xFE != 0xC2: raise UnusualError")
+            return f"({value} == 0xC3)"
+        self._run(FLOAT, "d", 8, value)
+        if kind.base == "float32":
+            self._then(f"if abs({value}) > FLOAT32_MAX and abs({value}) != inf: raise UnusualError")
+        return value
+
+    def _integer(self, low: int, high: int) -> str:
+        self._flush_run()
+        value, end, begin = self.fresh("x"), self.fresh("p"), self._position
+        self.add(f"{value} = data[{begin}]")
+        with self.block(f"if {value} < 0x80:"):
+            self.add(f"{end} = {begin} + 1")
+        if high >= _UINT32_MAX // 2:  # the usual form of the time in a stamp
+            with self.block(f"elif {value} == 0xCE:"):
+                self.add(f"{value}, = uint32(data, {begin} + 1)")
+                self.add(f"{end} = {begin} + 5")
+        with self.block("else:"):
+            self.add(f"{value}, {end} = read_integer(data, {begin})")
+        self.add(f"if not {low} <= {value} <= {high}: raise UnusualError")
+        self._move(end)
+        return value
+
+    def _time(self) -> tuple[str, str]:
+        """Add the lines that read the integers of a time. Today, each of them has 5 bytes."""
+        if self._targets:
+            self._flush_run()
+        before, self._constant = self._constant, b""
+        keys = before + TIME_KEYS[0] + UINT32, TIME_KEYS[1] + UINT32
+        unpack = Struct(f">{len(keys[0])}sI{len(keys[1])}sI")
+        seconds, nanoseconds, end = self.fresh("x"), self.fresh("x"), self.fresh("p")
+        name, begin = self.constant("UNPACK", unpack.unpack_from), self._position
+        self.add(f"k0, {seconds}, k1, {nanoseconds} = {name}(data, {begin})")
+        with self.block(f"if k0 == {keys[0]!r} and k1 == {keys[1]!r} and {seconds} < 0x80000000:"):
+            self.add(f"{end} = {begin} + {unpack.size}")
+        with self.block("else:"):
+            if before:
+                self.add(f"if not data.startswith({before!r}, {begin}): raise UnusualError")
+                self._offset += len(before)
+            read = f"read_time(data, {self._position})"
+            self.add(f"{seconds}, {nanoseconds}, {end} = {read}")
+        self._move(end)
+        self._add_waiting()
+        return seconds, nanoseconds
+
+    def _text(self) -> str:
+        self._flush_run()
+        value, end, begin = self.fresh("s"), self.fresh("p"), self._position
+        self.add(f"n = data[{begin}]")
+        with self.block("if 0xA0 <= n < 0xC0:"):
+            self.add(f"{end} = {begin} + n - {0xA0 - 1}")
+            self.add(f"{value} = data[{begin} + 1:{end}].decode()")
+        with self.block("elif n == 0xD9:"):
+            self.add(f"{end} = {begin} + 2 + data[{begin} + 1]")
+            self.add(f"{value} = data[{begin} + 2:{end}].decode()")
+        with self.block("else:"):
+            self.add(f"{value}, {end} = read_text(data, {begin})")
+        self._move(end)
+        return value
+
+    def _fixed_numbers(self, kind: FieldType) -> str:
+        raw, values, code = self.fresh("r"), self.fresh("v"), kind.typecode
+        size = ITEM_SIZE[code] * kind.size
+        header = bin_header(size) if code == "B" else ext_header(ord(code), size)
+        self._run(header, f"{size}s", size, raw)
+        self._then(f"{values} = fixed_array({code!r}, array({code!r}, {raw}))")
+        return values
+
+    def _numbers(self, kind: FieldType) -> str:
+        self._flush_run()
+        values, end = self.fresh("v"), self.fresh("p")
+        self.add(f"{values}, {end} = read_numbers(data, {self._position}, {kind.typecode!r})")
+        self._move(end)
+        return values
+
+    def _items(self, kind: FieldType) -> str:
+        """Add the lines that read an array or a sequence of messages or texts."""
+        values, count = self.fresh("v"), str(kind.size)
+        if kind.kind == "array":
+            self._constant += array_header(kind.size)
+        self._flush_run()
+        if kind.kind == "sequence":
+            count, begin = self.fresh("n"), self.fresh("p")
+            self.add(f"{count}, {begin} = read_count(data, {self._position})")
+            self._move(begin)
+        if kind.is_string:
+            end = self.fresh("p")
+            self.add(f"{values}, {end} = read_texts(data, {self._position}, {count})")
+            self._move(end)
+            return values
+        self.add(f"{values} = []")
+        self._set_p()
+        with self.block(f"for _ in range({count}):"):
+            value = self._value(element(kind))
+            self._flush_run()
+            self.add(f"{values}.append({value})")
+            self._set_p()
+        return values
+
+    # -- runs and positions ----------------------------------------------------------------------
+
+    @property
+    def _position(self) -> str:
+        """Expression of the position before the run."""
+        if not self._variable:
+            return str(self._offset)
+        return f"{self._variable} + {self._offset}" if self._offset else self._variable
+
+    def _move(self, variable: str) -> None:
+        self._variable, self._offset = variable, 0
+
+    def _set_p(self) -> None:
+        """Put the position into the variable `p`. Each round of a loop begins at `p`."""
+        if self._position != "p":
+            self.add(f"p = {self._position}")
+        self._move("p")
+
+    def _run(self, header: bytes, code: str, size: int, target: str) -> None:
+        """Put a value and its constant header at the end of the run."""
+        self._constant += header
+        self._take_constant()
+        self._format += code
+        self._size += size
+        self._targets.append(target)
+
+    def _take_constant(self) -> None:
+        if self._constant:
+            self._format += f"{len(self._constant)}s"
+            self._size += len(self._constant)
+            self._targets.append(f"k{len(self._keys)}")
+            self._keys.append(self._constant)
+            self._constant = b""
+
+    def _then(self, line: str) -> None:
+        """Add a line after the run. The line can use the values of the run."""
+        if self._targets or self._constant:
+            self._waiting.append(line)
+        else:
+            self.add(line)
+
+    def _flush_run(self) -> None:
+        if not self._targets and self._constant:
+            wrong = f"not data.startswith({self._constant!r}, {self._position})"
+            self.add(f"if {wrong}: raise UnusualError")
+            self._offset += len(self._constant)
+            self._constant = b""
+        elif self._targets:
+            self._take_constant()
+            unpack = self.constant("UNPACK", Struct(f">{self._format}").unpack_from)
+            self.add(f"{', '.join(self._targets)}, = {unpack}(data, {self._position})")
+            names = "".join(f"k{index}, " for index in range(len(self._keys)))
+            if self._keys:
+                self.add(f"if ({names}) != {tuple(self._keys)!r}: raise UnusualError")
+            self._offset += self._size
+            self._format, self._size, self._targets, self._keys = "", 0, [], []
+        self._add_waiting()
+
+    def _add_waiting(self) -> None:
+        waiting, self._waiting = self._waiting, []
+        for line in waiting:
+            self.add(line)

@@ -1,0 +1,124 @@
+"""Single values of MessagePack for the codecs that `zbot.wire.run_codec` generates.
+
+Each reader returns a value and the position after it. It raises `UnusualError`, or an error of
+Python, if the bytes are not the value that zbot would send.
+"""
+
+from __future__ import annotations
+
+from array import array
+from typing import Any
+
+_UNSIGNED_SIZES = {0xCC: 1, 0xCD: 2, 0xCE: 4, 0xCF: 8}
+_SIGNED_SIZES = {0xD0: 1, 0xD1: 2, 0xD2: 4, 0xD3: 8}
+_TEXT_SIZES = {0xD9: 1, 0xDA: 2, 0xDB: 4}
+_BIN_SIZES = {0xC4: 1, 0xC5: 2, 0xC6: 4}
+_EXT_SIZES = {0xC7: 1, 0xC8: 2, 0xC9: 4}
+_FIXED_EXT_SIZES = {0xD4: 1, 0xD5: 2, 0xD6: 4, 0xD7: 8, 0xD8: 16}
+#: MessagePack's tag of an unsigned integer of 32 bits
+UINT32 = b"\xce"
+#: what is before the two integers of a `builtin_interfaces/Time`
+TIME_KEYS = b"\x82\xa3sec", b"\xa7nanosec"
+#: size in bytes from which a view saves time, because the numbers are then copied only once
+_LARGE = 1 << 12
+
+
+class UnusualError(Exception):
+    """A message has an unusual value or form. The careful codec converts or rejects it."""
+
+
+def read_integer(data: bytes, position: int) -> tuple[int, int]:
+    """Read an integer of any size."""
+    tag = data[position]
+    begin = position + 1
+    if tag < 0x80:
+        return tag, begin
+    if tag >= 0xE0:
+        return tag - 0x100, begin
+    is_signed = tag in _SIGNED_SIZES
+    end = begin + (_SIGNED_SIZES if is_signed else _UNSIGNED_SIZES)[tag]
+    return int.from_bytes(data[begin:end], "big", signed=is_signed), end
+
+
+def read_time(data: bytes, position: int) -> tuple[int, int, int]:
+    """Read a `builtin_interfaces/Time`: its seconds and its nanoseconds."""
+    if not data.startswith(TIME_KEYS[0], position):
+        raise UnusualError
+    seconds, position = read_integer(data, position + len(TIME_KEYS[0]))
+    if not data.startswith(TIME_KEYS[1], position) or not -(2**31) <= seconds < 2**31:
+        raise UnusualError
+    nanoseconds, position = read_integer(data, position + len(TIME_KEYS[1]))
+    if not 0 <= nanoseconds < 2**32:
+        raise UnusualError
+    return seconds, nanoseconds, position
+
+
+def read_text(data: bytes, position: int) -> tuple[str, int]:
+    """Read a text."""
+    tag = data[position]
+    if 0xA0 <= tag < 0xC0:
+        size, begin = tag - 0xA0, position + 1
+    else:
+        size, begin = _size(data, position + 1, _TEXT_SIZES[tag])
+    end = begin + size
+    return data[begin:end].decode(), end
+
+
+def read_texts(data: bytes, position: int, count: int) -> tuple[list[str], int]:
+    """Read as many texts as an array has."""
+    texts: list[str] = []
+    for _ in range(count):
+        tag = data[position]
+        if 0xA0 <= tag < 0xC0:  # a call of `read_text` would take longer
+            end = position + tag - 0xA0 + 1
+            texts.append(data[position + 1 : end].decode())
+        else:
+            text, end = read_text(data, position)
+            texts.append(text)
+        position = end
+    return texts, position
+
+
+def read_count(data: bytes, position: int) -> tuple[int, int]:
+    """Read the header of an array of messages or texts, and return the number of its items."""
+    tag = data[position]
+    if 0x90 <= tag < 0xA0:
+        return tag - 0x90, position + 1
+    return _size(data, position + 1, {0xDC: 2, 0xDD: 4}[tag])
+
+
+def read_numbers(data: bytes, position: int, typecode: str) -> tuple[array[Any], int]:
+    """Read a numeric array on a machine whose order of bytes is little-endian."""
+    tag = data[position]
+    begin = position + 1
+    if typecode == "B":
+        size, begin = _size(data, begin, _BIN_SIZES[tag])
+    else:
+        if tag in _FIXED_EXT_SIZES:
+            size = _FIXED_EXT_SIZES[tag]
+        else:
+            size, begin = _size(data, begin, _EXT_SIZES[tag])
+        if data[begin] != ord(typecode):
+            raise UnusualError
+        begin += 1
+    end = begin + size
+    if end > len(data):
+        raise UnusualError
+    values: array[Any] = array(typecode)
+    values.frombytes(data[begin:end] if size < _LARGE else memoryview(data)[begin:end])
+    return values, end
+
+
+def array_header(count: int) -> bytes:
+    """Return the header of an array with `count` items."""
+    if count < 16:
+        return bytes((0x90 | count,))
+    if count < 1 << 16:
+        return b"\xdc" + count.to_bytes(2, "big")
+    return b"\xdd" + count.to_bytes(4, "big")
+
+
+def _size(data: bytes, begin: int, width: int) -> tuple[int, int]:
+    """Return a size that is written in `width` bytes, and the position after these bytes."""
+    end = begin + width
+    return int.from_bytes(data[begin:end], "big"), end
