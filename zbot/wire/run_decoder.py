@@ -158,8 +158,10 @@ class RunDecoderSource(FunctionSource):
 
     def _numbers(self, kind: FieldType) -> str:
         self._flush_run()
-        values, end = self.fresh("v"), self.fresh("p")
-        self.add(f"{values}, {end} = read_numbers(data, {self._position}, {kind.typecode!r})")
+        values, end, typecode = self.fresh("v"), self.fresh("p"), kind.typecode
+        code = 0 if typecode == "B" else ord(typecode)
+        read = f"read_numbers(data, {self._position}, {typecode!r}, {code})"
+        self.add(f"{values}, {end} = {read}")
         self._move(end)
         return values
 

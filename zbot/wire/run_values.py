@@ -12,9 +12,6 @@ from typing import Any
 _UNSIGNED_SIZES = {0xCC: 1, 0xCD: 2, 0xCE: 4, 0xCF: 8}
 _SIGNED_SIZES = {0xD0: 1, 0xD1: 2, 0xD2: 4, 0xD3: 8}
 _TEXT_SIZES = {0xD9: 1, 0xDA: 2, 0xDB: 4}
-_BIN_SIZES = {0xC4: 1, 0xC5: 2, 0xC6: 4}
-_EXT_SIZES = {0xC7: 1, 0xC8: 2, 0xC9: 4}
-_FIXED_EXT_SIZES = {0xD4: 1, 0xD5: 2, 0xD6: 4, 0xD7: 8, 0xD8: 16}
 #: MessagePack's tag of an unsigned integer of 32 bits
 UINT32 = b"\xce"
 #: what is before the two integers of a `builtin_interfaces/Time`
@@ -87,25 +84,36 @@ def read_count(data: bytes, position: int) -> tuple[int, int]:
     return _size(data, position + 1, {0xDC: 2, 0xDD: 4}[tag])
 
 
-def read_numbers(data: bytes, position: int, typecode: str) -> tuple[array[Any], int]:
-    """Read a numeric array on a machine whose order of bytes is little-endian."""
-    tag = data[position]
-    begin = position + 1
-    if typecode == "B":
-        size, begin = _size(data, begin, _BIN_SIZES[tag])
+def read_numbers(data: bytes, position: int, typecode: str, code: int) -> tuple[array[Any], int]:
+    """Read a numeric array on a machine whose order of bytes is little-endian.
+
+    Args:
+        data: All bytes of the message.
+        position: Where the array begins.
+        typecode: The typecode of the result.
+        code: The code of the extension, or 0 if the array is a binary.
+    """
+    tag, begin = data[position], position + 1
+    if tag in {0xC4, 0xC7}:
+        size, begin = data[begin], begin + 1
+    elif tag in {0xC5, 0xC8}:
+        size, begin = data[begin] << 8 | data[begin + 1], begin + 2
+    elif tag in {0xC6, 0xC9}:
+        size, begin = _size(data, begin, 4)
+    elif 0xD4 <= tag <= 0xD8:
+        size = 1 << tag - 0xD4
     else:
-        if tag in _FIXED_EXT_SIZES:
-            size = _FIXED_EXT_SIZES[tag]
-        else:
-            size, begin = _size(data, begin, _EXT_SIZES[tag])
-        if data[begin] != ord(typecode):
-            raise UnusualError
+        raise UnusualError
+    if code:
         begin += 1
     end = begin + size
-    if end > len(data):
+    # Tags up to 0xC6 are those of binaries.
+    if end > len(data) or (tag > 0xC6) != (code > 0) or (code and data[begin - 1] != code):
         raise UnusualError
+    if size < _LARGE:
+        return array(typecode, data[begin:end]), end
     values: array[Any] = array(typecode)
-    values.frombytes(data[begin:end] if size < _LARGE else memoryview(data)[begin:end])
+    values.frombytes(memoryview(data)[begin:end])
     return values, end
 
 
