@@ -58,6 +58,8 @@ def test_rosapi_describes_the_system(
     for word in ("/add", "example_interfaces/srv/AddTwoInts"):  # rosapi's argument is a type
         assert web.call("/rosapi/service_providers", service=word) == {"providers": ["/robot"]}
     assert web.call("/rosapi/action_servers") == {"action_servers": []}
+    interfaces = web.call("/rosapi/interfaces")["interfaces"]
+    assert {"std_msgs/msg/String", "std_srvs/srv/Empty"} <= set(interfaces)
     [twist, vector] = web.call("/rosapi/message_details", type="geometry_msgs/Twist")["typedefs"]
     assert twist["fieldtypes"] == ["geometry_msgs/Vector3"] * 2
     assert (vector["type"], vector["fieldnames"]) == ("geometry_msgs/Vector3", ["x", "y", "z"])

@@ -18,6 +18,7 @@ from zbot.errors import ZbotError
 from zbot.graph.snapshot import full_names
 from zbot.interfaces import get_service
 from zbot.interfaces.plain_value import json_value
+from zbot.interfaces.registry import interface_names, packages
 from zbot.json_reader import JsonError, read_json
 from zbot.names import is_hidden
 from zbot.parameters.parameter import Parameter, parameter_type, parameter_value_to_python
@@ -173,6 +174,10 @@ def _service_providers(bridge: Bridge, args: dict[str, Any]) -> dict[str, Any]:
 def _service_node(bridge: Bridge, args: dict[str, Any]) -> dict[str, Any]:
     nodes = _ends(bridge.graph(), _word(args, "service"), EntityKind.SERVICE)
     return {"node": nodes[0] if nodes else ""}
+
+
+def _interfaces(_bridge: Bridge, _args: dict[str, Any]) -> dict[str, Any]:
+    return {"interfaces": [name for one in packages() for name in interface_names(one)]}
 
 
 def _message_details(bridge: Bridge, args: dict[str, Any]) -> dict[str, Any]:
@@ -332,6 +337,7 @@ PROCEDURES: dict[str, Procedure] = {
         "subscribers": _subscribers,
         "service_providers": _service_providers,
         "service_node": _service_node,
+        "interfaces": _interfaces,
         "message_details": _message_details,
         "service_request_details": _part_details("srv", "Request"),
         "service_response_details": _part_details("srv", "Response"),
