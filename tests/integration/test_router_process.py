@@ -286,7 +286,7 @@ def test_a_program_that_is_slow_itself_does_not_kill_the_router(
     answers = iter([False, True])  # the first answer is heard too late
     monkeypatch.setattr(router_process, "is_machine_busy", lambda *_: True)
     monkeypatch.setattr(router_process, "age_s", lambda _: 60.0)
-    monkeypatch.setattr(MeetingPoint, "_answers", lambda _: next(answers))
+    monkeypatch.setattr(MeetingPoint, "_answers", lambda *_, **_patient: next(answers))
     monkeypatch.setattr(IdleWatch, "is_idle", lambda *_: True)
     assert not meeting.end_stuck_router()
     assert router_of(domain) == router

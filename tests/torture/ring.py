@@ -181,9 +181,9 @@ class Ring:
                 ("bytes", 1, _MOST_GROWTH_BYTES),
                 ("descriptors", 2, _MOST_NEW_DESCRIPTORS),
             ):
-                grown = min(one[column] for one in end) - max(one[column] for one in begin)
-                if grown > most:
-                    self.report.violation(f"{member.name} has {grown} more {what} than at first")
+                first, last = max(one[column] for one in begin), min(one[column] for one in end)
+                if last - first > most:
+                    self.report.violation(f"{member.name} has {last} {what}, at first {first}")
 
     def gaps(self) -> list[tuple[Member, dict[str, Any], bool]]:
         """Return what the nodes missed: who, the gap, and whether both ends are in the mesh."""

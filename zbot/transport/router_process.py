@@ -22,10 +22,12 @@ from zbot.transport import background_process, membership
 _PROC = Path("/proc")
 # A blocked router uses no processor. A router that works uses a processor, or waits for one.
 _IDLE_SHARE = 0.05  # a process that uses less than this share of a processor is idle
+# On a quiet machine with two cores and ten nodes at 100 Hz, a process waits for a processor at most
+# as long as it runs, and at most 40 ms while it asks a router.
+_BUSY_RATIO = 2.0
+_BUSY_WAIT_S = 0.05
 _BUSY_THREADS = 2
 _BUSY_FACTOR = 10
-_BUSY_SAMPLES = 5  # with ten nodes at 100 Hz, a single sample is often too high
-_SAMPLE_PAUSE_S = 0.02
 _END_TIMEOUT_S = 1.0  # a killed process ends within 20 ms
 _PAUSE_S = 0.002
 _KILLED = "killed"
@@ -171,9 +173,9 @@ class IdleWatch:
 
     def __init__(self, number: int) -> None:
         self.number = number
-        self.saw_busy_machine = is_machine_busy()  #: when the watch began or ended
+        self.saw_busy_machine = is_machine_busy()  #: before the watch, or during the watch
         self._begin_s = time.monotonic()
-        self._begin = _threads(number)
+        self._begin, self._begin_times = _threads(number), processor_times()
 
     def is_idle(self, watch_s: float) -> bool:
         """Return whether the process was idle. On Windows, return `False`.
@@ -184,7 +186,7 @@ class IdleWatch:
         Args:
             watch_s: The process is watched for at least this time.
         """
-        self.saw_busy_machine |= is_machine_busy(_BUSY_SAMPLES)
+        self.saw_busy_machine |= is_machine_busy(self._begin_times)
         if self.saw_busy_machine:
             watch_s *= _BUSY_FACTOR
         time.sleep(max(0.0, watch_s - (time.monotonic() - self._begin_s)))
@@ -194,26 +196,36 @@ class IdleWatch:
         return bool(end) and not is_running and used_s < watch_s * _IDLE_SHARE
 
 
-def is_machine_busy(samples: int = 1) -> bool:
-    """Return whether more than two threads for each processor run or wait for a processor.
+def processor_times() -> tuple[float, float]:
+    """Return how long this process's threads have run, and have waited for a processor (s).
+
+    Both are 0 on systems other than Linux.
+    """
+    ran_ns = waited_ns = 0
+    for path in _PROC.glob("self/task/*/schedstat"):
+        with contextlib.suppress(OSError):  # the thread has ended
+            ran, waited, _ = path.read_text(encoding="ascii").split()
+            ran_ns, waited_ns = ran_ns + int(ran), waited_ns + int(waited)
+    return ran_ns / 1e9, waited_ns / 1e9
+
+
+def is_machine_busy(begin: tuple[float, float] = (0.0, 0.0)) -> bool:
+    """Return whether this process waits for a processor much longer than it runs.
+
+    On macOS, return whether more than two threads for each processor ran or waited in the last
+    minute. On Windows, return `False`.
 
     Args:
-        samples: The number of samples of which the mean is used. Each further sample takes 20 ms.
+        begin: The `processor_times()` when the interval began. By default, this is the start of
+            the process.
     """
-    running = _running_threads()
-    for _ in range(samples - 1):
-        time.sleep(_SAMPLE_PAUSE_S)
-        running += _running_threads()
-    return running / samples > _BUSY_THREADS * (os.cpu_count() or 1)
-
-
-def _running_threads() -> float:
-    loads = _PROC / "loadavg"
-    if loads.exists():  # the fourth field is e.g. 3/1326: 3 of 1326 threads run or wait
-        return float(loads.read_text(encoding="ascii").split()[3].partition("/")[0])
+    ran_s, waited_s = processor_times()
+    if ran_s:
+        limit_s = max(_BUSY_RATIO * (ran_s - begin[0]), _BUSY_WAIT_S)
+        return waited_s - begin[1] > limit_s
     if sys.platform != "win32":
-        return os.getloadavg()[0]
-    return 0.0  # Windows has no such figure
+        return os.getloadavg()[0] > _BUSY_THREADS * (os.cpu_count() or 1)
+    return False
 
 
 def _threads(number: int) -> list[tuple[str, float]]:

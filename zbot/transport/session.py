@@ -247,12 +247,13 @@ class MeetingPoint:
         watch, self._unanswered = self._unanswered, None
         if watch is None or watch.number != number:
             watch = router_process.IdleWatch(number)
-            if self._answers():
+            if self._answers(is_patient=watch.saw_busy_machine):
                 return False
         if not watch.is_idle(_WATCH_S):
             return False
         # Ask again on a busy machine, because this process itself may have been too slow.
-        return not (watch.saw_busy_machine and self._answers()) and self._end_router(number)
+        is_alive = watch.saw_busy_machine and self._answers(is_patient=True)
+        return not is_alive and self._end_router(number)
 
     def end_stopped_router(self) -> bool:
         """Kill the domain's router process if it is suspended. Return whether it was killed."""
@@ -260,12 +261,12 @@ class MeetingPoint:
         is_stopped = number is not None and router_process.is_stopped(number)
         return number is not None and is_stopped and self._end_router(number)
 
-    def _answers(self) -> bool:
-        session = self._open_client(self.endpoint)
+    def _answers(self, *, is_patient: bool) -> bool:
+        session = self._open_client(self.endpoint, is_patient=is_patient)
         if session is None:
             return False
-        questions = _QUESTIONS if router_process.is_machine_busy() else 1
         with session:
+            questions = _QUESTIONS if is_patient else 1
             return RouterState.of(session, questions=questions) is not None
 
     def _end_router(self, number: int) -> bool:
@@ -413,7 +414,7 @@ class MeetingPoint:
             self._wait_for_links(session)
         return session
 
-    def _open_client(self, endpoint: str) -> zenoh.Session | None:
+    def _open_client(self, endpoint: str, *, is_patient: bool = False) -> zenoh.Session | None:
         fill = {
             "mode": "client",
             "connect/endpoints": [endpoint],
@@ -422,8 +423,8 @@ class MeetingPoint:
             "connect/exit_on_failure": True,
             "scouting/multicast/enabled": False,
         }
-        is_busy = router_process.is_machine_busy()
-        timeout_ms = _BUSY_OPEN_TIMEOUT_MS if is_busy else _CLIENT_OPEN_TIMEOUT_MS
+        is_patient = is_patient or router_process.is_machine_busy()
+        timeout_ms = _BUSY_OPEN_TIMEOUT_MS if is_patient else _CLIENT_OPEN_TIMEOUT_MS
         fill["transport/unicast/open_timeout"] = timeout_ms
         try:
             return open_session("a Zenoh session", self._config.build(fill))

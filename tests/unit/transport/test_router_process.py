@@ -1,0 +1,56 @@
+"""Tests of the sign by which a program sees that the machine is busy."""
+
+from __future__ import annotations
+
+import os
+import sys
+from typing import TYPE_CHECKING
+
+import pytest
+
+from zbot.transport import router_process
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+
+@pytest.mark.parametrize(
+    ("threads_ms", "begin_s", "is_busy"),
+    [
+        ([(100, 90), (10, 10)], (0.0, 0.0), False),
+        ([(100, 200), (10, 100)], (0.0, 0.0), True),
+        ([(2, 40)], (0.0, 0.0), False),  # too short to mean anything
+        ([(1000, 3000)], (0.99, 2.96), False),  # the machine was busy earlier
+        ([(1000, 300)], (0.99, 0.2), True),
+        ([(100, 10)], (0.2, 0.0), False),  # a thread has ended meanwhile
+    ],
+)
+def test_a_machine_is_busy_if_this_process_waits_for_a_processor(
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    threads_ms: list[tuple[int, int]],
+    begin_s: tuple[float, float],
+    *,
+    is_busy: bool,
+) -> None:
+    for number, (ran_ms, waited_ms) in enumerate(threads_ms):
+        folder = tmp_path / "self" / "task" / str(number)
+        folder.mkdir(parents=True)
+        (folder / "schedstat").write_text(f"{ran_ms}000000 {waited_ms}000000 7\n")
+    monkeypatch.setattr(router_process, "_PROC", tmp_path)
+    assert router_process.is_machine_busy(begin_s) == is_busy
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no such figure")
+def test_other_systems_have_a_load_average(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(router_process, "_PROC", tmp_path)
+    for load, is_busy in ((1.0, False), (1000.0, True)):
+        monkeypatch.setattr(os, "getloadavg", lambda load=load: (load, 0.0, 0.0))
+        assert router_process.is_machine_busy() == is_busy
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux counts these times")
+def test_the_times_of_this_process_are_known() -> None:
+    ran_s, waited_s = router_process.processor_times()
+    assert ran_s > 0
+    assert waited_s >= 0
