@@ -96,7 +96,7 @@ class Codec(Generic[MessageT]):
     def source(self) -> str:
         """Source of `encode` and `decode`, for debugging."""
         if self._has_runs:
-            return run_codec.source(self._spec)
+            return run_codec.source(self._class)
         return "\n\n".join(
             write(self._spec, layout_of(self._class))
             for write in (generator.encode_source, generator.decode_source)
@@ -107,19 +107,19 @@ class Codec(Generic[MessageT]):
         """Return the bytes of a message. Raise `CodecError` if a field cannot be sent."""
         if self._has_runs:
             # The careful function is generated when it is needed for the first time.
-            return run_codec.encoder(self._spec, lambda one: self.encode_carefully(one))  # noqa: PLW0108
+            return run_codec.encoder(self._class, lambda one: self.encode_carefully(one))  # noqa: PLW0108
         return self.encode_carefully
 
     @cached_property
     def decode(self) -> Callable[[Bytes], MessageT]:
         """Return the message that bytes contain. Raise `CodecError` if the bytes are not valid."""
         if self._has_runs:
-            return run_codec.decoder(self._spec, lambda data: self.decode_carefully(data))  # noqa: PLW0108
+            return run_codec.decoder(self._class, lambda data: self.decode_carefully(data))  # noqa: PLW0108
         return self.decode_carefully
 
     @cached_property
     def _has_runs(self) -> bool:
-        return not is_dataclass(self._class) and run_codec.is_supported(self._spec)
+        return run_codec.is_supported(self._class)
 
     @cached_property
     def encode_carefully(self) -> Callable[[MessageT], bytes]:

@@ -9,11 +9,13 @@ from __future__ import annotations
 import math
 import struct
 from array import array
+from dataclasses import is_dataclass
 from typing import TYPE_CHECKING, Any
 
+from zbot.interfaces import get_interface, message_spec_of
 from zbot.interfaces.array_value import fixed_array
 from zbot.interfaces.spec import FLOAT32_MAX
-from zbot.wire.cdr_layout import TypeLayout, spec_named
+from zbot.wire.cdr_layout import TypeLayout
 from zbot.wire.cdr_values import fixed_bytes
 from zbot.wire.messagepack import BIG_ENDIAN, bin_header, ext_header, pack
 from zbot.wire.run_decoder import RunDecoderSource
@@ -33,7 +35,7 @@ from zbot.wire.value_check import Fault, octet
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from zbot.interfaces.spec import FieldType, MessageSpec
+    from zbot.interfaces.spec import FieldType
 
 _NAMES: dict[str, Any] = {
     "BOOLS": {False: 0xC2, True: 0xC3},
@@ -70,46 +72,53 @@ _NAMES: dict[str, Any] = {
 }
 
 
-def is_supported(spec: MessageSpec) -> bool:
-    """Return whether a type can have a fast encoder and decoder on this machine.
+def is_supported(message_class: type[Any]) -> bool:
+    """Return whether a class can have a fast encoder and decoder on this machine.
 
-    Types with bounds, with arrays of `bool` or `byte`, or with very many fields have none.
+    Dataclasses and types with bounds, with arrays of `bool` or `byte`, or with very many fields
+    have none. The same is true for messages with such messages inside.
     """
-    return not BIG_ENDIAN and TypeLayout().is_inline(spec) and _has_support(spec)
+    is_short = TypeLayout().is_inline(message_spec_of(message_class))
+    return not BIG_ENDIAN and is_short and _has_support(message_class)
 
 
-def encoder(spec: MessageSpec, careful: Callable[[Any], bytes]) -> Callable[[Any], bytes]:
-    """Return a function that encodes messages of a type that `is_supported` accepts."""
-    return _compiled(spec, RunEncoderSource(spec), "encode", careful)
+def encoder(message_class: type[Any], careful: Callable[[Any], bytes]) -> Callable[[Any], bytes]:
+    """Return a function that encodes messages of a class that `is_supported` accepts."""
+    written = RunEncoderSource(message_spec_of(message_class))
+    return _compiled(message_class, written, "encode", careful)
 
 
-def decoder(spec: MessageSpec, careful: Callable[[Any], Any]) -> Callable[[Any], Any]:
-    """Return a function that decodes messages of a type that `is_supported` accepts."""
-    return _compiled(spec, RunDecoderSource(spec), "decode", careful)
+def decoder(message_class: type[Any], careful: Callable[[Any], Any]) -> Callable[[Any], Any]:
+    """Return a function that decodes messages of a class that `is_supported` accepts."""
+    return _compiled(message_class, RunDecoderSource(message_class), "decode", careful)
 
 
-def source(spec: MessageSpec) -> str:
-    """Return the source of the encoder and the decoder of a type that `is_supported` accepts."""
-    return f"{RunEncoderSource(spec).text}\n\n{RunDecoderSource(spec).text}"
+def source(message_class: type[Any]) -> str:
+    """Return the source of the encoder and the decoder of a class that `is_supported` accepts."""
+    encode = RunEncoderSource(message_spec_of(message_class)).text
+    return f"{encode}\n\n{RunDecoderSource(message_class).text}"
 
 
 def _compiled(
-    spec: MessageSpec,
+    message_class: type[Any],
     written: RunEncoderSource | RunDecoderSource,
     name: str,
     careful: Callable[[Any], Any],
 ) -> Callable[[Any], Any]:
     names = _NAMES | written.names | {"careful": careful}
-    exec(compile(written.text, f"<runs of {spec.name}>", "exec"), names)  # noqa: S102 - our own text
+    filename = f"<runs of {message_spec_of(message_class).name}>"
+    exec(compile(written.text, filename, "exec"), names)  # noqa: S102 - our own text
     function: Callable[[Any], Any] = names[name]
     return function
 
 
-def _has_support(spec: MessageSpec) -> bool:
-    return all(
-        _is_simple(field.type)
-        and (not field.type.is_message or _has_support(spec_named(field.type.base)))
-        for field in spec.fields
+def _has_support(message_class: type[Any]) -> bool:
+    kinds = [field.type for field in message_spec_of(message_class).fields]
+    inner = [get_interface(kind.base) for kind in kinds if kind.is_message]
+    return (
+        not is_dataclass(message_class)
+        and all(map(_is_simple, kinds))
+        and all(map(_has_support, inner))
     )
 
 

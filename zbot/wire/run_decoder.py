@@ -8,11 +8,10 @@ all bytes of a message. The source writes a position as the sum of a variable an
 from __future__ import annotations
 
 from struct import Struct
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from zbot.interfaces import get_interface
+from zbot.interfaces import get_interface, message_spec_of
 from zbot.interfaces.spec import INTEGER_RANGES
-from zbot.wire.cdr_layout import spec_named
 from zbot.wire.cdr_source import element
 from zbot.wire.function_source import FunctionSource
 from zbot.wire.messagepack import ITEM_SIZE, bin_header, ext_header, map_header, pack
@@ -20,7 +19,7 @@ from zbot.wire.run_encoder import FLOAT
 from zbot.wire.run_values import TIME_KEYS, UINT32, array_header
 
 if TYPE_CHECKING:
-    from zbot.interfaces.spec import FieldType, MessageSpec
+    from zbot.interfaces.spec import FieldType
 
 _TIME = "builtin_interfaces/msg/Time"
 _UINT32_MAX = 2**32 - 1
@@ -29,16 +28,17 @@ _UINT32_MAX = 2**32 - 1
 class RunDecoderSource(FunctionSource):
     """Source of `decode(data)` for a type that `zbot.wire.run_codec.is_supported` accepts."""
 
-    def __init__(self, spec: MessageSpec) -> None:
+    def __init__(self, message_class: type[Any]) -> None:
         super().__init__()
-        self._variable, self._offset = "", 0
+        self._base, self._offset = "", 0  # the position before the run is their sum
         self._format, self._size = "", 0
         self._targets: list[str] = []
-        self._keys: list[bytes] = []  # the constants of the run
+        self._constants: list[bytes] = []  # the constants of the run
         self._constant = b""  # bytes at the end of the run that are the same in each message
-        self._waiting: list[str] = []  # lines that use the values of the run
-        message = self._message(spec)
+        self._waiting: list[str] = []  # lines that follow the line of the run
+        message = self._message(message_class)
         self._flush_run()
+        # Slices of `data` may be too short. Then the position is now greater than the length.
         self.add(f"if {self._position} != len(data): raise UnusualError")
         self.add(f"return {message}")
 
@@ -51,9 +51,9 @@ class RunDecoderSource(FunctionSource):
             f"    try:\n{guarded}\n    except UNUSUAL:\n        return careful(data)\n"
         )
 
-    def _message(self, spec: MessageSpec) -> str:
+    def _message(self, message_class: type[Any]) -> str:
         """Add the lines that read a message. Return the name of the message's variable."""
-        values: dict[str, str] = {}
+        spec, values = message_spec_of(message_class), dict[str, str]()
         if spec.name == _TIME:
             values["sec"], values["nanosec"] = self._time()
         else:
@@ -61,15 +61,18 @@ class RunDecoderSource(FunctionSource):
             for field in spec.fields:
                 self._constant += pack(field.name)
                 values[field.name] = self._field(field.type)
-        message_class, message = get_interface(spec.name), self.fresh("m")
-        new, name = self.constant("new", message_class.__new__), self.constant("C", message_class)
+        message, name = self.fresh("m"), self.constant("CLASS", message_class)
+        new = self.constant("new", message_class.__new__)
         self._then(f"{message} = {new}({name})")
         for field_name, value in values.items():
             self._then(f"{message}._{field_name} = {value}")
         return message
 
     def _field(self, kind: FieldType) -> str:
-        """Add the lines that read a field. Return the expression of the field's value."""
+        """Add the lines that read a field. Return the expression of the field's value.
+
+        The expression may be used after the line of the current run, i.e. in `_then`.
+        """
         if kind.kind == "scalar":
             return self._value(kind)
         if not kind.typecode:
@@ -78,7 +81,7 @@ class RunDecoderSource(FunctionSource):
 
     def _value(self, kind: FieldType) -> str:
         if kind.is_message:
-            return self._message(spec_named(kind.base))
+            return self._message(get_interface(kind.base))
         if kind.base in INTEGER_RANGES:
             return self._integer(*INTEGER_RANGES[kind.base])
         if kind.is_string:
@@ -113,24 +116,19 @@ class RunDecoderSource(FunctionSource):
 
     def _time(self) -> tuple[str, str]:
         """Add the lines that read the integers of a time. Today, each of them has 5 bytes."""
-        if self._targets:
-            self._flush_run()
-        before, self._constant = self._constant, b""
-        keys = before + TIME_KEYS[0] + UINT32, TIME_KEYS[1] + UINT32
-        unpack = Struct(f">{len(keys[0])}sI{len(keys[1])}sI")
+        self._flush_run()
         seconds, nanoseconds, end = self.fresh("x"), self.fresh("x"), self.fresh("p")
-        name, begin = self.constant("UNPACK", unpack.unpack_from), self._position
-        self.add(f"k0, {seconds}, k1, {nanoseconds} = {name}(data, {begin})")
-        with self.block(f"if k0 == {keys[0]!r} and k1 == {keys[1]!r} and {seconds} < 0x80000000:"):
+        keys, begin = (TIME_KEYS[0] + UINT32, TIME_KEYS[1] + UINT32), self._position
+        unpack = Struct(f">{len(keys[0])}sI{len(keys[1])}sI")
+        name = self.constant("UNPACK", unpack.unpack_from)
+        self.add(f"{seconds} = 0x80000000")
+        # The tag of the seconds is tested first. With a shorter time, the bytes may end too early.
+        with self.block(f"if data[{begin} + {len(keys[0]) - 1}] == 0xCE:"):
+            self.add(f"k0, {seconds}, k1, {nanoseconds} = {name}(data, {begin})")
             self.add(f"{end} = {begin} + {unpack.size}")
-        with self.block("else:"):
-            if before:
-                self.add(f"if not data.startswith({before!r}, {begin}): raise UnusualError")
-                self._offset += len(before)
-            read = f"read_time(data, {self._position})"
-            self.add(f"{seconds}, {nanoseconds}, {end} = {read}")
+        with self.block(f"if {seconds} >= 0x80000000 or (k0, k1) != {keys!r}:"):
+            self.add(f"{seconds}, {nanoseconds}, {end} = read_time(data, {begin})")
         self._move(end)
-        self._add_waiting()
         return seconds, nanoseconds
 
     def _text(self) -> str:
@@ -194,15 +192,18 @@ class RunDecoderSource(FunctionSource):
     @property
     def _position(self) -> str:
         """Expression of the position before the run."""
-        if not self._variable:
+        if not self._base:
             return str(self._offset)
-        return f"{self._variable} + {self._offset}" if self._offset else self._variable
+        return f"{self._base} + {self._offset}" if self._offset else self._base
 
     def _move(self, variable: str) -> None:
-        self._variable, self._offset = variable, 0
+        self._base, self._offset = variable, 0
 
     def _set_p(self) -> None:
-        """Put the position into the variable `p`. Each round of a loop begins at `p`."""
+        """Put the position into the variable `p`. Each round of a loop begins at `p`.
+
+        All loops share `p`, because an inner loop ends where its outer loop continues.
+        """
         if self._position != "p":
             self.add(f"p = {self._position}")
         self._move("p")
@@ -219,12 +220,15 @@ class RunDecoderSource(FunctionSource):
         if self._constant:
             self._format += f"{len(self._constant)}s"
             self._size += len(self._constant)
-            self._targets.append(f"k{len(self._keys)}")
-            self._keys.append(self._constant)
+            self._targets.append(f"k{len(self._constants)}")
+            self._constants.append(self._constant)
             self._constant = b""
 
     def _then(self, line: str) -> None:
-        """Add a line after the run. The line can use the values of the run."""
+        """Add a line that follows the line of the run, because it needs the values of the run.
+
+        If there is no run, the line is added at once.
+        """
         if self._targets or self._constant:
             self._waiting.append(line)
         else:
@@ -240,14 +244,11 @@ class RunDecoderSource(FunctionSource):
             self._take_constant()
             unpack = self.constant("UNPACK", Struct(f">{self._format}").unpack_from)
             self.add(f"{', '.join(self._targets)}, = {unpack}(data, {self._position})")
-            names = "".join(f"k{index}, " for index in range(len(self._keys)))
-            if self._keys:
-                self.add(f"if ({names}) != {tuple(self._keys)!r}: raise UnusualError")
+            names = "".join(f"k{index}, " for index in range(len(self._constants)))
+            if self._constants:
+                self.add(f"if ({names}) != {tuple(self._constants)!r}: raise UnusualError")
             self._offset += self._size
-            self._format, self._size, self._targets, self._keys = "", 0, [], []
-        self._add_waiting()
-
-    def _add_waiting(self) -> None:
+            self._format, self._size, self._targets, self._constants = "", 0, [], []
         waiting, self._waiting = self._waiting, []
         for line in waiting:
             self.add(line)

@@ -120,6 +120,7 @@ class RunEncoderSource(FunctionSource):
         if kind.is_string:
             self._part(f"pack({values})")
             return
+        self.add(f"{values} = {values}.copy()")  # another thread may change the list
         if kind.kind == "array":
             self._constant += array_header(kind.size)
         else:

@@ -16,6 +16,7 @@ _TEXT_SIZES = {0xD9: 1, 0xDA: 2, 0xDB: 4}
 UINT32 = b"\xce"
 #: what is before the two integers of a `builtin_interfaces/Time`
 TIME_KEYS = b"\x82\xa3sec", b"\xa7nanosec"
+_FEW_TEXTS = 12
 #: size in bytes from which a view saves time, because the numbers are then copied only once
 _LARGE = 1 << 12
 
@@ -62,7 +63,9 @@ def read_text(data: bytes, position: int) -> tuple[str, int]:
 
 
 def read_texts(data: bytes, position: int, count: int) -> tuple[list[str], int]:
-    """Read as many texts as an array has."""
+    """Read as many texts as an array has, but only if there are few of them."""
+    if count > _FEW_TEXTS:
+        raise UnusualError  # msgpack reads many texts faster
     texts: list[str] = []
     for _ in range(count):
         tag = data[position]

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import math
+import sys
+import threading
+from dataclasses import dataclass
 from random import Random
 from typing import Any
 
@@ -13,26 +16,25 @@ from hypothesis import strategies as st
 import zbot  # noqa: F401 - makes the messages importable
 from tests.unit.wire.coded import packb
 from tests.unit.wire.random_message import random_message, shipped_messages
-from zbot.interfaces import MessageSpec, get_interface, message_spec_of
+from zbot.interfaces import get_interface, get_message, message_spec_of, register_spec
+from zbot.interfaces.parser import parse_message
 from zbot.wire import run_codec
 from zbot.wire.codec import codec_for
 from zbot.wire.errors import CodecError
 
 from builtin_interfaces.msg import Time
 from geometry_msgs.msg import PoseStamped, TransformStamped
+from rosgraph_msgs.msg import Clock
 from sensor_msgs.msg import Image, Imu, JointState, LaserScan
 from std_msgs.msg import Byte, Float32, Float64, Header, Int64, String, UInt8
 from tf2_msgs.msg import TFMessage
 
-SUPPORTED = [
-    name
-    for name in shipped_messages()
-    if run_codec.is_supported(message_spec_of(get_interface(name)))
-]
+SUPPORTED = [name for name in shipped_messages() if run_codec.is_supported(get_interface(name))]
 NOW = Header(stamp=Time(sec=1_700_000_000, nanosec=999_999_999), frame_id="odom")
 USUAL = [
     Imu(header=NOW),
     JointState(header=NOW, name=["a", "b" * 40], position=[1.0, 2.0]),
+    Clock(clock=Time(sec=60_000, nanosec=500_000_000)),
     LaserScan(header=NOW, ranges=[1.0] * 2000, range_max=math.inf, angle_min=math.nan),
     Image(header=NOW, encoding="rgb8", data=bytes(70_000)),
     TFMessage(transforms=[TransformStamped(header=NOW)] * 20),
@@ -48,9 +50,7 @@ def fail(_: Any) -> Any:
 
 
 def fast(message_class: type[Any]) -> tuple[Any, Any]:
-    spec = message_spec_of(message_class)
-    assert isinstance(spec, MessageSpec)
-    return run_codec.encoder(spec, fail), run_codec.decoder(spec, fail)
+    return run_codec.encoder(message_class, fail), run_codec.decoder(message_class, fail)
 
 
 def outcome(decode: Any, data: bytes) -> Any:
@@ -116,6 +116,50 @@ def test_values_that_were_not_checked_are_refused() -> None:
         setattr(message, slot, value)
         with pytest.raises(CodecError, match=slot[1:]):
             codec_for(type(message)).encode(message)
+
+
+class Shout(String):
+    def loud(self) -> str:
+        return self.data.upper()
+
+
+def test_a_subclass_is_decoded_as_itself() -> None:
+    codec = codec_for(Shout)
+    assert codec.decode(codec.encode(Shout(data="hi"))).loud() == "HI"
+
+
+@dataclass
+class Pair:
+    a: int = 0
+
+
+def test_dataclasses_inside_messages_keep_their_values() -> None:
+    name = message_spec_of(Pair).name
+    register_spec(parse_message("codec_tests/msg/HoldsPair", f"{name} pair\n"))
+    holder: Any = get_message("codec_tests/msg/HoldsPair")
+    codec = codec_for(holder)
+    assert codec.decode(codec.encode(holder(pair=Pair(41)))).pair == Pair(41)
+
+
+def test_a_list_that_another_thread_changes_is_encoded_whole() -> None:
+    message, is_over = TFMessage(transforms=[TransformStamped()]), threading.Event()
+
+    def change() -> None:
+        while not is_over.is_set():
+            message.transforms.append(TransformStamped())
+            message.transforms.pop()
+
+    thread, interval = threading.Thread(target=change), sys.getswitchinterval()
+    codec = codec_for(TFMessage)
+    sys.setswitchinterval(1e-6)
+    thread.start()
+    try:
+        for _ in range(2000):
+            assert len(codec.decode(codec.encode(message)).transforms) in {1, 2}
+    finally:
+        is_over.set()
+        thread.join()
+        sys.setswitchinterval(interval)
 
 
 @given(
