@@ -49,9 +49,9 @@ class Machines:
         text = re.sub("^zbot hub$", f"zbot hub --listen 127.0.0.1:{first.port}", text)
         text = text.replace("on 0.0.0.0:7447", f"on 127.0.0.1:{first.port}")
         text = text.replace(ADDRESS, f"127.0.0.1:{first.port}")
-        for number, own in zip(NUMBERS, self._numbers, strict=True):
-            text = re.sub(rf"(?<![\d.]){number}\b", str(own), text)
-        return text
+        # In one pass: the own number for 17 may be 18.
+        own = dict(zip(NUMBERS, map(str, self._numbers), strict=True))
+        return re.sub(rf"(?<![\d.])({'|'.join(own)})\b", lambda found: own[found[1]], text)
 
     def leave(self) -> None:
         """Let the machines leave what they have joined."""
