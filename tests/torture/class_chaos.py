@@ -204,9 +204,12 @@ class ClassChaos:
             since = max(laptop.since, self._teacher_since)
             wanted = {f"/{name}" for name in laptop.nodes}
             seen = {node for domain, node in self._seen if domain == laptop.number}
+            waited_s = time.monotonic() - since
+            if laptop.is_reported and seen == wanted:
+                laptop.is_reported = False
+                self._report.note(f"class: laptop {laptop.number} is right after {waited_s:.1f} s")
             if laptop.is_faulty or seen == wanted:
                 continue
-            waited_s = time.monotonic() - since
             limit_s = self._stall.allowed(_TRUE_LIST_S + _CUT_S, since)
             if waited_s > limit_s and not laptop.is_reported:
                 laptop.is_reported = True
