@@ -27,7 +27,7 @@ _IDLE_SHARE = 0.05  # a process that uses less than this share of a processor is
 _BUSY_RATIO = 2.0
 _BUSY_WAIT_S = 0.05
 _BUSY_THREADS = 2
-_BUSY_FACTOR = 10
+_BUSY_FACTOR = 15
 _END_TIMEOUT_S = 1.0  # a killed process ends within 20 ms
 _PAUSE_S = 0.002
 _KILLED = "killed"
@@ -180,7 +180,7 @@ class IdleWatch:
     def is_idle(self, watch_s: float) -> bool:
         """Return whether the process was idle. On Windows, return `False`.
 
-        On a busy machine, the process may wait for other processes, so it is watched ten times as
+        On a busy machine, the process may wait for other processes, so it is watched 15 times as
         long.
 
         Args:
