@@ -93,7 +93,11 @@ def test_latched_messages_reach_a_late_node_of_ros_2(
     publisher = make_node().create_publisher(String, "map", LATCHED_PROFILE)
     for number in range(5):
         publisher.publish(String(data=str(number)))
-    samples = make_plain().subscribe("/map", qos=LATCHED)
+    plain = make_plain()
+    # Zenoh asks each publisher for its history once, as soon as it sees the publisher. On a busy
+    # machine, this may be before the link is complete.
+    assert wait_until(lambda: any("/MP/" in one and "%map" in one for one in plain.tokens()))
+    samples = plain.subscribe("/map", qos=LATCHED)
     assert wait_until(lambda: len(samples) == 3)
     assert [text_of(one.payload.to_bytes()) for one in samples] == ["2", "3", "4"]
 
