@@ -30,7 +30,7 @@ from zbot.wire.run_values import (
     read_texts,
     read_time,
 )
-from zbot.wire.value_check import Fault, octet
+from zbot.wire.value_check import UNUSUAL_ERRORS, octet
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -40,18 +40,7 @@ if TYPE_CHECKING:
 _NAMES: dict[str, Any] = {
     "BOOLS": {False: 0xC2, True: 0xC3},
     "FLOAT32_MAX": FLOAT32_MAX,
-    "UNUSUAL": (
-        UnusualError,
-        Fault,
-        struct.error,
-        AttributeError,
-        LookupError,
-        TypeError,
-        ValueError,
-        OverflowError,
-        MemoryError,
-        BufferError,
-    ),
+    "UNUSUAL": (UnusualError, *UNUSUAL_ERRORS),
     "UnusualError": UnusualError,
     "array": array,
     "array_header": array_header,

@@ -14,15 +14,15 @@ from zbot.interfaces import get_interface, message_spec_of
 from zbot.interfaces.spec import INTEGER_RANGES
 from zbot.wire.cdr_source import element
 from zbot.wire.function_source import FunctionSource
-from zbot.wire.messagepack import ITEM_SIZE, bin_header, ext_header, map_header, pack
-from zbot.wire.run_encoder import FLOAT
+from zbot.wire.messagepack import map_header, pack
+from zbot.wire.run_encoder import FLOAT, fixed_numbers_header
 from zbot.wire.run_values import TIME_KEYS, UINT32, array_header
 
 if TYPE_CHECKING:
     from zbot.interfaces.spec import FieldType
 
 _TIME = "builtin_interfaces/msg/Time"
-_UINT32_MAX = 2**32 - 1
+_INT32_MAX = 2**31 - 1
 
 
 class RunDecoderSource(FunctionSource):
@@ -104,7 +104,7 @@ class RunDecoderSource(FunctionSource):
         self.add(f"{value} = data[{begin}]")
         with self.block(f"if {value} < 0x80:"):
             self.add(f"{end} = {begin} + 1")
-        if high >= _UINT32_MAX // 2:  # the usual form of the time in a stamp
+        if high >= _INT32_MAX:  # a smaller type cannot have this form; a call would take longer
             with self.block(f"elif {value} == 0xCE:"):
                 self.add(f"{value}, = uint32(data, {begin} + 1)")
                 self.add(f"{end} = {begin} + 5")
@@ -148,8 +148,7 @@ class RunDecoderSource(FunctionSource):
 
     def _fixed_numbers(self, kind: FieldType) -> str:
         raw, values, code = self.fresh("r"), self.fresh("v"), kind.typecode
-        size = ITEM_SIZE[code] * kind.size
-        header = bin_header(size) if code == "B" else ext_header(ord(code), size)
+        header, size = fixed_numbers_header(kind)
         self._run(header, f"{size}s", size, raw)
         self._then(f"{values} = fixed_array({code!r}, array({code!r}, {raw}))")
         return values

@@ -24,6 +24,13 @@ if TYPE_CHECKING:
 FLOAT = b"\xcb"
 
 
+def fixed_numbers_header(kind: FieldType) -> tuple[bytes, int]:
+    """Return the header of a numeric array of fixed size, and the size of its data in bytes."""
+    code = kind.typecode
+    size = ITEM_SIZE[code] * kind.size
+    return bin_header(size) if code == "B" else ext_header(ord(code), size), size
+
+
 class RunEncoderSource(FunctionSource):
     """Source of `encode(message)` for a type that `zbot.wire.run_codec.is_supported` accepts."""
 
@@ -96,10 +103,9 @@ class RunEncoderSource(FunctionSource):
         self._part(f"pack({variable})")
 
     def _fixed_numbers(self, kind: FieldType, value: str) -> None:
-        code = kind.typecode
-        size = ITEM_SIZE[code] * kind.size
-        header = bin_header(size) if code == "B" else ext_header(ord(code), size)
-        self._run(header, f"{size}s", f"fixed_bytes('', {value}, {code!r}, {kind.size})")
+        header, size = fixed_numbers_header(kind)
+        convert = f"fixed_bytes('', {value}, {kind.typecode!r}, {kind.size})"
+        self._run(header, f"{size}s", convert)
 
     def _numbers(self, kind: FieldType, value: str) -> None:
         values, code = self._variable("v", value), kind.typecode

@@ -7,7 +7,6 @@ error that says what is wrong.
 
 from __future__ import annotations
 
-import struct
 from array import array
 from collections.abc import Callable
 from typing import Any
@@ -18,26 +17,14 @@ from zbot.wire.cdr import cdr_codec_for
 from zbot.wire.codec import codec_for
 from zbot.wire.messagepack import bin_header, ext_header, pack
 from zbot.wire.transcoder_source import MapReaderSource, MapWriterSource
-from zbot.wire.value_check import Fault
+from zbot.wire.value_check import UNUSUAL_ERRORS
 
 __all__ = ["to_cdr", "to_messagepack"]
 
-_ERRORS = (
-    Fault,
-    struct.error,
-    AttributeError,
-    LookupError,
-    TypeError,
-    ValueError,
-    ArithmeticError,
-    MemoryError,
-    BufferError,
-)
 _COMMON_NAMES: dict[str, Any] = {
     **vars(value_check),
     **vars(cdr_values),
     **vars(transcoder_values),
-    "ERRORS": _ERRORS,
     "HEADER": b"\x00\x01\x00\x00",
     "array": array,
     "pack": pack,
@@ -96,7 +83,7 @@ def _transcoder(fast: Converter, careful: Converter, begin: bytes = b"") -> Conv
         if data.startswith(begin):
             try:
                 return fast(data)
-            except _ERRORS:
+            except UNUSUAL_ERRORS:
                 pass  # `careful` fills in defaults or raises the error
         return careful(data)
 

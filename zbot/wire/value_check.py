@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from array import array
 from struct import calcsize
+from struct import error as struct_error
 from typing import TYPE_CHECKING, Any
 
 from zbot.interfaces.spec import FLOAT32_MAX
@@ -43,6 +44,20 @@ class Fault(Exception):  # noqa: N818 - internal: the codec turns it into a Code
         """Return this fault with the enclosing message's field at the start of the path."""
         self.path = f"{field}.{self.path}" if self.path else field
         return self
+
+
+#: What generated code raises for an unusual message, before other code does the work carefully.
+UNUSUAL_ERRORS = (
+    Fault,
+    struct_error,
+    AttributeError,
+    LookupError,
+    TypeError,
+    ValueError,
+    ArithmeticError,
+    MemoryError,
+    BufferError,
+)
 
 
 def kind(value: Any) -> str:
