@@ -96,7 +96,10 @@ def test_the_share_folder_of_zbot_has_launch_files_only() -> None:
     assert all(entry.is_file() for entry in share.glob("launch/*"))
 
 
-def test_names_for_the_same_files_have_share_folders_of_their_own() -> None:
+def test_names_for_the_same_files_have_share_folders_of_their_own(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)  # a checkout in a folder `zbot` is itself a package of this name
     files = list(package_share("zbot").glob("launch/*"))
     assert package_share("zbot_nodes").name == "zbot_nodes"
     assert files
