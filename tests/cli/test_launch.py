@@ -433,7 +433,8 @@ def test_a_wrong_command_line_is_refused(words: list[str], text: str) -> None:
     assert outcome.out == ""
 
 
-def test_words_are_completed() -> None:
+def test_words_are_completed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)  # a checkout in a folder `zbot` is itself a package of this name
     assert "talker_listener" in zbot("complete", "--", "launch", "talker").out.split()
     assert zbot("complete", "--", "launch", "talker_listener", "na").out == "namespace:=\n"
     assert "temperature.launch.py" in zbot("complete", "--", "launch", "zbot", "").out.split()
