@@ -211,3 +211,19 @@ def test_theme_follows_the_system_until_it_is_chosen(
     page.reload()
     page.wait_for_function(f"{is_dark} === {str(scheme != 'dark').lower()}")
     assert re.match(r"rgb\(\d+, \d+, \d+\)", page.evaluate("getComputedStyle(document.body).color"))
+
+
+def test_a_hundred_topics_are_folded_by_namespace(
+    server: Server, page: Page, node: zbot.Node
+) -> None:
+    for number in range(100):
+        node.create_publisher(Float64, f"/robot{number // 20}/sensors/value_{number % 20}", 10)
+    page.goto(f"{server.address}/topics")
+    namespace = page.locator(row("/robot3/sensors/"))
+    expect(namespace).to_contain_text("20\N{NO-BREAK SPACE}topics")
+    expect(page.locator(row("/robot3/sensors/value_7"))).to_have_count(0)
+    namespace.press("Enter")
+    expect(page.locator(row("/robot3/sensors/value_7"))).to_be_visible()
+    expect(page.locator(row("/robot4/sensors/value_7"))).to_have_count(0)
+    page.fill("input[aria-label=Filter]", "value_7")
+    expect(page.locator(row("/robot4/sensors/value_7"))).to_be_visible()

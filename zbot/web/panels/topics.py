@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from nicegui import ui
 
 from zbot.names import is_hidden
+from zbot.web.folded_names import FoldedRow, folded
 from zbot.web.panel import Page, Panel
 from zbot.web.table import Cell, Column, Table
 from zbot.web.topic_details import show_topic
@@ -21,6 +22,8 @@ if TYPE_CHECKING:
 
 #: The page subscribes to at most this number of the list's topics. A filter shortens the list.
 _MOST_WATCHED = 300
+#: A list with more topics is folded by namespace. About two screens of a laptop.
+_MOST_UNFOLDED = 40
 # Updates a second. Users cannot read numbers that change more often.
 _LIST_HZ = 2.0
 _COLUMNS = (
@@ -43,8 +46,10 @@ class _Topics:
         self.hidden = False
         self.watches: dict[str, Watch] = {}
         self.details: Section | None = None
-        self.seen: tuple[int, str, bool] | None = None
-        self.topics: list[TopicRow] = []
+        self.opened: frozenset[str] = frozenset()  # namespaces
+        self.seen: object = None
+        self.topics: dict[str, TopicRow] = {}
+        self.shown: list[FoldedRow] = []
         with page.toolbar:
             search = ui.input(placeholder="Filter", on_change=self.search)
             search.props('dense outlined clearable aria-label="Filter"').classes("zb-search")
@@ -71,12 +76,13 @@ class _Topics:
 
     def update(self) -> None:
         system = self.page.system
-        state = (system.revision, self.filter, self.hidden)
+        state = (system.revision, self.filter, self.hidden, self.opened)
         if state != self.seen:
             self.seen = state
-            self.topics = self.find()
+            self.topics = {topic.name: topic for topic in self.find()}
+            self.shown = self.fold()
             self.match_watches()
-        self.table.show({topic.name: self.row(topic) for topic in self.topics})
+        self.table.show({row.name: self.row(row) for row in self.shown})
         self.empty.set_visibility(not self.topics)
 
     def find(self) -> list[TopicRow]:
@@ -88,21 +94,30 @@ class _Topics:
             and self.filter in f"{topic.name} {' '.join(topic.types)}".lower()
         ]
 
+    def fold(self) -> list[FoldedRow]:
+        """Return the rows of the list. A short or filtered list has a row for each topic."""
+        if self.filter or len(self.topics) <= _MOST_UNFOLDED:
+            return [FoldedRow(name, 0) for name in self.topics]
+        return folded(list(self.topics), self.opened)
+
     def match_watches(self) -> None:
         """Watch the first topics of the list, and drop the watches of all other topics."""
-        names = {topic.name for topic in self.topics[:_MOST_WATCHED]}
+        names = set([row.name for row in self.shown if not row.names][:_MOST_WATCHED])
         for name in self.watches.keys() - names:
             self.page.drop(self.watches.pop(name))
         for name in sorted(names - self.watches.keys()):
             self.watches[name] = self.page.watch(name)
 
-    def row(self, topic: TopicRow) -> list[str | Cell]:
+    def row(self, row: FoldedRow) -> list[str | Cell]:
+        if row.names:
+            return self.namespace_row(row)
+        topic = self.topics[row.name]
         watch = self.watches.get(topic.name)
         rate = amount(watch.rate_hz, "Hz") if watch else ""
         size = amount(watch.bytes_per_second, "B/s") if watch else ""
         message = watch.latest if watch else None
         return [
-            _name(topic),
+            _name(topic, row.depth),
             _types(topic),
             str(len(topic.publishers)),
             str(len(topic.subscriptions)),
@@ -111,8 +126,19 @@ class _Topics:
             brief(message) if message is not None else "",
         ]
 
+    def namespace_row(self, row: FoldedRow) -> list[str | Cell]:
+        arrow = "▾" if row.name in self.opened else "▸"
+        topics = [self.topics[name] for name in row.names]
+        problems = [topic for topic in topics if topic.guess is not None or topic.has_clash]
+        hint = f"there is a problem with {problems[0].name}" if problems else ""
+        text = f"{arrow} {row.name} {len(topics)}\N{NO-BREAK SPACE}topics"
+        return [Cell(text, "zb-bad" if problems else "", row.depth, hint=hint), *[""] * 6]
+
     def choose(self, topic: str) -> None:
-        """Show a topic's details. Close them if they are already shown."""
+        """Show a topic's details, or close them if they are shown. Open or close a namespace."""
+        if topic.endswith("/"):
+            self.opened ^= {topic}
+            return
         if self.details is not None and self.page.query.get("topic") == topic:
             self.close()
             return
@@ -139,11 +165,11 @@ class _Topics:
         self.side.clear()
 
 
-def _name(topic: TopicRow) -> Cell:
+def _name(topic: TopicRow, depth: int) -> Cell:
     if topic.guess is not None:
         hint = f"nobody publishes {topic.name}: is {topic.guess} meant?"
-        return Cell(topic.name, "zb-bad", hint=hint)
-    return Cell(topic.name, hint=topic.name)
+        return Cell(topic.name, "zb-bad", depth, hint=hint)
+    return Cell(topic.name, indent=depth, hint=topic.name)
 
 
 def _types(topic: TopicRow) -> Cell:
