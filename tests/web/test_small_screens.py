@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -10,6 +11,7 @@ import pytest
 import zbot
 from tests.conftest import wait_until
 from tests.web.conftest import settled
+from zbot.bag import Writer
 
 pytest.importorskip("playwright.sync_api", reason="Playwright is not installed")
 
@@ -18,15 +20,26 @@ from playwright.sync_api import expect
 from std_msgs.msg import String
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterator
 
     from tests.web.conftest import Server, Visit
 
 PHONE = {"width": 390, "height": 844}
 PROJECTOR = {"width": 1024, "height": 640}
-PANELS = ["topics", "plot", "turtle", "services", "actions", "parameters", "console", "processes"]
+PANELS = [
+    "topics",
+    "plot",
+    "turtle",
+    "services",
+    "actions",
+    "parameters",
+    "console",
+    "processes",
+    "bags",
+]
 TOPIC = "/a_robot_with_a_long_name/front_camera/image_rectified"
 NODE = "/the_node_that_rectifies_images"
+BAG = "a_recording_of_the_front_camera_on_a_sunny_day"
 #: The smallest text that people can read on a phone, in CSS pixels.
 READABLE = 8
 
@@ -38,6 +51,9 @@ BEYOND = """() => [...document.querySelectorAll('body *')]
     .map((element) => element.outerHTML.slice(0, 80))"""
 CUT = """() => [...document.querySelectorAll('.zb-list td:first-child')]
     .filter((cell) => cell.scrollWidth > cell.clientWidth).map((cell) => cell.textContent)"""
+#: Rows with more than five lines: their names have too little room.
+HIGH = """() => [...document.querySelectorAll('.zb-list tbody tr')]
+    .filter((row) => row.getBoundingClientRect().height > 120).map((row) => row.textContent)"""
 
 
 @pytest.fixture
@@ -48,19 +64,29 @@ def node(server: Server, make_context: Callable[[], zbot.Context]) -> zbot.Node:
     return node
 
 
+@pytest.fixture
+def bag(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+    """Return the name of a bag in the folder of the page."""
+    path = tmp_path_factory.getbasetemp() / BAG
+    with Writer(path) as writer:
+        writer.write("/words", String(data="hello"), 10**9)
+    yield BAG
+    shutil.rmtree(path)
+
+
 @pytest.mark.parametrize("size", [PHONE, PROJECTOR], ids=["phone", "projector"])
 @pytest.mark.usefixtures("node")
 def test_nothing_is_beyond_the_edge_and_names_are_whole(
-    visit: Callable[..., Visit], server: Server, size: dict[str, int]
+    visit: Callable[..., Visit], server: Server, bag: str, size: dict[str, int]
 ) -> None:
     page = visit(viewport=size).page
     for panel in PANELS:
         page.goto(f"{server.address}/{panel}")
-        if panel in {"topics", "processes", "parameters"}:
-            name = TOPIC if panel == "topics" else NODE
+        if panel in {"topics", "processes", "parameters", "bags"}:
+            name = bag if panel == "bags" else TOPIC if panel == "topics" else NODE
             expect(page.get_by_role("cell", name=name)).to_be_visible()
         expect(page.locator(".zb-command")).not_to_be_empty()
-        for script in (BEYOND, CUT):
+        for script in (BEYOND, CUT, HIGH):
             assert settled(page, partial(page.evaluate, script)) == [], panel
 
 

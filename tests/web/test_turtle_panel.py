@@ -169,8 +169,13 @@ def test_two_simulators_can_be_selected(start: Start, server: Server, page: Page
 
 
 def test_page_without_a_simulator_has_a_hint(start: Start, server: Server, page: Page) -> None:
+    page.set_viewport_size({"width": 1920, "height": 1080})
     page.goto(f"{server.address}/turtle")
-    expect(page.get_by_text("No turtlesim is running.")).to_be_visible()
+    hint = page.get_by_text("No turtlesim is running.")
+    expect(hint).to_be_visible()
+    box = hint.bounding_box()
+    assert box is not None
+    assert box["width"] == box["height"] > 800  # the place of the turtles fills a projector
     program = start("zbot", "run", "turtlesim", "turtlesim_node", "--no-browser")
     expect(turtle(page, "turtle1")).to_be_visible()
     program.process.kill()

@@ -54,6 +54,7 @@ def run(
     ui.run_with(
         application,
         title="zbot",
+        language="en-US",  # screen readers choose their voice by it
         dark=None,
         reconnect_timeout=_RECONNECT_S,
         message_history_length=_REPEATED_MESSAGES,

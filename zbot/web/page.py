@@ -84,9 +84,10 @@ def _page(panel: Panel, system: System) -> Callable[[], None]:
         page = Page(client, system, client.request.query_params)
         with ui.element("div").classes("zb-page"):
             _rail(panel, system)
-            with ui.element("main").classes("zb-main"):
+            with ui.element("div").classes("zb-main"):  # NiceGUI puts it into a <main>
                 with ui.element("header").classes("zb-top"):
-                    ui.label(panel.title).classes("zb-title")
+                    with ui.element("h1").classes("zb-title"):
+                        ui.label(panel.title)
                     page.toolbar = ui.element("div").classes("zb-toolbar")
                 body = ui.element("div").classes("zb-body")
             _strip(page)
@@ -98,11 +99,13 @@ def _page(panel: Panel, system: System) -> Callable[[], None]:
 
 def _rail(current: Panel, system: System) -> None:
     with ui.element("nav").classes("zb-rail").props('aria-label="Panels"'):
-        with ui.element("a").props('href="/"').classes("zb-brand"):
+        with ui.element("a").props('href="/" title="zbot"').classes("zb-brand"):
             ui.html(_ICON, sanitize=False).classes("zb-logo")
             ui.label("zbot").classes("zb-brand-name")
         for panel in PANELS:
-            link = ui.element("a").props(f'href="{panel.path}"').classes("zb-link")
+            # A narrow page shows only the icon. The title is then the name of the link.
+            link = ui.element("a").props(f'href="{panel.path}" title="{panel.title}"')
+            link.classes("zb-link")
             if panel is current:
                 link.classes("zb-current").props('aria-current="page"')
             with link:

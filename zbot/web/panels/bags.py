@@ -28,10 +28,10 @@ _HZ = 1.0
 _STATE_HZ = 4.0
 _COLUMNS = (
     Column("Bag", "zb-mono zb-cut"),
-    Column("Start", "zb-cut zb-spare", "170px"),
-    Column("Duration", "zb-number", "90px"),
+    Column("Start", "zb-cut zb-spare zb-wide", "170px"),
+    Column("Duration", "zb-number zb-wide", "90px"),
     Column("Messages", "zb-number", "92px"),
-    Column("Size", "zb-number", "88px"),
+    Column("Size", "zb-number zb-wide", "88px"),
 )
 
 

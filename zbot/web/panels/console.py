@@ -41,7 +41,7 @@ class _Console:
         self.is_reset = True
         with page.toolbar:
             self.build_filters()
-        with ui.element("div").classes("zb-card zb-console"):
+        with ui.element("div").classes("zb-card zb-console").props("tabindex=0"):
             ui.element("table").classes("zb-log")
         self.empty = ui.label("No log line yet.").classes("zb-empty")
         self.show_command()

@@ -61,7 +61,7 @@ class StickPanel:
                 mode="static",
                 position={"left": "50%", "top": "50%"},
             )
-            stick.props(f'aria-label="{name}"').style(
+            stick.props(f'role="group" aria-label="{name}"').style(
                 f"position: relative; width: {_SIZE_PX + 40}px; height: {_SIZE_PX + 40}px"
             )
 

@@ -72,7 +72,7 @@ class TurtlePanel:
         self._side.set_visibility(not self._page.read_only)
 
     def _build_scene(self) -> None:
-        with ui.element("div").classes("zb-stage").props('aria-label="Turtles"'):
+        with ui.element("div").classes("zb-stage").props('role=group aria-label="Turtles"'):
             ui.element("canvas").classes("zb-sheet")
             ui.element("svg").classes("zb-turtles").props('viewBox="0 0 500 500"')
             self._empty = ui.label(f"No turtlesim is running. Start one:  {_RUN}")

@@ -10,10 +10,17 @@ zbot.table = (() => {
       inner.setAttribute("href", one.h);
       element.replaceChildren(inner);
     }
-    inner.textContent = one.t;
+    fillText(inner, one.t);
     element.className = `${element.dataset.c ?? ""} ${one.c ?? ""}`;
     element.title = one.d ?? "";
     element.style.paddingLeft = one.i ? `${10 + 16 * one.i}px` : "";
+  }
+
+  // Names and types break after `/`, after `_` and between words: Pose, With, Covariance.
+  // <wbr> adds nothing to the text.
+  function fillText(element, text) {
+    const parts = text.match(/(?:[A-Z]+[^A-Z/_]*|[^A-Z/_]+)[/_]?|[/_]/g) ?? [];
+    element.replaceChildren(...parts.flatMap((part) => [part, document.createElement("wbr")]));
   }
 
   function newRow(body, key, columns) {

@@ -1,0 +1,53 @@
+"""Checks of all panels with axe: names for screen readers, headings, contrast of colours."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import pytest
+
+import zbot
+
+pytest.importorskip("nicegui", reason="NiceGUI is not installed")
+pytest.importorskip("playwright.sync_api", reason="Playwright is not installed")
+pytest.importorskip("axe_playwright_python", reason="axe is not installed")
+
+from axe_playwright_python.sync_playwright import Axe
+from playwright.sync_api import expect
+
+from zbot.web.panels import PANELS
+
+from std_msgs.msg import String
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from tests.web.conftest import Server, Visit
+
+#: Quasar shows a bar without a name while a file is loaded, also the file with axe.
+_WITHOUT_BAR = {"exclude": [["#q-loading-bar"]]}
+
+
+@pytest.mark.parametrize("width", [390, 1024, 1920])
+@pytest.mark.usefixtures("turtlesim")
+def test_axe_finds_nothing_in_any_panel(
+    visit: Callable[..., Visit],
+    server: Server,
+    make_context: Callable[[], zbot.Context],
+    width: int,
+) -> None:
+    node = zbot.Node("talker", context=make_context())
+    node.create_publisher(String, "chatter", 10)
+    node.get_logger().info("Hello")
+    page = visit(viewport={"width": width, "height": 844}).page
+    found = []
+    for panel in PANELS:
+        page.goto(f"{server.address}{panel.path}")
+        expect(page.locator(".zb-command")).not_to_be_empty()
+        for theme in ("light", "dark"):
+            page.emulate_media(color_scheme=theme)
+            found += [
+                (panel.path, theme, fault["id"], [node["html"] for node in fault["nodes"]])
+                for fault in Axe().run(page, _WITHOUT_BAR).response["violations"]
+            ]
+    assert not found, "\n".join(map(str, found))
