@@ -380,13 +380,15 @@ def functions(shell: str, path: str, line: str) -> str:
 @pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
 def test_the_words_of_ros2_run_zbot(tmp_path: Path, shell: str) -> None:
     _write_program(tmp_path / "zbot", "zbot")
-    lines = "ros2 topic list; colcon build; rqt_graph; rviz2"
+    lines = "ros2 topic list; colcon build; rqt_graph; rviz2; rqt_plot /a/data; rqt_console"
     said = functions(shell, str(tmp_path), lines)
     assert said.splitlines() == [
         "zbot topic list",
         "zbot build",
         "zbot web graph",
         "zbot rviz2",
+        "zbot run rqt_plot rqt_plot /a/data",
+        "zbot run rqt_console rqt_console",
     ]
 
 

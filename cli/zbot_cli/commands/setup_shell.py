@@ -10,12 +10,14 @@ from typing import Annotated
 
 import typer
 
+from zbot.package.bundled_nodes import BUNDLED_PROGRAMS
 from zbot_cli.output.listing import new_app
 
 app = new_app("Make ros2, colcon and rqt_graph run zbot", has_verbs=False)
 
 #: Commands of ROS 2, and the words of zbot that do the same.
 COMMANDS = {
+    **{name: f"zbot run {package} {name}" for name, package in BUNDLED_PROGRAMS.items()},
     "ros2": "zbot",
     "colcon": "zbot",
     "rqt_graph": "zbot web graph",
@@ -49,7 +51,7 @@ _INSTALL = {
 def setup_shell(
     shell: Annotated[str | None, typer.Argument(help="bash, zsh, fish or powershell")] = None,
 ) -> None:
-    """Print shell functions named `ros2`, `colcon` and `rqt_graph`, which run zbot.
+    """Print shell functions named `ros2`, `colcon`, `rqt_plot` and so on, which run zbot.
 
     If this machine has a real ros2, the function `ros2` runs the real ros2. Without SHELL, print
     how to install the functions.
