@@ -111,11 +111,11 @@ class PinVersionError(PinError):
     def __init__(self, laptop: int, of_class: int) -> None:
         self.laptop, self.of_class = laptop, of_class
         super().__init__(
-            "zbot on this laptop is older than zbot of the class: update it on this laptop with "
-            "`pip install --upgrade zbot`"
+            "zbot on this laptop is older than zbot of the class: install the newer zbot on "
+            "this laptop"
             if laptop < of_class
-            else "zbot of the class is older than zbot on this laptop: ask the teacher to update "
-            "it with `pip install --upgrade zbot`"
+            else "zbot of the class is older than zbot on this laptop: ask the teacher to "
+            "install the newer zbot"
         )
 
 
