@@ -8,30 +8,10 @@ is and what to do.
 from __future__ import annotations
 
 import sys
-from typing import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable
 
 
 class ZbotError(Exception):
     """Root of all exceptions that zbot raises on purpose."""
-
-
-def close_matches(name: str, known: Iterable[str], count: int = 3) -> tuple[str, ...]:
-    """Return at most `count` of the `known` names that are similar to `name`, best first.
-
-    The result never contains the name itself.
-    """
-    from difflib import get_close_matches  # noqa: PLC0415 - takes 3 ms, needed only after an error
-
-    by_lower = {candidate.lower(): candidate for candidate in known if candidate != name}
-    return tuple(by_lower[near] for near in get_close_matches(name.lower(), by_lower, count))
-
-
-def did_you_mean(suggestions: tuple[str, ...]) -> str:
-    """Return `; did you mean 'a' or 'b'?`, or an empty string if there are no suggestions."""
-    return f"; did you mean {' or '.join(map(repr, suggestions))}?" if suggestions else ""
 
 
 def shortened(value: object, limit: int = 80) -> str:

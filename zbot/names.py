@@ -7,7 +7,7 @@ count as letters and digits. An error shows the wrong character and its position
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 from zbot.errors import (
     ArgumentTypeError,
@@ -18,16 +18,12 @@ from zbot.errors import (
     InvalidTopicNameError,
 )
 
-if TYPE_CHECKING:
-    from collections.abc import Iterable
-
 __all__ = [
     "ROSOUT_TOPIC",
     "SEND_GOAL",
     "expand_topic_name",
     "fully_qualified",
     "is_hidden",
-    "nearest",
     "split_fully_qualified",
     "validate_full_topic_name",
     "validate_namespace",
@@ -50,7 +46,6 @@ _ABSOLUTE = re.compile(r"[A-Za-z0-9_/]*")
 # An optional "~", then plain characters and {substitutions} that do not start with a digit.
 _RELATIVE = re.compile(r"~?(?:[A-Za-z0-9_/]|\{(?![0-9])[A-Za-z0-9_]*\})*")
 _DIGIT_TOKEN = re.compile(r"(?:^|/)[0-9]")
-_NUMBERS = re.compile(r"[0-9]+")
 _SUBSTITUTION = re.compile(r"\{([A-Za-z0-9_]*)\}")
 
 #: the rule that a name breaks, and the index of the first wrong character
@@ -173,25 +168,6 @@ def is_hidden(name: str) -> bool:
     return name.startswith("_") or "/_" in name
 
 
-def nearest(name: str, candidates: Iterable[str]) -> str | None:
-    """Return the candidate that is most similar to a mistyped `name`, or None if none is similar.
-
-    A similar name needs at most 1 edit if `name` has 3 to 5 characters, and at most 2 edits if it
-    has more. Slashes do not count. For shorter names, the result is None. A swap of two neighbours,
-    as in `topci`, is one edit. Names that differ only in their numbers (`/robot1/scan`,
-    `/robot2/scan`) are not similar.
-    """
-    limit = min(2, len(name.replace("/", "")) // 3)
-    pattern = _NUMBERS.sub("0", name)
-    scored = (
-        (_edit_distance(name, candidate, limit), candidate)
-        for candidate in candidates
-        if abs(len(candidate) - len(name)) <= limit and _NUMBERS.sub("0", candidate) != pattern
-    )
-    best = min(scored, default=(limit + 1, ""))
-    return best[1] if best[0] <= limit else None
-
-
 def _require_string(what: str, value: str) -> str:
     if not isinstance(value, str):
         raise ArgumentTypeError(what, "a string", value)
@@ -290,23 +266,3 @@ def _substitute(original: str, name: str, node: str, namespace: str) -> str:
         return values[word]
 
     return _SUBSTITUTION.sub(value, name)
-
-
-def _edit_distance(a: str, b: str, limit: int) -> int:
-    """Return the number of edits from a to b. Return `limit + 1` for more than `limit` edits.
-
-    An edit inserts, removes or replaces a character, or swaps two neighbours.
-    """
-    above: list[int] = []
-    row = list(range(len(b) + 1))
-    for i, left in enumerate(a, 1):
-        following = [i]
-        for j, right in enumerate(b, 1):
-            cost = row[j - 1] if left == right else 1 + min(row[j], following[-1], row[j - 1])
-            if above and j > 1 and left == b[j - 2] and right == a[i - 2]:
-                cost = min(cost, above[j - 2] + 1)
-            following.append(cost)
-        if min(*row, *following) > limit:
-            return limit + 1
-        above, row = row, following
-    return row[-1]

@@ -234,11 +234,10 @@ def _report_usage(error: Any) -> int:
 
 
 def _exit_unknown_noun(word: str) -> NoReturn:
-    from zbot.names import nearest  # noqa: PLC0415 - only for mistakes
+    from zbot.suggestion import did_you_mean  # noqa: PLC0415 - only for mistakes
 
-    guess = nearest(word, NOUNS)
-    question = f" Did you mean '{guess}'?" if guess else ""
-    _exit_with_usage_error(f"No such command '{word}'.{question}")
+    hint = did_you_mean(word, NOUNS, before=" ").replace("did", "Did", 1)  # as typer does for verbs
+    _exit_with_usage_error(f"No such command '{word}'.{hint}")
 
 
 def _flush() -> None:

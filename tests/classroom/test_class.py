@@ -247,7 +247,7 @@ def test_a_whole_class_is_checked(lesson: Class) -> None:
     assert marked.code == 1
     ana, ben = json.loads(marked.out)
     assert ana["passes"]
-    assert ben["problems"] == ["nobody publishes /student_id; is /student_ID meant?"]
+    assert ben["problems"] == ["nobody publishes /student_id; did you mean '/student_ID'?"]
     assert "1 of 2 pass" in text.out
 
 

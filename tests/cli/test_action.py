@@ -88,7 +88,7 @@ def test_lists_print_the_output_of_ros2() -> None:
 def test_an_unknown_name_is_refused_with_a_hint() -> None:
     unknown = zbot("action", "type", "/fibonaci")
     assert (unknown.code, unknown.out) == (1, "")
-    assert unknown.err == "Unknown action '/fibonaci'\n\nhint: did you mean /fibonacci?\n"
+    assert unknown.err == "Unknown action '/fibonaci'\n\nhint: did you mean '/fibonacci'?\n"
     nobody = zbot("action", "info", "/fibonaci")
     assert (nobody.code, nobody.out) == (
         0,

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 import pytest
 
 from tests.cli.conftest import write_package
-from zbot.errors import close_matches
 from zbot_cli.commands.run import SeveralExecutablesError, find
 from zbot_cli.packages.executables import all_packages, bundled_packages
 
@@ -108,8 +107,6 @@ def test_a_hint_does_not_repeat_what_was_typed(workspace: Path) -> None:
     with pytest.raises(SeveralExecutablesError) as caught:
         find(["my_robot", "wave"])
     assert caught.value.hint == "rename one of them: both are in my_robot"
-    assert close_matches("Wave", ["Wave", "wave"]) == ("wave",)
-    assert close_matches("wave", ["wave"]) == ()
 
 
 def test_a_students_node_hides_a_bundled_one_of_the_same_name(workspace: Path) -> None:
@@ -148,9 +145,8 @@ def test_build_and_install_folders_are_not_searched(workspace: Path) -> None:
 def test_an_unknown_package_is_refused(zbot_command: Command) -> None:
     result = zbot_command("run", "nopkg", "nope")
     assert (result.code, result.out) == (1, "")
-    names = ", ".join(sorted(package.name for package in bundled_packages()))
     assert result.err == (
-        f"Package 'nopkg' not found\n\nhint: the packages with nodes are {names}\n"
+        "Package 'nopkg' not found\n\nhint: `zbot pkg executables` lists the packages with nodes\n"
     )
 
 
@@ -170,10 +166,10 @@ def test_a_package_without_an_executable_is_refused(zbot_command: Command) -> No
     ("words", "hint"),
     [
         (["sensro"], "did you mean 'sensor'?"),
-        (["demo_nodes_py", "taker"], f"did you mean 'talker'? demo_nodes_py has {DEMO_NODES}"),
+        (["demo_nodes_py", "taker"], "did you mean 'talker'?"),
         (["turtlesim", "turtelsim_node"], "did you mean 'turtlesim_node'?"),
         (["demo_node_py", "talker"], "did you mean 'demo_nodes_py'?"),
-        (["nothing_like_it"], "there are "),
+        (["nothing_like_it"], "`zbot pkg executables` lists the nodes"),
     ],
 )
 @pytest.mark.usefixtures("workspace")

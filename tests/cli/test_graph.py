@@ -55,7 +55,7 @@ def test_probable_mistakes_are_printed(make_context: MakeContext, zbot_command: 
     node.create_subscription(String, "chater", ignore, 1)
     node.create_subscription(Int32, "chatter", ignore, 1)
     text = zbot_command("graph").out
-    assert "nobody publishes /chater: is /chatter meant?" in text
+    assert "nobody publishes /chater; did you mean '/chatter'?" in text
     assert (
         "two types on one topic exchange no messages:"
         " std_msgs/msg/Int32 (/lost), std_msgs/msg/String (/listener, /talker)" in text

@@ -121,14 +121,18 @@ def test_a_type_may_be_written_in_several_forms(zbot_command: Command, word: str
     ("word", "sentence", "hint"),
     [
         ("nope/msg/Nope", "Unknown package 'nope'", "`zbot interface packages` lists all packages"),
-        ("std_msg/msg/String", "Unknown package 'std_msg'", "did you mean std_msgs?"),
+        ("std_msg/msg/String", "Unknown package 'std_msg'", "did you mean 'std_msgs'?"),
         (
             "std_msgs/msg/Strin",
             "Interface 'msg/Strin' not found in package 'std_msgs'",
-            "msg/String?",
+            "msg/String'?",
         ),
-        ("std_msgs/srv/String", "Interface 'srv/String' not found", "there are std_msgs/"),
-        ("Twst", "Invalid name 'Twst'. Expected three parts separated by '/'", "msg/Twist?"),
+        (
+            "std_msgs/srv/String",
+            "Interface 'srv/String' not found",
+            "did you mean 'std_msgs/msg/String'?",
+        ),
+        ("Twst", "Invalid name 'Twst'. Expected three parts separated by '/'", "msg/Twist'?"),
         ("String", "Invalid name 'String'. Expected three", "there are several: example_interf"),
         ("a/b/c/d", "Invalid name 'a/b/c/d'. Expected three", "`zbot interface list` shows all"),
         ("", "Invalid name ''. Expected three parts separated by '/'", "std_msgs/msg/String"),
@@ -223,7 +227,7 @@ def test_a_package_lists_its_types(zbot_command: Command) -> None:
 def test_an_unknown_package_is_refused(zbot_command: Command) -> None:
     result = zbot_command("interface", "package", "std_srv")
     assert (result.code, result.out) == (1, "")
-    assert result.err == "Unknown package 'std_srv'\n\nhint: did you mean std_srvs?\n"
+    assert result.err == "Unknown package 'std_srv'\n\nhint: did you mean 'std_srvs'?\n"
 
 
 def test_packages_are_listed(zbot_command: Command) -> None:
@@ -260,10 +264,10 @@ def test_a_short_name_may_match_several_types() -> None:
 @pytest.mark.parametrize(
     ("word", "hint"),
     [
-        ("std_msgs/msg/Strin", "did you mean std_msgs/msg/String?"),
-        ("std_msgs/string", "did you mean std_msgs/msg/String?"),
+        ("std_msgs/msg/Strin", "did you mean 'std_msgs/msg/String'?"),
+        ("std_msgs/string", "did you mean 'std_msgs/msg/String'?"),
         ("String", "there are several: example_interfaces/msg/String, std_msgs/msg/String"),
-        ("Twst", "did you mean geometry_msgs/msg/Twist?"),
+        ("Twst", "did you mean 'geometry_msgs/msg/Twist'?"),
         ("std_srvs/srv/SetBool", "`zbot interface list` shows all types"),
     ],
 )

@@ -92,7 +92,7 @@ def test_get_shows_the_state() -> None:
 @pytest.mark.parametrize(
     ("name", "hint"),
     [
-        ("/lc_talkr", "no node /lc_talkr is running; did you mean /lc_talker?"),
+        ("/lc_talkr", "no node /lc_talkr is running; did you mean '/lc_talker'?"),
         ("/zzz", "no node /zzz is running; managed nodes are /lc_talker"),
         ("/plain", "/plain is running, but it is not a managed node"),
     ],
@@ -141,7 +141,7 @@ def test_set_refuses_an_impossible_transition(robot: Robot) -> None:
         "- cleanup [2]\n- activate [3]\n- shutdown [6]\n"
     )
     near = zbot("lifecycle", "set", "/lc_talker", "actvate").err
-    assert near.endswith("- shutdown [6]\n\nhint: did you mean activate?\n")
+    assert near.endswith("- shutdown [6]\n\nhint: did you mean 'activate'?\n")
     assert zbot("lifecycle", "set", "/lc_talker", "1").code == 1
 
 

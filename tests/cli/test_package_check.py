@@ -32,7 +32,7 @@ def problems(folder: Path) -> list[str]:
     [
         (
             "'a = robot.drve:main'",
-            "names the module robot.drve, which does not exist; did you mean rob",
+            "names the module robot.drve, which does not exist; did you mean 'rob",
         ),
         ("'a = nowhere.at:all'", "'a' names the module nowhere.at, which does not exist"),
         (
@@ -332,9 +332,9 @@ def test_definitions_are_parsed(write: Write) -> None:
     assert problems(folder) == [
         "CMakeLists.txt:2: rosidl_generate_interfaces names srv/Gone.srv, which does not exist",
         f"action/Go.action: 2 lines '---' are needed between {PARTS}, but there is one",
-        "msg/A.msg:3: there is no type 'flot64': did you mean 'float64'?",
-        "msg/B.msg:1: there is no type std_msgs/msg/Strng; did you mean std_msgs/msg/String?",
-        "msg/B.msg:4: there is no type my_msgs/msg/D; did you mean my_msgs/msg/C?",
+        "msg/A.msg:3: there is no type 'flot64'; did you mean 'float64'?",
+        "msg/B.msg:1: there is no type std_msgs/msg/Strng; did you mean 'std_msgs/msg/String'?",
+        "msg/B.msg:4: there is no type my_msgs/msg/D; did you mean 'my_msgs/msg/A'?",
         f"CMakeLists.txt: warning: rosidl_generate_interfaces lacks action/Go.action: {NOT_MADE}",
         f"CMakeLists.txt: warning: rosidl_generate_interfaces lacks msg/B.msg: {NOT_MADE}",
         f"CMakeLists.txt: warning: rosidl_generate_interfaces lacks msg/C.msg: {NOT_MADE}",

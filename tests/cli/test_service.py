@@ -132,7 +132,7 @@ def test_info_shows_every_endpoint(node: library.Node, zbot_command: Command) ->
 def test_an_unknown_name_suggests_the_nearest(zbot_command: Command, verb: str) -> None:
     done = zbot_command("service", verb, "/set_bol")
     assert (done.code, done.out) == (1, "")
-    assert done.err == "Unknown service '/set_bol'\n\nhint: did you mean /set_bool?\n"
+    assert done.err == "Unknown service '/set_bol'\n\nhint: did you mean '/set_bool'?\n"
 
 
 # -- calling -------------------------------------------------------------------------------------
@@ -206,7 +206,7 @@ def test_a_call_of_a_wrong_name_suggests_the_nearest(zbot_command: Command) -> N
     done = zbot_command("service", "call", "/set_bol", "--timeout", "0.2")
     assert (done.code, done.out) == (1, WAITING)
     assert done.err == (
-        "hint: did you mean /set_bool?\n"
+        "hint: did you mean '/set_bool'?\n"
         "Service '/set_bol' is not available after waiting 0.2 seconds\n"
     )
 
@@ -318,7 +318,7 @@ def test_echo_explains_why_no_events_may_come(start: Start) -> None:
     )
     assert echo.stop() == 130
     nobody = start("zbot", "service", "echo", "/set_bol")
-    nobody.wait_for("waiting for /set_bol to appear; did you mean /set_bool?")
+    nobody.wait_for("waiting for /set_bol to appear; did you mean '/set_bool'?")
     assert nobody.stop() == 130
 
 

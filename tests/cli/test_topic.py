@@ -96,7 +96,7 @@ def test_an_empty_list_says_in_a_terminal_that_no_node_is_running(
 def test_a_silent_topic_is_told_of_once_with_a_similar_name(start: Start, words: list[str]) -> None:
     verb, *more = words
     command = start("zbot", "topic", verb, "/chater", *more)
-    command.wait_for("did you mean /chatter?")
+    command.wait_for("did you mean '/chatter'?")
     command.stop()
     assert command.output.count("did you mean") == 1
     assert "misspelt" not in command.output
@@ -108,7 +108,7 @@ def test_pub_once_names_a_similar_topic_with_a_subscription(
     node = library.Node("listener", context=make_context())
     node.create_subscription(String, "chatter", print, 10)
     command = start("zbot", "topic", "pub", "--once", "/chater", "std_msgs/msg/String")
-    command.wait_for("nobody subscribes to /chater; did you mean /chatter?")
+    command.wait_for("nobody subscribes to /chater; did you mean '/chatter'?")
 
 
 @pytest.mark.usefixtures("robot")
@@ -168,8 +168,8 @@ def test_nodes_are_listed_and_described() -> None:
 
 @pytest.mark.usefixtures("robot")
 def test_an_unknown_name_suggests_the_nearest() -> None:
-    assert "hint: did you mean /chatter?" in zbot("topic", "info", "/chattre").err
-    assert "hint: did you mean /robot?" in zbot("node", "info", "/robott").err
+    assert "hint: did you mean '/chatter'?" in zbot("topic", "info", "/chattre").err
+    assert "hint: did you mean '/robot'?" in zbot("node", "info", "/robott").err
 
 
 @pytest.mark.parametrize(

@@ -43,7 +43,7 @@ def test_unknown_panel_is_refused_with_the_nearest_name(start: Callable[..., Pro
     pytest.importorskip("nicegui", reason='the page needs NiceGUI: pip install "zbot[web]"')
     program = start("zbot", "web", "topcis", "--no-browser")
     assert program.wait(30) == 1
-    assert program.lines == ["there is no panel 'topcis'", "", "hint: did you mean topics?"]
+    assert program.lines == ["there is no panel 'topcis'", "", "hint: did you mean 'topics'?"]
 
 
 def test_host_of_another_machine_is_refused(start: Callable[..., Program]) -> None:

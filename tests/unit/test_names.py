@@ -17,7 +17,6 @@ from zbot.names import (
     expand_topic_name,
     fully_qualified,
     is_hidden,
-    nearest,
     split_fully_qualified,
     validate_full_topic_name,
     validate_namespace,
@@ -213,25 +212,3 @@ def test_namespace_and_base_name_join_and_split(namespace: str, base: str, full:
 )
 def test_a_part_with_a_leading_underscore_hides_the_name(name: str, hidden: bool) -> None:
     assert is_hidden(name) is hidden
-
-
-@pytest.mark.parametrize(
-    ("name", "candidates", "expected"),
-    [
-        ("/temprature", ["/temperature", "/humidity"], "/temperature"),
-        ("/cmd_vle", ["/cmd_vel", "/odom"], "/cmd_vel"),
-        ("/turtle1/cmdvel", ["/turtle1/cmd_vel", "/turtle1/pose"], "/turtle1/cmd_vel"),
-        ("topci", ["topic", "action"], "topic"),
-        ("tpocis", ["topic", "action"], None),
-        ("/scan", ["/scam", "/scans"], "/scam"),
-        ("/robot1/scan", ["/robot2/scan"], None),
-        ("/a", ["/b"], None),
-        ("/scan", ["/scan"], None),
-        ("/scan", ["/image_raw"], None),
-        ("/scan", [], None),
-    ],
-)
-def test_nearest_finds_typos_and_nothing_else(
-    name: str, candidates: list[str], expected: str | None
-) -> None:
-    assert nearest(name, candidates) == expected

@@ -192,7 +192,7 @@ def test_probable_mistakes_are_red_with_a_sentence(server: Server, page: Page, n
     page.wait_for_selector(".zb-graph .topic.wrong[data-topic='/chatter']")
     page.wait_for_selector(".zb-graph .topic.wrong[data-topic='/chater']")
     said = page.locator(".zb-graph-problems")
-    expect(said).to_contain_text("nobody publishes /chater: is /chatter meant?")
+    expect(said).to_contain_text("nobody publishes /chater; did you mean '/chatter'?")
     types = "std_msgs/msg/Int32 (/lost), std_msgs/msg/String (/listener, /talker)"
     expect(said).to_contain_text(types)
     wrong = ["e:t:/chater>n:/lost#", "e:t:/chatter>n:/lost#"]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from zbot.errors import SetupError
+from zbot.suggestion import did_you_mean
 
 
 class ClassroomError(SetupError):
@@ -105,15 +106,13 @@ class NotJoinedError(ClassroomError):
 class RobotError(ClassroomError, LookupError):
     """The class has no such robot."""
 
-    def __init__(self, robot: str, connected: list[str], near: str | None) -> None:
+    def __init__(self, robot: str, connected: list[str]) -> None:
         self.robot, self.connected = robot, connected
-        if near:
-            advice = f"did you mean {near!r}?"
-        elif connected:
-            advice = f"the robots are {', '.join(connected)}"
-        else:
+        advice = did_you_mean(robot, connected)
+        if not connected:
             advice = "connect one with `zbot class start --robot dds`"
-        super().__init__(f"no robot {robot!r} is connected: {advice}")
+        advice = advice or f"the robots are {', '.join(connected)}"
+        super().__init__(f"no robot {robot!r} is connected; {advice}")
 
 
 class NoClassError(ClassroomError):

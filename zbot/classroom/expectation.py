@@ -19,7 +19,8 @@ from typing import TYPE_CHECKING, Protocol
 from zbot.classroom.errors import ClassroomError
 from zbot.errors import InvalidNameError
 from zbot.graph.snapshot import full_names
-from zbot.names import nearest, validate_full_topic_name
+from zbot.names import validate_full_topic_name
+from zbot.suggestion import did_you_mean, question, similar_names
 from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:
@@ -147,12 +148,8 @@ def _parse(text: str) -> Expectation:
 def _reason(text: str) -> str:
     verb = text.split(" ", maxsplit=1)[0].lower()
     if verb not in {*_KINDS, "runs"}:
-        guess = nearest(verb, [*_KINDS, "runs"])
-        return (
-            f"did you mean {guess!r}?"
-            if guess
-            else "it must begin with publishes, subscribes, serves or runs"
-        )
+        rule = "it must begin with publishes, subscribes, serves or runs"
+        return did_you_mean(verb, [*_KINDS, "runs"]) or rule
     if " on " not in f"{text} ":
         return "`on /name` is missing"
     return "the words after the name must be like `at >= 1 Hz`"
@@ -177,8 +174,7 @@ def _type_name(text: str, name: str, kind: str) -> str:
 def _node_problem(name: str, running: list[str]) -> str:
     if name in running:
         return ""
-    guess = nearest(name, running)
-    return f"{name} does not run" + (f"; is {guess} meant?" if guess else "")
+    return f"{name} does not run{did_you_mean(name, running, before='; ')}"
 
 
 def _missing(kind: EntityKind, name: str, present: list[str]) -> str:
@@ -187,14 +183,14 @@ def _missing(kind: EntityKind, name: str, present: list[str]) -> str:
         EntityKind.SUBSCRIPTION: "nobody subscribes to",
         EntityKind.SERVICE: "nobody serves",
     }[kind]
-    guess = nearest(name, present) or _same_letters(name, present)
-    return f"{what} {name}" + (f"; is {guess} meant?" if guess else "")
+    near = similar_names(name, present) or _same_letters(name, present)
+    return f"{what} {name}{question(near, '; ')}"
 
 
-def _same_letters(name: str, present: list[str]) -> str | None:
-    """Return a name that differs only in case, underscores or namespace, or `None`."""
+def _same_letters(name: str, present: list[str]) -> list[str]:
+    """Return a name that differs only in case, underscores or namespace, if there is one."""
 
     def bare(one: str) -> str:
         return one.rpartition("/")[2].replace("_", "").lower()
 
-    return next((one for one in present if bare(one) == bare(name)), None)
+    return [one for one in present if bare(one) == bare(name)][:1]

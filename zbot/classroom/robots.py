@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.classroom.errors import RobotError
 from zbot.classroom.keys import ROBOTS_KEY
-from zbot.names import nearest
 
 if TYPE_CHECKING:
     import zenoh
@@ -51,7 +50,7 @@ class Robots:
             self._drivers.pop(robot, None)
             return
         if robot not in connected:
-            raise RobotError(robot, connected, nearest(robot, connected))
+            raise RobotError(robot, connected)
         self._drivers[robot] = number
 
     def publish(self, session: zenoh.Session) -> None:

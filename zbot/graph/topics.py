@@ -8,7 +8,8 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from zbot.graph.filters import TF_TOPICS
-from zbot.names import fully_qualified, nearest
+from zbot.names import fully_qualified
+from zbot.suggestion import nearest, question
 from zbot.wire.tokens import EndpointToken, EntityKind
 
 if TYPE_CHECKING:
@@ -173,7 +174,7 @@ def _typo(topic: TopicView, guess: str | None) -> str | None:
     if guess is None:
         return None
     lack = "nobody serves" if topic.kind is BoxKind.ACTION else "nobody publishes"
-    return f"{lack} {topic.name}: is {guess} meant?"
+    return f"{lack} {topic.name}{question([guess], '; ')}"
 
 
 def _join(made: dict[str, TopicView], name: str, parts: Iterable[str], kind: BoxKind) -> None:

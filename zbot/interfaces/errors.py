@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from zbot.errors import ZbotError, close_matches, did_you_mean, shortened
+from zbot.errors import ZbotError, shortened
+from zbot.suggestion import did_you_mean, question
 
 
 class InterfaceSyntaxError(ZbotError, ValueError):
@@ -39,7 +40,7 @@ class UnknownPackageError(ZbotError, ModuleNotFoundError, LookupError):
 
     def __init__(self, package: str, suggestions: tuple[str, ...] = ()) -> None:
         self.package, self.suggestions = package, suggestions
-        super().__init__(f"Unknown package {package!r}{did_you_mean(suggestions)}")
+        super().__init__(f"Unknown package {package!r}{question(suggestions, '; ')}")
 
 
 class MissingPackageError(ZbotError, ModuleNotFoundError):
@@ -47,7 +48,7 @@ class MissingPackageError(ZbotError, ModuleNotFoundError):
 
     def __init__(self, package: str, how_to_add: str, suggestions: tuple[str, ...] = ()) -> None:
         self.suggestions = suggestions
-        near = f"{did_you_mean(suggestions)} To" if suggestions else ". To"
+        near = f"{question(suggestions, '; ')} To" if suggestions else ". To"
         super().__init__(f"No module named {package!r}{near} add the package, {how_to_add}")
         self.name = package  # as in each ModuleNotFoundError
 
@@ -57,7 +58,7 @@ class UnknownInterfaceError(ZbotError, AttributeError, LookupError):
 
     def __init__(self, name: str, suggestions: tuple[str, ...] = ()) -> None:
         self.name, self.suggestions = name, suggestions
-        super().__init__(f"Unknown interface {name!r}{did_you_mean(suggestions)}")
+        super().__init__(f"Unknown interface {name!r}{question(suggestions, '; ')}")
 
 
 class FieldTypeError(ZbotError, TypeError, AssertionError):
@@ -93,9 +94,8 @@ class UnknownFieldError(ZbotError, TypeError, AssertionError):
 
     def __init__(self, type_name: str, field: str, fields: tuple[str, ...]) -> None:
         self.type_name, self.field, self.fields = type_name, field, fields
-        near = close_matches(field, fields, 1)
-        hint = f"; did you mean {near[0]!r}?" if near else f"; it has {', '.join(fields) or 'none'}"
-        super().__init__(f"{type_name} has no field {field!r}{hint}")
+        hint = did_you_mean(field, fields) or f"it has {', '.join(fields) or 'none'}"
+        super().__init__(f"{type_name} has no field {field!r}; {hint}")
 
 
 class PositionalFieldError(ZbotError, TypeError):

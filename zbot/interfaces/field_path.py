@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 from zbot.errors import ZbotError
 from zbot.interfaces import spec_of
-from zbot.names import nearest
+from zbot.suggestion import did_you_mean
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -118,10 +118,9 @@ class FieldPath:
 
     def _missing(self, value: Any, step: Step, reason: str) -> FieldPathError:
         known = [field.name for field in fields_of(value)]
-        guess = nearest(str(step), known)
-        hint = f"did you mean '{guess}'?" if guess else None
-        if hint is None and known:
-            hint = f"its fields are {', '.join(known)}"
+        hint = did_you_mean(str(step), known)
+        if known:
+            hint = hint or f"its fields are {', '.join(known)}"
         return FieldPathError(self.text, reason, hint)
 
 

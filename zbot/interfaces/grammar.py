@@ -5,8 +5,8 @@ from __future__ import annotations
 import keyword
 import re
 
-from zbot.errors import close_matches
 from zbot.interfaces.spec import PRIMITIVES, FieldType
+from zbot.suggestion import did_you_mean
 
 _PACKAGE = re.compile(r"(?!.*__)(?!.*_$)[a-z][a-z0-9_]*")
 _FIELD = _PACKAGE
@@ -138,9 +138,8 @@ def _size(text: str, what: str, largest: int) -> int:
 def _unknown_primitive(name: str) -> str:
     if name in _MISTAKEN:
         return f"there is no type {name!r}: write {_MISTAKEN[name]}"
-    near = close_matches(name, PRIMITIVES, 1)
-    hint = f": did you mean {near[0]!r}?" if near else "; a message's name starts upper case"
-    return f"there is no type {name!r}{hint}"
+    hint = did_you_mean(name, PRIMITIVES) or "a message's name starts upper case"
+    return f"there is no type {name!r}; {hint}"
 
 
 def _lower_case_rule(kind: str, name: str) -> str:

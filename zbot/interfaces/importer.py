@@ -9,7 +9,6 @@ from importlib.machinery import ModuleSpec
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import close_matches
 from zbot.interfaces import registry
 from zbot.interfaces.classes import module_name
 from zbot.interfaces.errors import MissingPackageError, UnknownInterfaceError
@@ -17,6 +16,7 @@ from zbot.interfaces.kinds import KINDS
 from zbot.interfaces.location import has_other_versions
 from zbot.interfaces.registry import has_package
 from zbot.interfaces.spec import ActionSpec, ServiceSpec
+from zbot.suggestion import did_you_mean, similar_names
 
 if TYPE_CHECKING:
     from importlib.abc import Loader
@@ -58,7 +58,7 @@ def missing_package(package: str) -> MissingPackageError:
         return MissingPackageError(package, how_to_add(package))
     # Many names have the same ending, so only their beginnings are compared.
     known = {name.rpartition("_")[0]: name for name in registry.packages()}
-    near = close_matches(package.rpartition("_")[0], known, 1)
+    near = similar_names(package.rpartition("_")[0], known)
     suggestions = tuple(known[beginning] for beginning in near)
     return MissingPackageError(package, how_to_add(package), suggestions)
 
@@ -153,10 +153,9 @@ class _KindModule(ModuleType):
         return ModuleSpec(fullname, _ModuleLoader(defined[0])) if defined else None
 
     def _missing(self, attribute: str) -> str:
-        near = close_matches(attribute, self._names, 1)
-        hint = f"; did you mean {near[0]!r}?" if near else ""
+        hint = did_you_mean(attribute, self._names, before="; ")
         package = self.__name__.partition(".")[0]
-        if not near and has_other_versions(package):
+        if not hint and has_other_versions(package):
             hint = f"; give your robot's version of {package} to `zbot interface add`"
         return f"cannot import name {attribute!r} from {self.__name__!r}{hint}"
 

@@ -6,7 +6,6 @@ import threading
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import close_matches
 from zbot.interfaces.classes import make_action, make_message, make_service
 from zbot.interfaces.errors import (
     InterfaceConflictError,
@@ -28,6 +27,7 @@ from zbot.interfaces.spec import (
     ServiceSpec,
     parts_of,
 )
+from zbot.suggestion import similar_names
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -122,7 +122,7 @@ def interface_names(package: str) -> list[str]:
     names = {f"{package}/{file.parent.name}/{file.stem}" for file in interface_files(package)}
     names |= {name for name in _registered if name.startswith(f"{package}/")}
     if not names:
-        raise UnknownPackageError(package, close_matches(package, packages()))
+        raise UnknownPackageError(package, similar_names(package, packages(), 3))
     return sorted(names)
 
 
@@ -216,14 +216,16 @@ def _add(spec: InterfaceSpec, file: str) -> None:
 
 def _unknown(name: str, package: str, short: str) -> UnknownPackageError | UnknownInterfaceError:
     if "/" not in name:
-        near = [full for each in packages() for full in interface_names(each)]
-        matching = tuple(full for full in near if full.endswith(f"/{name}"))[:3]
+        known = [full for each in packages() for full in interface_names(each)]
+        matching = tuple(full for full in known if full.endswith(f"/{name}"))[:3]
         return UnknownInterfaceError(name, matching)
     try:
         shorts = {full.rpartition("/")[2]: full for full in interface_names(package)}
     except UnknownPackageError as error:
         return error
-    return UnknownInterfaceError(name, tuple(shorts[near] for near in close_matches(short, shorts)))
+    return UnknownInterfaceError(
+        name, tuple(shorts[near] for near in similar_names(short, shorts, 3))
+    )
 
 
 def _get_class(spec: InterfaceSpec) -> type[Any]:

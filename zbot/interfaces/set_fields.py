@@ -5,10 +5,10 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import close_matches, did_you_mean
 from zbot.interfaces import get_message, type_name
 from zbot.interfaces.errors import FieldValueError
 from zbot.interfaces.field_path import is_message
+from zbot.suggestion import did_you_mean
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
@@ -61,7 +61,7 @@ class _FieldSetter:
             if name not in slots:
                 raise AttributeError(
                     f"'{type(message).__name__}' object has no attribute '{name}'"
-                    f"{did_you_mean(close_matches(name, slots, 1))}"
+                    f"{did_you_mean(name, slots, before='; ')}"
                 )
             self._set(message, name, slots[name], value)
         return self._setters

@@ -10,8 +10,8 @@ from __future__ import annotations
 import re
 from typing import Any
 
-from zbot.errors import close_matches, did_you_mean
 from zbot.interfaces import registry
+from zbot.suggestion import did_you_mean
 
 # Python 3.13 adds "and no __dict__ for setting new attributes".
 _TEXT = re.compile(
@@ -27,8 +27,8 @@ def add_advice(error: BaseException) -> None:
     match = _TEXT.match(str(error))
     fields = _fields_of(match[1]) if match else ()
     if match and fields:
-        near = close_matches(match[2], fields, 1)
-        error.args = (f"{error}{did_you_mean(near) or '; it has ' + ', '.join(fields)}",)
+        hint = did_you_mean(match[2], fields) or f"it has {', '.join(fields)}"
+        error.args = (f"{error}; {hint}",)
 
 
 def _fields_of(name: str) -> tuple[str, ...]:

@@ -5,7 +5,8 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING
 
-from zbot.errors import ZbotError, close_matches
+from zbot.errors import ZbotError
+from zbot.suggestion import question, similar_names
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -96,8 +97,7 @@ class LaunchArgumentError(LaunchError, RuntimeError, ValueError):
     def no_choice(cls, name: str, value: str, choices: Iterable[str]) -> LaunchArgumentError:
         """Return the error for a value that is not one of the choices."""
         known = list(choices)
-        near = close_matches(value, known, 1)
-        hint = f"did you mean {name}:={near[0]}?" if near else ""
+        hint = question(f"{name}:={near}" for near in similar_names(value, known))
         text = f"launch argument '{name}': the value '{value}' is not valid."
         return cls(f"{text} Valid options are: {known}", hint)
 

@@ -16,7 +16,8 @@ import zenoh
 from zbot.errors import NotInitializedError
 from zbot.graph.snapshot import Snapshot
 from zbot.log import get_logger
-from zbot.names import ROSOUT_TOPIC, fully_qualified, is_hidden, nearest
+from zbot.names import ROSOUT_TOPIC, fully_qualified, is_hidden
+from zbot.suggestion import nearest
 from zbot.wire.keys import SHARED_DOMAIN
 from zbot.wire.tokens import EndpointToken, EntityKind, NodeToken
 

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from zbot.errors import ZbotError, close_matches
+from zbot.errors import ZbotError
 from zbot.package.unavailable import Unavailable, unavailable_package
+from zbot.suggestion import did_you_mean
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -38,8 +39,7 @@ class PackageNotFoundError(ZbotError, KeyError):
 
     def __init__(self, package: str, searched: Iterable[Path], known: Iterable[str] = ()) -> None:
         self.package, self.searched = package, [str(path) for path in searched]
-        near = close_matches(package, known, 1)
-        self.hint = f"did you mean '{near[0]}'?" if near else ""
+        self.hint = did_you_mean(package, known)
         kind = unavailable_package(package)
         if kind is not None:
             self.hint = (

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import InvalidParameterError, ParameterError, SetupError, ZbotError, close_matches
+from zbot.errors import InvalidParameterError, ParameterError, SetupError, ZbotError
+from zbot.suggestion import question, similar_names
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -39,11 +40,8 @@ class ParameterNotDeclaredException(ParameterError, LookupError):
 
     def __init__(self, parameters: str | list[str], known: Iterable[str] = ()) -> None:
         super().__init__("Invalid access to undeclared parameter(s)", parameters)
-        self.suggestions = (
-            close_matches(str(self.parameters[0]), known, 1) if self.parameters else ()
-        )
-        if self.suggestions:
-            self.args = (f"{self.args[0]}; did you mean {self.suggestions[0]!r}?",)
+        self.suggestions = similar_names(str(self.parameters[0]), known) if self.parameters else ()
+        self.args = (f"{self.args[0]}{question(self.suggestions, '; ')}",)
 
 
 class ParameterAlreadyDeclaredException(ParameterError, ValueError):

@@ -6,8 +6,8 @@ import math
 import threading
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import close_matches
 from zbot.log import get_logger
+from zbot.suggestion import did_you_mean
 from zbot.tf2.errors import (
     ConnectivityException,
     ExtrapolationException,
@@ -230,8 +230,7 @@ class BufferCore:
                 f"{problem}"
             )
         if not self._exists(name):
-            guess = close_matches(name, self._names(), 1)
-            hint = f' Did you mean "{guess[0]}"?' if guess else ""
+            hint = did_you_mean(name, self._names(), before=" ")
             raise LookupException(
                 f'"{name}" passed to lookupTransform argument {argument} does not exist.{hint}'
             )

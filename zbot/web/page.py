@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from nicegui import app, ui
 
 from zbot.errors import ZbotError
-from zbot.names import nearest
+from zbot.suggestion import did_you_mean
 from zbot.version import __version__
 from zbot.web.panel import Page
 from zbot.web.panels import PANELS
@@ -45,8 +45,7 @@ class UnknownPanelError(ZbotError, ValueError):
     def __init__(self, name: str) -> None:
         self.name = name
         known = [panel.path.strip("/") for panel in PANELS]
-        guess = nearest(name, known)
-        self.hint = f"did you mean {guess}?" if guess else f"there are {', '.join(known)}"
+        self.hint = did_you_mean(name, known) or f"there are {', '.join(known)}"
         super().__init__(f"there is no panel {name!r}")
 
 

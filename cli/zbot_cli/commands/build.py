@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 
 import typer
 
-from zbot.errors import ZbotError, close_matches
+from zbot.errors import ZbotError
 from zbot.package import packages
 from zbot.package.finder import BUNDLED_NAMES
 from zbot.package.manifest import ManifestError, read_manifest
@@ -23,6 +23,7 @@ from zbot.package.workspace import (
     package_folders,
     package_name,
 )
+from zbot.suggestion import question, similar_names
 from zbot_cli.input.many_values import ManyValuesCommand
 from zbot_cli.output.exit_status import Status
 from zbot_cli.output.listing import new_app
@@ -59,10 +60,9 @@ class UnknownPackagesError(ZbotError):
 
     def __init__(self, option: str, names: list[str], known: Iterable[str]) -> None:
         self.names = names
-        near = [close_matches(name, known, 1) for name in names]
-        guesses = ", ".join(f"'{one[0]}'" for one in near if one)
+        guesses = question(near for name in names for near in similar_names(name, known))
         there = ", ".join(sorted(known)) or "none"
-        self.hint = f"did you mean {guesses}?" if guesses else f"the packages here are: {there}"
+        self.hint = guesses or f"the packages here are: {there}"
         quoted = ", ".join(f"'{name}'" for name in names)
         super().__init__(f"unknown package{'s' * (len(names) > 1)} {quoted} in {option}")
 

@@ -21,7 +21,8 @@ import typer
 
 from zbot.errors import ZbotError
 from zbot.graph.snapshot import Snapshot, full_names, processes
-from zbot.names import fully_qualified, is_hidden, nearest
+from zbot.names import fully_qualified, is_hidden
+from zbot.suggestion import nearest, question
 from zbot.terminal.text import escape_control_characters
 from zbot.transport import config, environment, running_programs
 from zbot.transport.errors import NoRouterError
@@ -353,7 +354,7 @@ def _lonely_subscriptions(graph: Snapshot) -> Iterator[Finding]:
             continue
         guess = nearest(name, sorted(published))
         if guess is not None:
-            advice = f"did you mean {guess}? It has a publisher"
+            advice = f"{question([guess])} It has a publisher"
             yield Finding("topic names", f"{name} has no publisher", advice)
 
 

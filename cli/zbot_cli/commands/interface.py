@@ -21,7 +21,7 @@ from zbot.interfaces import (
 )
 from zbot.interfaces.location import core_packages
 from zbot.interfaces.repositories import how_to_add, repository_of
-from zbot.names import nearest
+from zbot.suggestion import did_you_mean
 from zbot_cli.domain.types import all_types, find_types, type_hint
 from zbot_cli.output.definition import definition
 from zbot_cli.output.exit_status import Status
@@ -47,13 +47,12 @@ class PackageError(ZbotError):
     """No package of that name has message, service or action types."""
 
     def __init__(self, package: str) -> None:
-        guess = "" if repository_of(package) else nearest(package, packages())
-        if guess:
-            self.hint = f"did you mean {guess}?"
-        elif repository_of(package):
+        if repository_of(package):
             self.hint = how_to_add(package)
         else:
-            self.hint = "`zbot interface packages` lists all packages"
+            self.hint = did_you_mean(package, packages()) or (
+                "`zbot interface packages` lists all packages"
+            )
         super().__init__(f"Unknown package '{package}'")
 
 
@@ -63,8 +62,7 @@ class InterfaceError(ZbotError):
     def __init__(self, name: str) -> None:
         package, _, interface = name.partition("/")
         known = interface_names(package)
-        guess = nearest(name, known)
-        self.hint = f"did you mean {guess}?" if guess else f"there are {', '.join(known)}"
+        self.hint = did_you_mean(name, known) or f"there are {', '.join(known)}"
         super().__init__(f"Interface '{interface}' not found in package '{package}'")
 
 

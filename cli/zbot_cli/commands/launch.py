@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 import zbot.compat
-from zbot.errors import ZbotError, close_matches
+from zbot.errors import ZbotError
 from zbot.launch.actions.executable import PREFIX, PREFIX_FILTER
 from zbot.launch.actions.include import IncludeLaunchDescription
 from zbot.launch.arguments import declared_arguments, parse_arguments
@@ -20,6 +20,7 @@ from zbot.launch.source import AnyLaunchDescriptionSource
 from zbot.launch.substitution import TextSubstitution, describe
 from zbot.package.ros_variables import set_ros_variables
 from zbot.package.workspace import set_workspace_variable
+from zbot.suggestion import did_you_mean
 from zbot_cli.commands.run import find as find_executable
 from zbot_cli.output.listing import new_app
 from zbot_cli.packages import launch_file
@@ -131,9 +132,9 @@ def _likely_typos(
     found = () if description is None else declared_arguments(description, path=str(path))
     known = {one.action.name for one in found}
     for name in set(arguments) - known:
-        near = close_matches(name, known, 1)
-        if near:
-            yield f"no launch argument '{name}' is declared; did you mean '{near[0]}'?"
+        hint = did_you_mean(name, known)
+        if hint:
+            yield f"no launch argument '{name}' is declared; {hint}"
 
 
 def _show(path: Path, *, arguments_only: bool) -> int:

@@ -10,7 +10,8 @@ import typer
 
 from zbot.errors import ZbotError
 from zbot.graph.snapshot import full_names
-from zbot.names import fully_qualified, is_hidden, nearest
+from zbot.names import fully_qualified, is_hidden
+from zbot.suggestion import did_you_mean
 from zbot.wire.tokens import EntityKind
 from zbot_cli.domain.client import client, full_name, note_if_nobody_runs, snapshot, snapshot_of
 from zbot_cli.input.option_groups import with_option_groups
@@ -41,8 +42,7 @@ class UnknownNodeNameError(ZbotError):
 
     def __init__(self, name: str, known: list[str]) -> None:
         self.name = name
-        guess = nearest(name, known)
-        self.hint = f"did you mean {guess}?" if guess else None
+        self.hint = did_you_mean(name, known)
         super().__init__(f"Unable to find node '{name}'")
 
 

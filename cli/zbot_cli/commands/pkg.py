@@ -9,10 +9,11 @@ from typing import TYPE_CHECKING, Annotated, ClassVar
 
 import typer
 
-from zbot.errors import ZbotError, close_matches
+from zbot.errors import ZbotError
 from zbot.package import PackageNotFoundError, package_prefix, package_share, packages
 from zbot.package.finder import find_package
 from zbot.package.workspace import MANIFEST, current_workspace, package_folders, package_name
+from zbot.suggestion import did_you_mean
 from zbot_cli.commands.run import PackageNotFoundError as UnknownPackageError
 from zbot_cli.input.many_values import ManyValuesCommand
 from zbot_cli.output.exit_status import Status
@@ -272,8 +273,7 @@ def xml(
 
     package = find_package(package_name)
     if package is None:
-        near = close_matches(package_name, packages(), 1)
-        raise NoPackageError(package_name, f"did you mean '{near[0]}'?" if near else "")
+        raise NoPackageError(package_name, did_you_mean(package_name, packages()))
     path = package.folder / MANIFEST
     if not path.is_file():
         raise NoManifestError(package.folder)

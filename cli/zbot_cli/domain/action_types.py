@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
-from zbot.names import nearest
+from zbot.suggestion import did_you_mean
 from zbot_cli.domain.types import all_types, find_types, learn, type_hint
 
 if TYPE_CHECKING:
@@ -38,10 +38,9 @@ class SeveralActionTypesError(ZbotError):
         super().__init__(f"Action '{name}' has more than one type: [{', '.join(types)}]")
 
 
-def suggestion(name: str, graph: Snapshot) -> str | None:
-    """Return a hint with the most similar action name, or `None` if no name is similar."""
-    guess = nearest(name, [known for known, _ in graph.actions()])
-    return f"did you mean {guess}?" if guess else None
+def suggestion(name: str, graph: Snapshot, before: str = "") -> str:
+    """Return a question with the most similar action name, or an empty string."""
+    return did_you_mean(name, [known for known, _ in graph.actions()], before=before)
 
 
 def resolve_action_type(word: str) -> str:

@@ -6,7 +6,8 @@ import threading
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
-from zbot.names import fully_qualified, is_hidden, nearest
+from zbot.names import fully_qualified, is_hidden
+from zbot.suggestion import did_you_mean
 from zbot_cli.domain.client import full_name
 
 from lifecycle_msgs.msg import Transition
@@ -32,11 +33,11 @@ class NodeNotFoundError(ZbotError):
     def __init__(self, name: str, graph: Snapshot) -> None:
         self.name = name
         known = managed_nodes(graph, include_hidden=True)
-        guess = nearest(name, known)
+        guess = did_you_mean(name, known)
         if any(_name(node.namespace, node.node) == name for node in graph.nodes):
             self.hint = f"{name} is running, but it is not a managed node"
         elif guess:
-            self.hint = f"no node {name} is running; did you mean {guess}?"
+            self.hint = f"no node {name} is running; {guess}"
         else:
             others = ", ".join(known)
             self.hint = f"no node {name} is running; " + (
@@ -59,8 +60,7 @@ class UnknownTransitionError(ZbotError):
     def __init__(self, wanted: str, possible: Sequence[TransitionDescription]) -> None:
         self.wanted = wanted
         labels = [one.transition.label for one in possible]
-        guess = nearest(wanted, labels)
-        self.hint = f"did you mean {guess}?" if guess else None
+        self.hint = did_you_mean(wanted, labels)
         rows = [f"- {one.transition.label} [{one.transition.id}]" for one in possible]
         super().__init__("\n".join(("Unknown transition requested, available ones are:", *rows)))
 

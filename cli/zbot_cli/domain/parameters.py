@@ -9,13 +9,14 @@ from typing import TYPE_CHECKING, Any
 from zbot.errors import ZbotError
 from zbot.graph.snapshot import full_names
 from zbot.interfaces import get_service
-from zbot.names import fully_qualified, is_hidden, nearest
+from zbot.names import fully_qualified, is_hidden
 from zbot.parameters.parameter import (
     Parameter,
     infer_parameter,
     parameter_type,
     parameter_value_to_python,
 )
+from zbot.suggestion import did_you_mean
 from zbot_cli.domain.client import full_name
 
 if TYPE_CHECKING:
@@ -32,10 +33,7 @@ class NodeNotFoundError(ZbotError):
 
     def __init__(self, name: str, known: Sequence[str]) -> None:
         self.name = name
-        guess = nearest(name, known)
-        self.hint = f"no node {name} is running; " + (
-            f"did you mean {guess}?" if guess else _others(known)
-        )
+        self.hint = f"no node {name} is running; {did_you_mean(name, known) or _others(known)}"
         super().__init__("Node not found")
 
 
@@ -54,8 +52,7 @@ class ParameterNotSetError(ZbotError):
 
     def __init__(self, node: str | None, name: str, known: Sequence[str]) -> None:
         self.node, self.name = node, name
-        guess = nearest(name, known)
-        advice = f"; did you mean {guess}?" if guess else ""
+        advice = did_you_mean(name, known, before="; ")
         self.hint = f"{node or 'no node'} has {'no' if node else 'a'} parameter {name}{advice}"
         super().__init__("Parameter not set" if node else f"Parameter '{name}' not set on any node")
 

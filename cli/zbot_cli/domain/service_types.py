@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
-from zbot.names import nearest
+from zbot.suggestion import did_you_mean
 from zbot.wire.tokens import EntityKind
 from zbot_cli.domain.types import all_types, find_types, learn, type_hint
 
@@ -63,10 +63,9 @@ class OtherServiceTypeError(ZbotError):
         super().__init__(f"Service '{name}' has the type {', '.join(types)}, not {wanted}")
 
 
-def suggestion(name: str, graph: Snapshot) -> str | None:
-    """Return a hint with the most similar service name, or `None` if no name is similar."""
-    guess = nearest(name, [known for known, _ in graph.services()])
-    return f"did you mean {guess}?" if guess else None
+def suggestion(name: str, graph: Snapshot, before: str = "") -> str:
+    """Return a question with the most similar service name, or an empty string."""
+    return did_you_mean(name, [known for known, _ in graph.services()], before=before)
 
 
 def known_services(graph: Snapshot) -> NamesAndTypes:

@@ -7,7 +7,7 @@ import time
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
-from zbot.names import nearest
+from zbot.suggestion import did_you_mean
 from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:
@@ -79,10 +79,9 @@ def print_waiting(graph: Snapshot, name: str) -> bool:
         Whether there is a similar name.
     """
     known = [topic for topic, _ in graph.topics()]
-    guess = nearest(name, known)
-    hint = f"; did you mean {guess}?" if guess else ""
+    hint = did_you_mean(name, known, before="; ")
     print(f"waiting for {name} to appear{hint}", file=sys.stderr, flush=True)
-    return guess is not None
+    return bool(hint)
 
 
 def hint_if_silent(node: Node, names: Sequence[str], is_silent: Callable[[], bool]) -> None:
@@ -118,8 +117,8 @@ def print_missing(graph: Snapshot, name: str, kind: EntityKind) -> None:
     """
     if graph.on(name, kind):
         return
-    guess = nearest(name, [known for known, _ in graph.names_and_types(kind)])
-    hint = f"did you mean {guess}?" if guess else "`zbot topic list` shows the topics"
+    known = [topic for topic, _ in graph.names_and_types(kind)]
+    hint = did_you_mean(name, known) or "`zbot topic list` shows the topics"
     verb = "publishes" if kind is EntityKind.PUBLISHER else "subscribes to"
     print(f"nobody {verb} {name}; {hint}", file=sys.stderr, flush=True)
 

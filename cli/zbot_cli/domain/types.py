@@ -8,7 +8,7 @@ from zbot import interfaces  # this package imports its modules when one of its 
 from zbot.errors import ZbotError
 from zbot.interfaces.errors import UnknownInterfaceError, UnknownPackageError
 from zbot.interfaces.kinds import KINDS
-from zbot.names import nearest
+from zbot.suggestion import nearest, question
 
 if TYPE_CHECKING:
     from collections.abc import Container, Iterator
@@ -136,7 +136,7 @@ def type_hint(word: str, found: list[str], known: Iterator[str]) -> str:
     names = list(known)
     guesses = [nearest(full, names) for full in _full_names(word)] + [_short_guess(word, names)]
     guess = next(filter(None, guesses), None)
-    return f"did you mean {guess}?" if guess else "`zbot interface list` shows all types"
+    return question([guess]) if guess else "`zbot interface list` shows all types"
 
 
 def _short_guess(word: str, names: list[str]) -> str | None:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Union
 
 from zbot.errors import ZbotError
 from zbot.interfaces import get_message, spec_of, yaml_text
-from zbot.names import nearest
+from zbot.suggestion import did_you_mean
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -242,9 +242,8 @@ def _unknown_field(message: Any, name: str, value: Tree, known: list[str]) -> Po
     if colon and isinstance(value, Word) and value.value is None:
         hint = f"put a blank after the colon: {before}: {after}"
         return PopulateError(reason + getattr(name, "place", ""), hint)
-    guess = nearest(name, known)
     fields = f"its fields are {', '.join(known)}" if known else "it has no fields"
-    return PopulateError(reason, f"did you mean '{guess}'?" if guess else fields)
+    return PopulateError(reason, did_you_mean(name, known) or fields)
 
 
 def _example(kind: FieldType, path: str) -> str | None:

@@ -6,10 +6,10 @@ import os
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from zbot.errors import close_matches
 from zbot.launch.errors import LaunchFileNotFoundError
 from zbot.package import PackageNotFoundError, package_share, packages
 from zbot.package.symlink_install import files_below
+from zbot.suggestion import did_you_mean
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
@@ -60,7 +60,7 @@ def in_package(package: str, name: str) -> Path:
         raise LaunchFileNotFoundError(
             f"file '{name}' was not found in the share directory of package '{package}' "
             f"which is at '{share}'",
-            _guess(name, known) or f"it has {', '.join(known) or 'no launch files'}",
+            did_you_mean(name, known) or f"it has {', '.join(known) or 'no launch files'}",
         )
     return found[0]
 
@@ -127,12 +127,7 @@ def _not_found(word: str) -> LaunchFileNotFoundError:
     except PackageNotFoundError:
         known = [stem(path) for path in launch_files(_BUNDLED)]
         text = f"'{word}' is not a path, a package or the name of a launch file of zbot"
-        hint = _guess(word, known) or f"zbot has {', '.join(known)}"
+        hint = did_you_mean(word, known) or f"zbot has {', '.join(known)}"
         return LaunchFileNotFoundError(text, hint)
     hint = f"it has {', '.join(inside) or 'none'}"
     return LaunchFileNotFoundError(f"no launch file of package '{word}' is given", hint)
-
-
-def _guess(word: str, known: Iterable[str]) -> str:
-    near = close_matches(word, known, 1)
-    return f"did you mean '{near[0]}'?" if near else ""

@@ -36,7 +36,7 @@ def test_handed_in_bags_are_marked(tmp_path: Path) -> None:
     assert done.out.splitlines() == [
         "ok    ana",
         "FAIL  ben  /student_id has 0.50 Hz, not >= 1 Hz",
-        "FAIL  cem  nobody publishes /student_id; is /student_ID meant?",
+        "FAIL  cem  nobody publishes /student_id; did you mean '/student_ID'?",
         "1 of 3 pass",
     ]
     verdicts = json.loads(zbot("class", "check", EXPECTED, *bags, "--json", cwd=tmp_path).out)

@@ -85,21 +85,22 @@ def test_output_is_that_of_ros2(zbot_command: Command, words: list[str], out: st
             ["get", SERVICE, "my_paramter"],
             (
                 "Parameter not set\n\n"
-                "hint: /minimal_service has no parameter my_paramter; did you mean my_parameter?\n"
+                "hint: /minimal_service has no parameter my_paramter; "
+                "did you mean 'my_parameter'?\n"
             ),
         ),
         (
             ["describe", SERVICE, "rat"],
             (
                 "Parameter not set\n\n"
-                "hint: /minimal_service has no parameter rat; did you mean rate?\n"
+                "hint: /minimal_service has no parameter rat; did you mean 'rate'?\n"
             ),
         ),
         (
             ["get", "/minimal_servce", "rate", "--timeout", "0"],
             (
                 "Node not found\n\n"
-                "hint: no node /minimal_servce is running; did you mean /minimal_service?\n"
+                "hint: no node /minimal_servce is running; did you mean '/minimal_service'?\n"
             ),
         ),
     ],
@@ -216,7 +217,7 @@ def test_a_command_without_a_node_asks_every_node(zbot_command: Command) -> None
     assert (result.code, result.out) == (1, "/lab/rich:\n")
     result = zbot_command("param", "get", "ratte")
     assert result.err.startswith("Parameter 'ratte' not set on any node\n")
-    assert result.err.endswith("hint: no node has a parameter ratte; did you mean rate?\n")
+    assert result.err.endswith("hint: no node has a parameter ratte; did you mean 'rate'?\n")
     dumped = json.loads(zbot_command("param", "dump", "--json").out)
     assert sorted(dumped) == ["/lab/rich", "/minimal_service"]
     assert dumped["/lab/rich"]["group.bytes"] == [1, 255]

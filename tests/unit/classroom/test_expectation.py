@@ -53,11 +53,11 @@ def test_a_correct_program_has_no_problem(text: str) -> None:
     [
         (
             "publishes std_msgs/String on /student_idd",
-            "nobody publishes /student_idd; is /student_id meant?",
+            "nobody publishes /student_idd; did you mean '/student_id'?",
         ),
         (
             "publishes std_msgs/String on /studentID",
-            "nobody publishes /studentID; is /student_id meant?",
+            "nobody publishes /studentID; did you mean '/student_id'?",
         ),
         ("publishes std_msgs/String on /scan", "nobody publishes /scan"),
         (
@@ -74,7 +74,7 @@ def test_a_correct_program_has_no_problem(text: str) -> None:
         ),
         ("subscribes std_msgs/String on /student_id", "nobody subscribes to /student_id"),
         ("serves std_srvs/Trigger on /reset", "nobody serves /reset"),
-        ("runs talkr", "/talkr does not run; is /talker meant?"),
+        ("runs talkr", "/talkr does not run; did you mean '/talker'?"),
     ],
 )
 def test_a_mistake_is_named_with_the_probable_intention(text: str, problem: str) -> None:

@@ -85,7 +85,7 @@ def test_problems_are_red_and_in_the_title() -> None:
     root = parsed(draw(view(Snapshot(tokens))).svg())
     [wrong] = [one for one in root.iter(SVG + "g") if one.get("class") == "item topic wrong"]
     assert wrong.attrib["data-topic"] == "/chater"
-    assert "is /chatter meant?" in (wrong.findtext(SVG + "title") or "")
+    assert "did you mean '/chatter'?" in (wrong.findtext(SVG + "title") or "")
     assert [key for key in keys(draw(view(Snapshot(tokens))).svg(), "wrong") if key[0] == "e"] == [
         "e:t:/chater>n:/lost#"
     ]

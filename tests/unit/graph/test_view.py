@@ -173,7 +173,7 @@ def test_a_misspelt_action_is_marked() -> None:
     )
     boxes = {box.name: box for box in view(Snapshot(tokens)).boxes}
     assert boxes["/rotate_absolut"].problem == (
-        "nobody serves /rotate_absolut: is /rotate_absolute meant?"
+        "nobody serves /rotate_absolut; did you mean '/rotate_absolute'?"
     )
 
 
@@ -202,7 +202,9 @@ def test_a_misspelt_topic_is_marked() -> None:
 def test_problems_are_listed_in_every_mode() -> None:
     snapshot = Snapshot((*TALKING.tokens, node("lost"), subscribes("lost", "/chater")))
     for mode in Mode:
-        assert view(snapshot, mode).problems == ("nobody publishes /chater: is /chatter meant?",)
+        assert view(snapshot, mode).problems == (
+            "nobody publishes /chater; did you mean '/chatter'?",
+        )
     assert not view(snapshot, filters=Filters(nodes="-/lost")).problems
 
 

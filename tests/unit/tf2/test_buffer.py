@@ -171,7 +171,7 @@ def test_waiting_for_an_unknown_frame_searches_no_similar_name(
     robot: Buffer, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     guesses: list[str] = []
-    monkeypatch.setattr(buffer_core, "close_matches", lambda name, *_: guesses.append(name))
+    monkeypatch.setattr(buffer_core, "did_you_mean", lambda name, *_, **__: guesses.append(name))
     robot.wait_for_transform_async("map", "nobody", LATEST)
     robot.set_transform(make_transform("odom", "base", 20.0))
     assert guesses == []

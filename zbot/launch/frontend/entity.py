@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import Any, get_args
 
-from zbot.errors import close_matches
 from zbot.launch.errors import CoercionError
 from zbot.launch.frontend.errors import (
     AttributeTypeError,
@@ -13,6 +12,7 @@ from zbot.launch.frontend.errors import (
 )
 from zbot.launch.substitution import to_bool
 from zbot.launch.typed_value import get_typed_value, is_instance_of, is_typing_list
+from zbot.suggestion import did_you_mean
 
 #: Types of the items in an attribute's list. For another item type, `get_attr` returns children.
 _LISTS = ((bool,), (int,), (float,), (str,))
@@ -163,8 +163,7 @@ class Entity:
                 raise child.error(f"`{child.type_name}` is not allowed inside `{self.type_name}`")
         for name in self.attributes:
             if name not in self._used:
-                near = close_matches(name, self._used, 1)
-                hint = f"did you mean '{near[0]}'?" if near else ""
+                hint = did_you_mean(name, self._used)
                 raise self.error(f"`{self.type_name}` has no attribute '{name}'", hint)
 
 

@@ -6,7 +6,7 @@ from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import ZbotError, close_matches
+from zbot.errors import ZbotError
 from zbot.launch.action import Action
 from zbot.launch.condition import IfCondition, UnlessCondition
 from zbot.launch.description import LaunchDescription
@@ -15,6 +15,7 @@ from zbot.launch.errors import LaunchFileError
 from zbot.launch.frontend import xml_file, yaml_file
 from zbot.launch.frontend.registry import ACTIONS
 from zbot.launch.frontend.substitution_text import parse, parse_if_substitutions
+from zbot.suggestion import did_you_mean
 
 if TYPE_CHECKING:
     from typing import TextIO
@@ -89,8 +90,7 @@ class Parser:
         name = entity.type_name.replace("-", "_")
         build = ACTIONS.get(entity.type_name) or ACTIONS.get(name)
         if build is None:
-            near = close_matches(name, ACTIONS, 1)
-            hint = f"did you mean `{near[0]}`?" if near else ""
+            hint = did_you_mean(name, ACTIONS)
             raise entity.error(f"there is no action `{entity.type_name}`", hint)
         try:
             condition = self._condition(entity)

@@ -5,11 +5,11 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from zbot.errors import close_matches
 from zbot.launch import substitutions as subs
 from zbot.launch.errors import LaunchUsageError
 from zbot.launch.frontend.errors import SubstitutionSyntaxError
 from zbot.launch.substitution import TextSubstitution
+from zbot.suggestion import question, similar_names
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -162,9 +162,9 @@ def make_substitution(name: str, arguments: list[list[Substitution]]) -> Substit
     if name in _EXPOSED:
         return _EXPOSED[name](arguments)
     if name not in _FACTORIES:
-        near = close_matches(name, [*_FACTORIES, *_EXPOSED], 1)
-        guess = f"; did you mean '$({near[0]} ...)'?" if near else ""
-        raise SubstitutionSyntaxError(f"there is no substitution '$({name} ...)'{guess}")
+        near = similar_names(name, [*_FACTORIES, *_EXPOSED])
+        hint = question((f"$({one} ...)" for one in near), "; ")
+        raise SubstitutionSyntaxError(f"there is no substitution '$({name} ...)'{hint}")
     make, least, largest = _FACTORIES[name]
     if not least <= len(arguments) <= largest:
         count = str(least) if least == largest else f"{least} to {largest}"

@@ -7,18 +7,13 @@ import secrets
 import socket
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import close_matches
 from zbot.launch.errors import SubstitutionError
 from zbot.launch.substitution import Substitution, describe, normalize, perform
+from zbot.suggestion import did_you_mean
 
 if TYPE_CHECKING:
     from zbot.launch.context import LaunchContext
     from zbot.launch.substitution import SomeSubstitutionsType
-
-
-def _suggestion(name: str, known: Any) -> str:
-    near = close_matches(name, known, 1)
-    return f"did you mean '{near[0]}'?" if near else ""
 
 
 class LaunchConfiguration(Substitution):
@@ -48,7 +43,7 @@ class LaunchConfiguration(Substitution):
             return str(context.launch_configurations[name])
         if self.default is not None:
             return perform(context, self.default)
-        hint = _suggestion(name, context.launch_configurations)
+        hint = did_you_mean(name, context.launch_configurations)
         hint = hint or f"declare it: DeclareLaunchArgument('{name}', default_value=...)"
         raise SubstitutionError(f"launch configuration '{name}' does not exist", hint)
 
@@ -82,7 +77,7 @@ class EnvironmentVariable(Substitution):
             return context.environment[name]
         if self.default_value is not None:
             return perform(context, self.default_value)
-        hint = _suggestion(name, context.environment)
+        hint = did_you_mean(name, context.environment)
         raise SubstitutionError(f"environment variable '{name}' does not exist", hint)
 
     def describe(self) -> str:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from nicegui import ui
 
 from zbot.names import is_hidden
+from zbot.suggestion import question
 from zbot.web.folded_names import FoldedRow, folded
 from zbot.web.panel import Page, Panel
 from zbot.web.table import Cell, Column, Table
@@ -167,7 +168,7 @@ class _Topics:
 
 def _name(topic: TopicRow, depth: int) -> Cell:
     if topic.guess is not None:
-        hint = f"nobody publishes {topic.name}: is {topic.guess} meant?"
+        hint = f"nobody publishes {topic.name}{question([topic.guess], '; ')}"
         return Cell(topic.name, "zb-bad", depth, hint=hint)
     return Cell(topic.name, indent=depth, hint=topic.name)
 

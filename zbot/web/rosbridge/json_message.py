@@ -7,9 +7,9 @@ import binascii
 import math
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import close_matches, did_you_mean
 from zbot.interfaces import get_message, message_spec_of
 from zbot.interfaces.spec import FLOAT32_MAX, INTEGER_RANGES, FieldType
+from zbot.suggestion import did_you_mean
 from zbot.web.rosbridge.client_message import RosbridgeError
 
 if TYPE_CHECKING:
@@ -67,7 +67,7 @@ class _Converter:
         types = {field.name: field.type for field in spec.fields}
         for name, one in value.items():
             if name not in types:
-                guess = did_you_mean(close_matches(name, types, 1))
+                guess = did_you_mean(name, types, before="; ")
                 raise RosbridgeError(f"{spec.name} has no field {name!r}{guess}")
             where = f"{path}.{name}" if path else name
             setattr(message, name, self._value(types[name], one, where))

@@ -93,8 +93,8 @@ def info(
         print(f"Action {side}: {len(nodes)}")
         for node, types in () if count else nodes.items():
             print(f"    {node} [{', '.join(types)}]" if show_types else f"    {node}")
-    hint = None if any(sides.values()) else suggestion(name, graph)
-    if hint is not None:
+    hint = "" if any(sides.values()) else suggestion(name, graph)
+    if hint:
         print(f"\nhint: {hint}", file=sys.stderr)
 
 

@@ -86,9 +86,8 @@ class ActionEcho:
         graph = node.context.graph
         found = only_action_type(graph.snapshot(), self._name)
         if found is None:
-            hint = suggestion(self._name, graph.snapshot())
-            text = f"waiting for {self._name} to appear" + (f"; {hint}" if hint else "")
-            print(text, file=sys.stderr, flush=True)
+            hint = suggestion(self._name, graph.snapshot(), "; ")
+            print(f"waiting for {self._name} to appear{hint}", file=sys.stderr, flush=True)
         while found is None:
             graph.wait_for(
                 lambda snapshot: only_action_type(snapshot, self._name) is not None, _STEP_S

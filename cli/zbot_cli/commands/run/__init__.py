@@ -53,7 +53,7 @@ class PackageNotFoundError(ZbotError):
 
     def __init__(self, package: str, known: Sequence[str]) -> None:
         self.package = package
-        self.hint = _hint(package, known, f"the packages with nodes are {', '.join(known)}")
+        self.hint = _hint(package, known, "`zbot pkg executables` lists the packages with nodes")
         super().__init__(f"Package '{package}' not found")
 
 
@@ -62,8 +62,10 @@ class ExecutableNotFoundError(ZbotError):
 
     def __init__(self, name: str, known: Sequence[str], packages: Sequence[Package] = ()) -> None:
         self.name = name
-        where = f"{packages[0].name} has" if packages else "there are"
-        self.hint = _hint(name, known, f"{where} {', '.join(known) or 'none'}")
+        otherwise = "`zbot pkg executables` lists the nodes"
+        if packages:
+            otherwise = f"{packages[0].name} has {', '.join(known) or 'no nodes'}"
+        self.hint = _hint(name, known, otherwise)
         for package in packages:
             if package.fault:
                 self.hint = package.fault
@@ -108,10 +110,9 @@ class PrefixError(ZbotError):
 
 
 def _hint(word: str, known: Iterable[str], otherwise: str) -> str:
-    from zbot.names import nearest  # noqa: PLC0415 - only for mistakes
+    from zbot.suggestion import did_you_mean  # noqa: PLC0415 - only for mistakes
 
-    guess = nearest(word, known)
-    return f"did you mean '{guess}'? {otherwise}" if guess else otherwise
+    return did_you_mean(word, known) or otherwise
 
 
 def run(words: list[str]) -> int | Callable[[], NoReturn]:

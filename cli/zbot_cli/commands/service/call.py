@@ -134,9 +134,9 @@ class ServiceCall:
 
     def _hint(self, graph: Snapshot) -> None:
         """Print the most similar name on stderr if the service has no server."""
-        guess = suggestion(self._name, graph)
-        if guess is not None and self._name not in dict(graph.services()):
-            print(f"hint: {guess}", file=sys.stderr, flush=True)
+        hint = suggestion(self._name, graph)
+        if hint and self._name not in dict(graph.services()):
+            print(f"hint: {hint}", file=sys.stderr, flush=True)
 
     def _no_server(self) -> NoServerError:
         return NoServerError(self._name, self._timeout_s or 0)

@@ -70,8 +70,8 @@ class ServiceEcho:
         graph = node.context.graph
         found = _known_type(graph.snapshot(), self._name)
         if found is None:
-            hint = suggestion(self._name, graph.snapshot())
-            _print_note(f"waiting for {self._name} to appear" + (f"; {hint}" if hint else ""))
+            hint = suggestion(self._name, graph.snapshot(), "; ")
+            _print_note(f"waiting for {self._name} to appear{hint}")
         while found is None:
             graph.wait_for(lambda snapshot: _known_type(snapshot, self._name) is not None, _STEP_S)
             found = _known_type(graph.snapshot(), self._name)

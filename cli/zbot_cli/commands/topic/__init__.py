@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from zbot.errors import ZbotError
-from zbot.names import fully_qualified, is_hidden, nearest
+from zbot.names import fully_qualified, is_hidden
+from zbot.suggestion import did_you_mean
 from zbot.wire.tokens import EndpointToken, EntityKind
 from zbot_cli.domain.client import client, full_name, note_if_nobody_runs, snapshot, snapshot_of
 from zbot_cli.domain.types import check_known
@@ -46,8 +47,7 @@ class UnknownTopicError(ZbotError):
 
     def __init__(self, name: str, known: list[str]) -> None:
         self.name = name
-        guess = nearest(name, known)
-        self.hint = f"did you mean {guess}?" if guess else None
+        self.hint = did_you_mean(name, known)
         super().__init__(f"Unknown topic '{name}'")
 
 

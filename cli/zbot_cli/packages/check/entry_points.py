@@ -6,10 +6,10 @@ import ast
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from zbot.errors import close_matches
 from zbot.package.errors import SetupFileError
 from zbot.package.python_finder import import_paths
 from zbot.package.setup_file import script_lines
+from zbot.suggestion import did_you_mean
 from zbot_cli.packages.check.problem import Problem
 from zbot_cli.packages.check.subject import line_of
 from zbot_cli.packages.executables import module_file
@@ -47,8 +47,7 @@ def _problem_text(subject: Subject, text: str) -> str:
     first = function.partition(".")[0]
     if "*" in names or first in names:
         return ""
-    near = close_matches(first, names, 1)
-    hint = f"; did you mean '{near[0]}'?" if near else ""
+    hint = did_you_mean(first, names, before="; ")
     return f"'{name}' names {first}(), but {path.name} has no {first}(){hint}"
 
 
@@ -60,8 +59,7 @@ def _hint(subject: Subject, module: str) -> str:
         for folder in map(Path, folders)
         if path.is_relative_to(folder)
     ]
-    near = close_matches(module, known, 1)
-    return f"; did you mean {near[0]}?" if near else ""
+    return did_you_mean(module, known, before="; ")
 
 
 def _names(statements: Iterable[ast.stmt]) -> Iterator[str]:

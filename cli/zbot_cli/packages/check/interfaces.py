@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING
 
-from zbot.errors import close_matches
 from zbot.interfaces import interface_names
 from zbot.interfaces.errors import InterfaceSyntaxError
 from zbot.interfaces.kinds import KINDS
@@ -14,6 +13,7 @@ from zbot.interfaces.spec import ActionSpec, MessageSpec, ServiceSpec
 from zbot.package.cmake_file import read_cmake
 from zbot.package.errors import SetupFileError
 from zbot.package.workspace import MANIFEST
+from zbot.suggestion import did_you_mean
 from zbot_cli.packages.check.problem import Problem
 
 if TYPE_CHECKING:
@@ -74,8 +74,7 @@ def _check_type(subject: Subject, path: Path, field: Field, own: set[str]) -> It
     else:
         known = interface_names(package)
     if field.type.base not in known:
-        near = close_matches(field.type.base, known, 1)
-        hint = f"; did you mean {near[0]}?" if near else ""
+        hint = did_you_mean(field.type.base, known, before="; ")
         yield Problem(path, field.line, f"there is no type {field.type.base}{hint}")
     elif package != subject.name and subject.manifest and package not in subject.manifest.named():
         text = f"{field.type.base} is used: add <depend>{package}</depend> to {MANIFEST}"
