@@ -170,7 +170,7 @@ def test_send_goal_as_json() -> None:
             "",
             (
                 "Failed to populate message fields: "
-                "AttributeError(\"'Fibonacci_Goal' object has no attribute 'ordr'\")\n"
+                "'Fibonacci_Goal' object has no attribute 'ordr'\n"
             ),
         ),
     ],

@@ -175,6 +175,38 @@ def test_a_value_of_a_wrong_type_is_refused(
         assert str(caught.value.hint).startswith(hint)
 
 
+@pytest.mark.parametrize(
+    ("message_type", "text", "sentence", "hint"),
+    [
+        (Twist, "{linear: {x: 2,0}}", "'2,0' is not a number", "not a comma: x: 2.0"),
+        (Twist, "linear: {x: 1, y: -2,5e3}", "'-2,5e3' is not a number", "y: -2.5e3"),
+        (Int8, "{data: 1,000}", "'1,000' is not a number", "write data: 1000 or data: 1.000"),
+        (Float32, "data: 2,5", "data is a number (float32), not '2,5'", "data: 2.5"),
+        (String, "{data: hello, world}", "'world' has no value", "quotes: data: 'hello, world'"),
+        (JointState, "{position: 1.0, 2.0}", "'2.0' has no value", "position: [1.0, 2.0]"),
+        (JointState, "{position: 1.0}", "give it a list", "write position: [1.0]"),
+        (Twist, "{linear: {x= 2.0}}", "(line 1, column 11)", "not '=': x: 2.0"),
+        (Twist, "{linear:{x: 2.0}}", "not YAML", "put a blank after each colon"),
+        (Twist, "{linear: {x: 2.0}", "not YAML", "add } at the end"),
+        (Twist, "{linear: {x: 2.0}}}", "not YAML", "remove }"),
+        (JointState, "{position: [1.0}", "not YAML", "add ] at the end"),
+        (Twist, "{linear: {x: 1; y: 2}}", "not YAML", "a comma, not ';'"),
+        (Twist, "{linear: {x: 1 y: 2}}", "not YAML", "a comma between two fields"),
+        (Twist, "linear: {x: 1} angular: {z: 1}", "not YAML", "one pair of braces around all"),
+        (Twist, "linear: x: 1", "not YAML", 'write it like "{linear: {x: 2.0}}"'),
+        (Twist, "{linear: {X: 1}}", "no attribute 'X'", "did you mean 'x'?"),
+        (Twist, "5", "needs to be a dictionary", '"{linear: ..., angular: ...}"'),
+    ],
+)
+def test_a_malformed_text_says_what_to_type(
+    message_type: type[Any], text: str, sentence: str, hint: str
+) -> None:
+    with pytest.raises((PopulateError, ValuesError)) as caught:
+        make(message_type, text)
+    assert sentence in str(caught.value)
+    assert hint in str(caught.value.hint)
+
+
 @pytest.mark.parametrize("text", ["abc", "[1, 2]", "5"])
 def test_a_value_that_is_not_a_dictionary_is_refused(text: str) -> None:
     with pytest.raises(ValuesError, match="needs to be a dictionary in YAML format"):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import binascii
+import itertools
 import re
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Union
@@ -11,9 +12,10 @@ from typing import TYPE_CHECKING, Any, Union
 from zbot.errors import ZbotError
 from zbot.interfaces import get_message, spec_of, yaml_text
 from zbot.suggestion import did_you_mean
+from zbot_cli.input import yaml_mistakes
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable, Iterable, Sequence
 
     from zbot.interfaces import FieldType
 
@@ -80,7 +82,7 @@ class Template:
 
     def __init__(self, message_type: type[Any], words: str | Sequence[str]) -> None:
         self._type = message_type
-        self._values = parse(words)
+        self._values = parse(words, message_type.get_fields_and_field_types())
         #: Whether a message contains the current time. If so, each publication needs a new message.
         self.is_stamped = False
         self.make(self._note_time_use)
@@ -109,8 +111,12 @@ def split_documents(text: str) -> list[str]:
 # -- from text to a tree -----------------------------------------------------------------------
 
 
-def parse(words: str | Sequence[str]) -> dict[str, Tree]:
+def parse(words: str | Sequence[str], fields: Iterable[str] = ()) -> dict[str, Tree]:
     """Return the dictionary that a string or the words of a command line contain.
+
+    Args:
+        words: The string, or the words.
+        fields: The fields of the message, for the hint of an error.
 
     Raises:
         ValuesError: The words contain no dictionary.
@@ -126,15 +132,18 @@ def parse(words: str | Sequence[str]) -> dict[str, Tree]:
     if tree is None:
         return {}
     if not isinstance(tree, dict):
-        raise ValuesError("The passed value needs to be a dictionary in YAML format", _advice(text))
+        raise ValuesError(
+            "The passed value needs to be a dictionary in YAML format", _advice(text, fields)
+        )
     return tree
 
 
-def _advice(text: str) -> str:
+def _advice(text: str, fields: Iterable[str]) -> str:
     name, colon, value = text.strip().partition(":")
     if colon and name.isidentifier():
         return f"put a blank after the colon: '{name}: {value.strip()}'"
-    return 'name the fields that the values are for: "{data: hello}"'
+    example = ", ".join(f"{field}: ..." for field in fields) or "data: hello"
+    return f'name the fields that the values are for: "{{{example}}}"'
 
 
 def _parsed(text: str) -> Tree | None:
@@ -160,6 +169,9 @@ def _tree(node: yaml_text.Node, text: str) -> Tree:
 
 def _mapping(node: yaml_text.MappingNode, text: str) -> dict[str, Tree]:
     tree: dict[str, Tree] = {}
+    for before, (key_node, _) in itertools.pairwise(node.value):
+        if mistake := yaml_mistakes.stray_comma(before, key_node, text):
+            raise ValuesError(mistake[0] + _place(text, key_node.start_mark), mistake[1])
     for key_node, value_node in node.value:
         key = _Key(key_node.value)
         key.place = _place(text, key_node.start_mark)
@@ -201,7 +213,7 @@ def _assigned(text: str) -> Tree:
 
 def _syntax_error(text: str, exc: yaml_text.YamlError) -> ValuesError:
     place = "" if exc.line is None else _place(text, exc)
-    hint = 'write it like "{linear: {x: 2.0}}", with a blank after each colon'
+    hint = yaml_mistakes.syntax_hint(text, exc)
     return ValuesError(f"The values are not YAML: {exc.problem}{place}", hint)
 
 
@@ -238,9 +250,8 @@ def _fill(message: Any, values: dict[str, Tree], now_ns: Callable[[], int], path
 
 def _unknown_field(message: Any, name: str, value: Tree, known: list[str]) -> PopulateError:
     reason = f"'{type(message).__name__}' object has no attribute '{name}'"
-    before, colon, after = name.partition(":")
-    if colon and isinstance(value, Word) and value.value is None:
-        hint = f"put a blank after the colon: {before}: {after}"
+    has_no_value = isinstance(value, Word) and value.value is None
+    if has_no_value and (hint := yaml_mistakes.wrong_colon(name)):
         return PopulateError(reason + getattr(name, "place", ""), hint)
     fields = f"its fields are {', '.join(known)}" if known else "it has no fields"
     return PopulateError(reason, did_you_mean(name, known) or fields)
@@ -277,7 +288,10 @@ def _list(kind: FieldType, value: Tree, now_ns: Callable[[], int], path: str) ->
         return []
     if isinstance(value, Word) and kind.base in _OCTETS:
         return _octets(kind, value, path)
-    raise PopulateError(f"{path} is {kind.text}: give it a list, not {_shown(value)}")
+    hint = (
+        f"write {path.rpartition('.')[2]}: [{_shown(value)}]" if isinstance(value, Word) else None
+    )
+    raise PopulateError(f"{path} is {kind.text}: give it a list, not {_shown(value)}", hint)
 
 
 def _octets(kind: FieldType, value: Word, path: str) -> list[Any] | bytes:
@@ -330,15 +344,17 @@ def _scalar(kind: FieldType, word: Word, path: str) -> Any:
         raise PopulateError(f"{path} is a number, not {found}", _example(kind, path))
     try:
         number: Any = (
-            float(word.value) if kind.base.startswith("float") else _integer(word.value, path)
+            float(word.value) if kind.base.startswith("float") else _integer(kind, word.value, path)
         )
     except (ValueError, OverflowError):
         text = f"{path} is a number ({kind.base}), not {word.text!r}"
-        raise PopulateError(text, _example(kind, path)) from None
+        name = path.rpartition(".")[2]
+        hint = yaml_mistakes.number_with_comma(name, word.text) or _example(kind, path)
+        raise PopulateError(text, hint) from None
     return bytes([number]) if kind.base == "byte" else number
 
 
-def _integer(value: Any, path: str) -> int:
+def _integer(kind: FieldType, value: Any, path: str) -> int:
     if isinstance(value, float) and not value.is_integer():
-        raise PopulateError(f"{path} is a whole number, not {value!r}")
+        raise PopulateError(f"{path} is a whole number, not {value!r}", _example(kind, path))
     return int(value)

@@ -26,7 +26,6 @@ if TYPE_CHECKING:
     from zbot.node.node import Node
 
 _STEP_S = 0.5  # Ctrl-C cannot interrupt waiting for the graph, so the command waits in steps
-_REPR_OF = {True: "AttributeError", False: "ValueError"}
 
 
 class NoActionServerError(ZbotError):
@@ -45,8 +44,7 @@ class GoalValuesError(ZbotError):
     def __init__(self, error: PopulateError) -> None:
         self.hint = error.hint
         reason = str(error).removeprefix("Failed to populate field: ")
-        kind = _REPR_OF["has no attribute" in reason]
-        super().__init__(f"Failed to populate message fields: {kind}({reason!r})")
+        super().__init__(f"Failed to populate message fields: {reason}")
 
 
 class CancelError(ZbotError):
