@@ -31,6 +31,8 @@ _PAUSE_S = 4.0
 _TRUE_LIST_S = 3.0
 #: Hubs notice a cut after at most this time (docs/wire.md), and then lists become true.
 _CUT_S = 4.0
+#: A new watcher gets all tokens of a hub within this time.
+_WATCHED_S = 2.0
 _COMMAND_PERIOD_S = 9.0
 _COMMAND_S = 2.0
 _CALM_S = 15.0
@@ -82,7 +84,8 @@ class ClassChaos:
         self._plan = plan(f"{seed}/class", _KINDS, seconds, _PAUSE_S)
         self._later = Schedule()
         self._seen: set[tuple[int, str]] = set()
-        self._programs: list[Program] = []
+        self._programs: list[tuple[str, Program]] = []
+        self._lost = 0
         self._teacher_since = 0.0
         self._teacher_is_faulty = False
         self._listed_s: list[float] = []
@@ -119,25 +122,27 @@ class ClassChaos:
         self._report.note(f"class: {fault.kind} {act(fault)}")
 
     def _end(self, begin: float) -> None:
-        lost = 0
         for laptop in self._laptops:
             for program in laptop.nodes.values():
                 program.process.send_signal(signal.SIGINT)
                 self._check_end(program)
-        for program in self._programs:
-            program.new_lines()
-            for line in program.lines:
+        self._read_programs()
+        note = self._report.note
+        note(f"class: {len(self._plan)} faults in {time.monotonic() - begin:.0f} s")
+        note(f"class: {self._lost} messages lost between nodes of one laptop (depth 10)")
+        note(f"class: `zbot class list`: {times(self._listed_s)}")
+
+    def _read_programs(self) -> None:
+        """Report what the nodes have printed since the last call."""
+        for name, program in self._programs:
+            for line in program.new_lines():
                 if any(crash in line for crash in _CRASHES):
-                    self._report.violation(f"a program of the class printed: {line}")
+                    self._report.violation(f"{name} printed: {line}")
                 words = line.split()
                 # A neighbour that was started again begins with 1.
                 if words[:1] == ["gap"] and int(words[2]) > int(words[1]):
-                    lost += int(words[2]) - int(words[1]) - 1
-                    self._report.violation(f"a node of a laptop missed messages: {line}")
-        note = self._report.note
-        note(f"class: {len(self._plan)} faults in {time.monotonic() - begin:.0f} s")
-        note(f"class: {lost} messages lost between nodes of one laptop (depth 10)")
-        note(f"class: `zbot class list`: {times(self._listed_s)}")
+                    self._lost += int(words[2]) - int(words[1]) - 1
+                    self._report.violation(f"{name} missed messages of its neighbour: {line}")
 
     def _check_end(self, program: Program) -> None:
         begin = time.monotonic()
@@ -178,7 +183,7 @@ class ClassChaos:
         neighbour = f"pupil{(int(name[-1]) + 1) % _NODES}"
         words = ("pupil.py", name, neighbour, "--hz", str(_HZ))
         laptop.nodes[name] = laptop.machine.start(*words)
-        self._programs.append(laptop.nodes[name])
+        self._programs.append((f"{name} of laptop {laptop.number}", laptop.nodes[name]))
         laptop.change()
 
     def _list_class(self) -> None:
@@ -194,6 +199,7 @@ class ClassChaos:
 
     def _check(self) -> None:
         """Compare the nodes that the teacher's hub sees with those that run."""
+        self._read_programs()
         for line in self._watch.new_lines():
             kind, _, domain, node = line.split()
             change = self._seen.add if kind == "up" else self._seen.discard
@@ -217,6 +223,19 @@ class ClassChaos:
                     f"after {waited_s:.1f} s the teacher sees {sorted(seen)} and not "
                     f"{sorted(wanted)} of laptop {laptop.number}"
                 )
+                self._compare_hubs(laptop)
+
+    def _compare_hubs(self, laptop: _Laptop) -> None:
+        """Note what new watchers see: so it is known which hub does not know a node."""
+        for machine in (self._testbed.teacher, laptop.machine):
+            watch = machine.start("watch.py", str(laptop.number))
+            watch.wait_for("watching")
+            time.sleep(_WATCHED_S)
+            seen = sorted(line.split()[3] for line in watch.new_lines() if " " in line)
+            watch.process.kill()
+            self._report.note(f"class: a new watcher at the hub of {machine.name} sees {seen}")
+        listed = laptop.machine.run("zbot", "node", "list")
+        self._report.note(f"class: {laptop.machine.name} lists {listed.out.split()}")
 
     # -- faults ----------------------------------------------------------------------------------
 
