@@ -93,7 +93,7 @@ class ParameterFile:
             from zbot.launch.frontend.substitution_text import parse  # noqa: PLC0415 - rare
 
             text = perform(context, parse(self._path.read_text(encoding="utf-8")))
-            self._path = _temporary_file(context, text)
+            self._path = temporary_file(context, text)
         return self._path
 
     def describe(self) -> str:
@@ -240,7 +240,7 @@ def _word(context: LaunchContext, name: str, value: Any) -> list[str]:
     if len(text) <= _MAX_WORD:
         return ["-p", f"{name}:={text}"]
     content = json.dumps({"/**": {"ros__parameters": {name: value}}}, ensure_ascii=False)
-    return ["--params-file", str(_temporary_file(context, content))]
+    return ["--params-file", str(temporary_file(context, content))]
 
 
 def _is_plain(text: str) -> bool:
@@ -334,9 +334,9 @@ def _converted(value: Any, kind: Any) -> Any:
     raise EntityTypeError("a parameter", expected, value)
 
 
-def _temporary_file(context: LaunchContext, text: str) -> Path:
+def temporary_file(context: LaunchContext, text: str, folder: str | None = None) -> Path:
     """Return the path of a new file with this text. The end of the launch removes the file."""
-    number, name = tempfile.mkstemp(prefix="launch_params_", suffix=".yaml")
+    number, name = tempfile.mkstemp(prefix="launch_params_", suffix=".yaml", dir=folder)
     with os.fdopen(number, "w", encoding="utf-8") as file:
         file.write(text)
     path = Path(name)

@@ -60,6 +60,7 @@ message_filters: Subscriber TimeSynchronizer ApproximateTimeSynchronizer Cache C
 sensor_msgs_py.point_cloud2: read_points read_points_list read_points_numpy create_cloud
 sensor_msgs_py.point_cloud2: create_cloud_xyz32 dtype_from_fields PointCloud2 PointField
 cv_bridge: CvBridge CvBridgeError
+nav2_common.launch: RewrittenYaml ReplaceString HasNodeParams ParseMultiRobotPose
 rosidl_parser.definition: NamespacedType BasicType AbstractSequence UnboundedString
 rosidl_pycommon.interface_base_classes: BaseMessage BaseService BaseAction BaseImpl
 tf2_ros: Buffer BufferInterface TransformListener TransformBroadcaster StaticTransformBroadcaster
