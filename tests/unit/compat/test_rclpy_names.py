@@ -60,6 +60,10 @@ message_filters: Subscriber TimeSynchronizer ApproximateTimeSynchronizer Cache C
 sensor_msgs_py.point_cloud2: read_points read_points_list read_points_numpy create_cloud
 sensor_msgs_py.point_cloud2: create_cloud_xyz32 dtype_from_fields PointCloud2 PointField
 cv_bridge: CvBridge CvBridgeError
+nav2_simple_commander.robot_navigator: BasicNavigator TaskResult RunningTask
+nav2_simple_commander.footprint_collision_checker: FootprintCollisionChecker
+nav2_simple_commander.line_iterator: LineIterator
+nav2_simple_commander.utils: euler_to_quaternion
 nav2_common.launch: RewrittenYaml ReplaceString HasNodeParams ParseMultiRobotPose
 rosidl_parser.definition: NamespacedType BasicType AbstractSequence UnboundedString
 rosidl_pycommon.interface_base_classes: BaseMessage BaseService BaseAction BaseImpl

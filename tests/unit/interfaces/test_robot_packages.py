@@ -27,7 +27,7 @@ COMPARED = json.loads((Path(__file__).parent / "data" / "robot_packages.json").r
     [
         ("nav2_msgs/action/NavigateToPose", "Goal", "pose", "geometry_msgs/PoseStamped"),
         ("nav2_msgs/action/NavigateToPose", "Feedback", "distance_remaining", "float"),
-        ("nav2_msgs/action/FollowWaypoints", "Result", "missed_waypoints", "MissedWaypoint>"),
+        ("nav2_msgs/action/FollowWaypoints", "Result", "missed_waypoints", "WaypointStatus>"),
         ("nav2_msgs/srv/ManageLifecycleNodes", "Request", "command", "uint8"),
         ("nav2_msgs/action/AssistedTeleop", "Result", "error_code", "uint16"),
         ("nav2_msgs/action/ComputeAndTrackRoute", "Feedback", "route", "nav2_msgs/Route"),

@@ -33,6 +33,8 @@ class AssistedTeleop_Result(Message):
     """nav2_msgs/action/AssistedTeleop_Result
 
     uint16 NONE=0
+    uint16 GOAL_REJECTED=1
+    uint16 SEND_GOAL_FAILURE=2
     uint16 UNKNOWN=730
     uint16 TIMEOUT=731
     uint16 TF_ERROR=732
@@ -41,6 +43,8 @@ class AssistedTeleop_Result(Message):
     string error_msg
     """
     NONE: Final = 0
+    GOAL_REJECTED: Final = 1
+    SEND_GOAL_FAILURE: Final = 2
     UNKNOWN: Final = 730
     TIMEOUT: Final = 731
     TF_ERROR: Final = 732
@@ -153,21 +157,25 @@ class BackUp_Result(Message):
     """nav2_msgs/action/BackUp_Result
 
     uint16 NONE=0
+    uint16 GOAL_REJECTED=1
+    uint16 SEND_GOAL_FAILURE=2
     uint16 UNKNOWN=710
     uint16 TIMEOUT=711
     uint16 TF_ERROR=712
-    uint16 COLLISION_AHEAD=713
-    uint16 INVALID_INPUT=714
+    uint16 INVALID_INPUT=713
+    uint16 COLLISION_AHEAD=714
     builtin_interfaces/Duration total_elapsed_time
     uint16 error_code
     string error_msg
     """
     NONE: Final = 0
+    GOAL_REJECTED: Final = 1
+    SEND_GOAL_FAILURE: Final = 2
     UNKNOWN: Final = 710
     TIMEOUT: Final = 711
     TF_ERROR: Final = 712
-    COLLISION_AHEAD: Final = 713
-    INVALID_INPUT: Final = 714
+    INVALID_INPUT: Final = 713
+    COLLISION_AHEAD: Final = 714
     def __init__(self, *, total_elapsed_time: builtin_interfaces.msg.Duration = ..., error_code: int = ..., error_msg: str = ..., check_fields: bool = ...) -> None: ...
     total_elapsed_time: builtin_interfaces.msg.Duration
     error_code: int
@@ -281,6 +289,8 @@ class ComputeAndTrackRoute_Result(Message):
     """nav2_msgs/action/ComputeAndTrackRoute_Result
 
     uint16 NONE=0
+    uint16 GOAL_REJECTED=1
+    uint16 SEND_GOAL_FAILURE=2
     uint16 UNKNOWN=400
     uint16 TF_ERROR=401
     uint16 NO_VALID_GRAPH=402
@@ -294,6 +304,8 @@ class ComputeAndTrackRoute_Result(Message):
     string error_msg
     """
     NONE: Final = 0
+    GOAL_REJECTED: Final = 1
+    SEND_GOAL_FAILURE: Final = 2
     UNKNOWN: Final = 400
     TF_ERROR: Final = 401
     NO_VALID_GRAPH: Final = 402
@@ -411,16 +423,13 @@ class ComputePathThroughPoses_Goal(Message):
 
     # Finds a way through places to the last of them.
 
-    geometry_msgs/PoseStamped[] goals
+    nav_msgs/Goals goals
     geometry_msgs/PoseStamped start  # where the robot is unless use_start is set
     string planner_id
     bool use_start
     """
-    def __init__(self, *, goals: Collection[geometry_msgs.msg.PoseStamped] = ..., start: geometry_msgs.msg.PoseStamped = ..., planner_id: str = ..., use_start: bool = ..., check_fields: bool = ...) -> None: ...
-    @property
-    def goals(self) -> list[geometry_msgs.msg.PoseStamped]: ...
-    @goals.setter
-    def goals(self, value: Collection[geometry_msgs.msg.PoseStamped]) -> None: ...
+    def __init__(self, *, goals: nav_msgs.msg.Goals = ..., start: geometry_msgs.msg.PoseStamped = ..., planner_id: str = ..., use_start: bool = ..., check_fields: bool = ...) -> None: ...
+    goals: nav_msgs.msg.Goals
     start: geometry_msgs.msg.PoseStamped
     planner_id: str
     use_start: bool
@@ -428,35 +437,43 @@ class ComputePathThroughPoses_Goal(Message):
 class ComputePathThroughPoses_Result(Message):
     """nav2_msgs/action/ComputePathThroughPoses_Result
 
+    int16 ALL_GOALS=-1
     uint16 NONE=0
-    uint16 UNKNOWN=301
-    uint16 INVALID_PLANNER=302
-    uint16 TF_ERROR=303
-    uint16 START_OUTSIDE_MAP=304
-    uint16 GOAL_OUTSIDE_MAP=305
-    uint16 START_OCCUPIED=306
-    uint16 GOAL_OCCUPIED=307
-    uint16 TIMEOUT=308
-    uint16 NO_VALID_PATH=309
-    uint16 NO_VIAPOINTS_GIVEN=310
+    uint16 GOAL_REJECTED=1
+    uint16 SEND_GOAL_FAILURE=2
+    uint16 UNKNOWN=300
+    uint16 INVALID_PLANNER=301
+    uint16 TF_ERROR=302
+    uint16 START_OUTSIDE_MAP=303
+    uint16 GOAL_OUTSIDE_MAP=304
+    uint16 START_OCCUPIED=305
+    uint16 GOAL_OCCUPIED=306
+    uint16 TIMEOUT=307
+    uint16 NO_VALID_PATH=308
+    uint16 NO_VIAPOINTS_GIVEN=309
     nav_msgs/Path path
+    int16 last_reached_index -1
     builtin_interfaces/Duration planning_time
     uint16 error_code
     string error_msg
     """
+    ALL_GOALS: Final = -1
     NONE: Final = 0
-    UNKNOWN: Final = 301
-    INVALID_PLANNER: Final = 302
-    TF_ERROR: Final = 303
-    START_OUTSIDE_MAP: Final = 304
-    GOAL_OUTSIDE_MAP: Final = 305
-    START_OCCUPIED: Final = 306
-    GOAL_OCCUPIED: Final = 307
-    TIMEOUT: Final = 308
-    NO_VALID_PATH: Final = 309
-    NO_VIAPOINTS_GIVEN: Final = 310
-    def __init__(self, *, path: nav_msgs.msg.Path = ..., planning_time: builtin_interfaces.msg.Duration = ..., error_code: int = ..., error_msg: str = ..., check_fields: bool = ...) -> None: ...
+    GOAL_REJECTED: Final = 1
+    SEND_GOAL_FAILURE: Final = 2
+    UNKNOWN: Final = 300
+    INVALID_PLANNER: Final = 301
+    TF_ERROR: Final = 302
+    START_OUTSIDE_MAP: Final = 303
+    GOAL_OUTSIDE_MAP: Final = 304
+    START_OCCUPIED: Final = 305
+    GOAL_OCCUPIED: Final = 306
+    TIMEOUT: Final = 307
+    NO_VALID_PATH: Final = 308
+    NO_VIAPOINTS_GIVEN: Final = 309
+    def __init__(self, *, path: nav_msgs.msg.Path = ..., last_reached_index: int = ..., planning_time: builtin_interfaces.msg.Duration = ..., error_code: int = ..., error_msg: str = ..., check_fields: bool = ...) -> None: ...
     path: nav_msgs.msg.Path
+    last_reached_index: int
     planning_time: builtin_interfaces.msg.Duration
     error_code: int
     error_msg: str
@@ -548,12 +565,17 @@ class ComputePathToPose_Goal(Message):
 
     geometry_msgs/PoseStamped goal
     geometry_msgs/PoseStamped start  # where the robot is unless use_start is set
+    geometry_msgs/PoseStamped[] viapoints
     string planner_id
     bool use_start
     """
-    def __init__(self, *, goal: geometry_msgs.msg.PoseStamped = ..., start: geometry_msgs.msg.PoseStamped = ..., planner_id: str = ..., use_start: bool = ..., check_fields: bool = ...) -> None: ...
+    def __init__(self, *, goal: geometry_msgs.msg.PoseStamped = ..., start: geometry_msgs.msg.PoseStamped = ..., viapoints: Collection[geometry_msgs.msg.PoseStamped] = ..., planner_id: str = ..., use_start: bool = ..., check_fields: bool = ...) -> None: ...
     goal: geometry_msgs.msg.PoseStamped
     start: geometry_msgs.msg.PoseStamped
+    @property
+    def viapoints(self) -> list[geometry_msgs.msg.PoseStamped]: ...
+    @viapoints.setter
+    def viapoints(self, value: Collection[geometry_msgs.msg.PoseStamped]) -> None: ...
     planner_id: str
     use_start: bool
 
@@ -561,30 +583,34 @@ class ComputePathToPose_Result(Message):
     """nav2_msgs/action/ComputePathToPose_Result
 
     uint16 NONE=0
-    uint16 UNKNOWN=201
-    uint16 INVALID_PLANNER=202
-    uint16 TF_ERROR=203
-    uint16 START_OUTSIDE_MAP=204
-    uint16 GOAL_OUTSIDE_MAP=205
-    uint16 START_OCCUPIED=206
-    uint16 GOAL_OCCUPIED=207
-    uint16 TIMEOUT=208
-    uint16 NO_VALID_PATH=209
+    uint16 GOAL_REJECTED=1
+    uint16 SEND_GOAL_FAILURE=2
+    uint16 UNKNOWN=200
+    uint16 INVALID_PLANNER=201
+    uint16 TF_ERROR=202
+    uint16 START_OUTSIDE_MAP=203
+    uint16 GOAL_OUTSIDE_MAP=204
+    uint16 START_OCCUPIED=205
+    uint16 GOAL_OCCUPIED=206
+    uint16 TIMEOUT=207
+    uint16 NO_VALID_PATH=208
     nav_msgs/Path path
     builtin_interfaces/Duration planning_time
     uint16 error_code
     string error_msg
     """
     NONE: Final = 0
-    UNKNOWN: Final = 201
-    INVALID_PLANNER: Final = 202
-    TF_ERROR: Final = 203
-    START_OUTSIDE_MAP: Final = 204
-    GOAL_OUTSIDE_MAP: Final = 205
-    START_OCCUPIED: Final = 206
-    GOAL_OCCUPIED: Final = 207
-    TIMEOUT: Final = 208
-    NO_VALID_PATH: Final = 209
+    GOAL_REJECTED: Final = 1
+    SEND_GOAL_FAILURE: Final = 2
+    UNKNOWN: Final = 200
+    INVALID_PLANNER: Final = 201
+    TF_ERROR: Final = 202
+    START_OUTSIDE_MAP: Final = 203
+    GOAL_OUTSIDE_MAP: Final = 204
+    START_OCCUPIED: Final = 205
+    GOAL_OCCUPIED: Final = 206
+    TIMEOUT: Final = 207
+    NO_VALID_PATH: Final = 208
     def __init__(self, *, path: nav_msgs.msg.Path = ..., planning_time: builtin_interfaces.msg.Duration = ..., error_code: int = ..., error_msg: str = ..., check_fields: bool = ...) -> None: ...
     path: nav_msgs.msg.Path
     planning_time: builtin_interfaces.msg.Duration
@@ -695,6 +721,8 @@ class ComputeRoute_Result(Message):
     """nav2_msgs/action/ComputeRoute_Result
 
     uint16 NONE=0
+    uint16 GOAL_REJECTED=1
+    uint16 SEND_GOAL_FAILURE=2
     uint16 UNKNOWN=400
     uint16 TF_ERROR=401
     uint16 NO_VALID_GRAPH=402
@@ -709,6 +737,8 @@ class ComputeRoute_Result(Message):
     string error_msg
     """
     NONE: Final = 0
+    GOAL_REJECTED: Final = 1
+    SEND_GOAL_FAILURE: Final = 2
     UNKNOWN: Final = 400
     TF_ERROR: Final = 401
     NO_VALID_GRAPH: Final = 402
@@ -827,6 +857,8 @@ class DockRobot_Result(Message):
     """nav2_msgs/action/DockRobot_Result
 
     uint16 NONE=0
+    uint16 GOAL_REJECTED=1
+    uint16 SEND_GOAL_FAILURE=2
     uint16 DOCK_NOT_IN_DB=901
     uint16 DOCK_NOT_VALID=902
     uint16 FAILED_TO_STAGE=903
@@ -841,6 +873,8 @@ class DockRobot_Result(Message):
     string error_msg
     """
     NONE: Final = 0
+    GOAL_REJECTED: Final = 1
+    SEND_GOAL_FAILURE: Final = 2
     DOCK_NOT_IN_DB: Final = 901
     DOCK_NOT_VALID: Final = 902
     FAILED_TO_STAGE: Final = 903
@@ -975,6 +1009,8 @@ class DriveOnHeading_Result(Message):
     """nav2_msgs/action/DriveOnHeading_Result
 
     uint16 NONE=0
+    uint16 GOAL_REJECTED=1
+    uint16 SEND_GOAL_FAILURE=2
     uint16 UNKNOWN=720
     uint16 TIMEOUT=721
     uint16 TF_ERROR=722
@@ -985,6 +1021,8 @@ class DriveOnHeading_Result(Message):
     string error_msg
     """
     NONE: Final = 0
+    GOAL_REJECTED: Final = 1
+    SEND_GOAL_FAILURE: Final = 2
     UNKNOWN: Final = 720
     TIMEOUT: Final = 721
     TF_ERROR: Final = 722
@@ -1204,18 +1242,22 @@ class FollowGPSWaypoints_Result(Message):
     uint16 NONE=0
     uint16 UNKNOWN=600
     uint16 TASK_EXECUTOR_FAILED=601
-    MissedWaypoint[] missed_waypoints
+    uint16 NO_WAYPOINTS_GIVEN=602
+    uint16 STOP_ON_MISSED_WAYPOINT=603
+    WaypointStatus[] missed_waypoints
     int16 error_code
     string error_msg
     """
     NONE: Final = 0
     UNKNOWN: Final = 600
     TASK_EXECUTOR_FAILED: Final = 601
-    def __init__(self, *, missed_waypoints: Collection[nav2_msgs.msg.MissedWaypoint] = ..., error_code: int = ..., error_msg: str = ..., check_fields: bool = ...) -> None: ...
+    NO_WAYPOINTS_GIVEN: Final = 602
+    STOP_ON_MISSED_WAYPOINT: Final = 603
+    def __init__(self, *, missed_waypoints: Collection[nav2_msgs.msg.WaypointStatus] = ..., error_code: int = ..., error_msg: str = ..., check_fields: bool = ...) -> None: ...
     @property
-    def missed_waypoints(self) -> list[nav2_msgs.msg.MissedWaypoint]: ...
+    def missed_waypoints(self) -> list[nav2_msgs.msg.WaypointStatus]: ...
     @missed_waypoints.setter
-    def missed_waypoints(self, value: Collection[nav2_msgs.msg.MissedWaypoint]) -> None: ...
+    def missed_waypoints(self, value: Collection[nav2_msgs.msg.WaypointStatus]) -> None: ...
     error_code: int
     error_msg: str
 
@@ -1303,6 +1345,146 @@ class FollowGPSWaypoints(Action):
         CancelGoalService: TypeAlias = action_msgs.srv.CancelGoal
         GoalStatusMessage: TypeAlias = action_msgs.msg.GoalStatusArray
 
+class FollowObject_Goal(Message):
+    """nav2_msgs/action/FollowObject_Goal
+
+    string pose_topic
+    string tracked_frame
+    builtin_interfaces/Duration max_duration
+    """
+    def __init__(self, *, pose_topic: str = ..., tracked_frame: str = ..., max_duration: builtin_interfaces.msg.Duration = ..., check_fields: bool = ...) -> None: ...
+    pose_topic: str
+    tracked_frame: str
+    max_duration: builtin_interfaces.msg.Duration
+
+class FollowObject_Result(Message):
+    """nav2_msgs/action/FollowObject_Result
+
+    uint16 NONE=0
+    uint16 GOAL_REJECTED=1
+    uint16 SEND_GOAL_FAILURE=2
+    uint16 TF_ERROR=901
+    uint16 FAILED_TO_DETECT_OBJECT=902
+    uint16 FAILED_TO_CONTROL=903
+    uint16 TIMEOUT=904
+    uint16 UNKNOWN=999
+    builtin_interfaces/Duration total_elapsed_time
+    uint16 error_code 0
+    uint16 num_retries 0
+    string error_msg
+    """
+    NONE: Final = 0
+    GOAL_REJECTED: Final = 1
+    SEND_GOAL_FAILURE: Final = 2
+    TF_ERROR: Final = 901
+    FAILED_TO_DETECT_OBJECT: Final = 902
+    FAILED_TO_CONTROL: Final = 903
+    TIMEOUT: Final = 904
+    UNKNOWN: Final = 999
+    def __init__(self, *, total_elapsed_time: builtin_interfaces.msg.Duration = ..., error_code: int = ..., num_retries: int = ..., error_msg: str = ..., check_fields: bool = ...) -> None: ...
+    total_elapsed_time: builtin_interfaces.msg.Duration
+    error_code: int
+    num_retries: int
+    error_msg: str
+
+class FollowObject_Feedback(Message):
+    """nav2_msgs/action/FollowObject_Feedback
+
+    uint16 NONE=0
+    uint16 INITIAL_PERCEPTION=1
+    uint16 CONTROLLING=2
+    uint16 STOPPING=3
+    uint16 RETRY=4
+    uint16 state
+    builtin_interfaces/Duration following_time
+    uint16 num_retries 0
+    """
+    NONE: Final = 0
+    INITIAL_PERCEPTION: Final = 1
+    CONTROLLING: Final = 2
+    STOPPING: Final = 3
+    RETRY: Final = 4
+    def __init__(self, *, state: int = ..., following_time: builtin_interfaces.msg.Duration = ..., num_retries: int = ..., check_fields: bool = ...) -> None: ...
+    state: int
+    following_time: builtin_interfaces.msg.Duration
+    num_retries: int
+
+class FollowObject_FeedbackMessage(Message):
+    """nav2_msgs/action/FollowObject_FeedbackMessage"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.FollowObject_Feedback = ..., check_fields: bool = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+    feedback: nav2_msgs.action.FollowObject_Feedback
+
+class FollowObject_SendGoal_Request(Message):
+    """nav2_msgs/action/FollowObject_SendGoal_Request"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.FollowObject_Goal = ..., check_fields: bool = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+    goal: nav2_msgs.action.FollowObject_Goal
+
+class FollowObject_SendGoal_Response(Message):
+    """nav2_msgs/action/FollowObject_SendGoal_Response"""
+    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ..., check_fields: bool = ...) -> None: ...
+    accepted: bool
+    stamp: builtin_interfaces.msg.Time
+
+class FollowObject_SendGoal_Event(Message):
+    """nav2_msgs/action/FollowObject_SendGoal_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.FollowObject_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.FollowObject_SendGoal_Response] = ..., check_fields: bool = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.action.FollowObject_SendGoal_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.action.FollowObject_SendGoal_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.action.FollowObject_SendGoal_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.action.FollowObject_SendGoal_Response]) -> None: ...
+
+class FollowObject_GetResult_Request(Message):
+    """nav2_msgs/action/FollowObject_GetResult_Request"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., check_fields: bool = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+
+class FollowObject_GetResult_Response(Message):
+    """nav2_msgs/action/FollowObject_GetResult_Response"""
+    def __init__(self, *, status: int = ..., result: nav2_msgs.action.FollowObject_Result = ..., check_fields: bool = ...) -> None: ...
+    status: int
+    result: nav2_msgs.action.FollowObject_Result
+
+class FollowObject_GetResult_Event(Message):
+    """nav2_msgs/action/FollowObject_GetResult_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.FollowObject_GetResult_Request] = ..., response: Collection[nav2_msgs.action.FollowObject_GetResult_Response] = ..., check_fields: bool = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.action.FollowObject_GetResult_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.action.FollowObject_GetResult_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.action.FollowObject_GetResult_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.action.FollowObject_GetResult_Response]) -> None: ...
+
+class FollowObject_SendGoal(Service):
+    Request: TypeAlias = FollowObject_SendGoal_Request
+    Response: TypeAlias = FollowObject_SendGoal_Response
+    Event: TypeAlias = FollowObject_SendGoal_Event
+
+class FollowObject_GetResult(Service):
+    Request: TypeAlias = FollowObject_GetResult_Request
+    Response: TypeAlias = FollowObject_GetResult_Response
+    Event: TypeAlias = FollowObject_GetResult_Event
+
+class FollowObject(Action):
+    Goal: TypeAlias = FollowObject_Goal
+    Result: TypeAlias = FollowObject_Result
+    Feedback: TypeAlias = FollowObject_Feedback
+    class Impl:
+        SendGoalService: TypeAlias = FollowObject_SendGoal
+        GetResultService: TypeAlias = FollowObject_GetResult
+        FeedbackMessage: TypeAlias = FollowObject_FeedbackMessage
+        CancelGoalService: TypeAlias = action_msgs.srv.CancelGoal
+        GoalStatusMessage: TypeAlias = action_msgs.msg.GoalStatusArray
+
 class FollowPath_Goal(Message):
     """nav2_msgs/action/FollowPath_Goal
 
@@ -1312,17 +1494,21 @@ class FollowPath_Goal(Message):
     string controller_id
     string goal_checker_id
     string progress_checker_id
+    string path_handler_id
     """
-    def __init__(self, *, path: nav_msgs.msg.Path = ..., controller_id: str = ..., goal_checker_id: str = ..., progress_checker_id: str = ..., check_fields: bool = ...) -> None: ...
+    def __init__(self, *, path: nav_msgs.msg.Path = ..., controller_id: str = ..., goal_checker_id: str = ..., progress_checker_id: str = ..., path_handler_id: str = ..., check_fields: bool = ...) -> None: ...
     path: nav_msgs.msg.Path
     controller_id: str
     goal_checker_id: str
     progress_checker_id: str
+    path_handler_id: str
 
 class FollowPath_Result(Message):
     """nav2_msgs/action/FollowPath_Result
 
     uint16 NONE=0
+    uint16 GOAL_REJECTED=1
+    uint16 SEND_GOAL_FAILURE=2
     uint16 UNKNOWN=100
     uint16 INVALID_CONTROLLER=101
     uint16 TF_ERROR=102
@@ -1331,10 +1517,14 @@ class FollowPath_Result(Message):
     uint16 FAILED_TO_MAKE_PROGRESS=105
     uint16 NO_VALID_CONTROL=106
     uint16 CONTROLLER_TIMED_OUT=107
+    uint16 TIMEOUT=108
+    std_msgs/Empty result
     uint16 error_code
     string error_msg
     """
     NONE: Final = 0
+    GOAL_REJECTED: Final = 1
+    SEND_GOAL_FAILURE: Final = 2
     UNKNOWN: Final = 100
     INVALID_CONTROLLER: Final = 101
     TF_ERROR: Final = 102
@@ -1343,19 +1533,19 @@ class FollowPath_Result(Message):
     FAILED_TO_MAKE_PROGRESS: Final = 105
     NO_VALID_CONTROL: Final = 106
     CONTROLLER_TIMED_OUT: Final = 107
-    def __init__(self, *, error_code: int = ..., error_msg: str = ..., check_fields: bool = ...) -> None: ...
+    TIMEOUT: Final = 108
+    def __init__(self, *, result: std_msgs.msg.Empty = ..., error_code: int = ..., error_msg: str = ..., check_fields: bool = ...) -> None: ...
+    result: std_msgs.msg.Empty
     error_code: int
     error_msg: str
 
 class FollowPath_Feedback(Message):
     """nav2_msgs/action/FollowPath_Feedback
 
-    float32 distance_to_goal  # m
-    float32 speed  # m/s
+    nav2_msgs/TrackingFeedback tracking_feedback
     """
-    def __init__(self, *, distance_to_goal: float = ..., speed: float = ..., check_fields: bool = ...) -> None: ...
-    distance_to_goal: float
-    speed: float
+    def __init__(self, *, tracking_feedback: nav2_msgs.msg.TrackingFeedback = ..., check_fields: bool = ...) -> None: ...
+    tracking_feedback: nav2_msgs.msg.TrackingFeedback
 
 class FollowPath_FeedbackMessage(Message):
     """nav2_msgs/action/FollowPath_FeedbackMessage"""
@@ -1456,18 +1646,22 @@ class FollowWaypoints_Result(Message):
     uint16 NONE=0
     uint16 UNKNOWN=600
     uint16 TASK_EXECUTOR_FAILED=601
-    MissedWaypoint[] missed_waypoints
+    uint16 NO_VALID_WAYPOINTS=602
+    uint16 STOP_ON_MISSED_WAYPOINT=603
+    WaypointStatus[] missed_waypoints
     uint16 error_code
     string error_msg
     """
     NONE: Final = 0
     UNKNOWN: Final = 600
     TASK_EXECUTOR_FAILED: Final = 601
-    def __init__(self, *, missed_waypoints: Collection[nav2_msgs.msg.MissedWaypoint] = ..., error_code: int = ..., error_msg: str = ..., check_fields: bool = ...) -> None: ...
+    NO_VALID_WAYPOINTS: Final = 602
+    STOP_ON_MISSED_WAYPOINT: Final = 603
+    def __init__(self, *, missed_waypoints: Collection[nav2_msgs.msg.WaypointStatus] = ..., error_code: int = ..., error_msg: str = ..., check_fields: bool = ...) -> None: ...
     @property
-    def missed_waypoints(self) -> list[nav2_msgs.msg.MissedWaypoint]: ...
+    def missed_waypoints(self) -> list[nav2_msgs.msg.WaypointStatus]: ...
     @missed_waypoints.setter
-    def missed_waypoints(self, value: Collection[nav2_msgs.msg.MissedWaypoint]) -> None: ...
+    def missed_waypoints(self, value: Collection[nav2_msgs.msg.WaypointStatus]) -> None: ...
     error_code: int
     error_msg: str
 
@@ -1560,35 +1754,41 @@ class NavigateThroughPoses_Goal(Message):
 
     # Drives a robot through places to the last of them.
 
-    geometry_msgs/PoseStamped[] poses
+    nav_msgs/Goals poses
     string behavior_tree  # a file; empty: the default
     """
-    def __init__(self, *, poses: Collection[geometry_msgs.msg.PoseStamped] = ..., behavior_tree: str = ..., check_fields: bool = ...) -> None: ...
-    @property
-    def poses(self) -> list[geometry_msgs.msg.PoseStamped]: ...
-    @poses.setter
-    def poses(self, value: Collection[geometry_msgs.msg.PoseStamped]) -> None: ...
+    def __init__(self, *, poses: nav_msgs.msg.Goals = ..., behavior_tree: str = ..., check_fields: bool = ...) -> None: ...
+    poses: nav_msgs.msg.Goals
     behavior_tree: str
 
 class NavigateThroughPoses_Result(Message):
     """nav2_msgs/action/NavigateThroughPoses_Result
 
     uint16 NONE=0
+    uint16 GOAL_REJECTED=1
+    uint16 SEND_GOAL_FAILURE=2
     uint16 UNKNOWN=9100
     uint16 FAILED_TO_LOAD_BEHAVIOR_TREE=9101
     uint16 TF_ERROR=9102
     uint16 TIMEOUT=9103
     uint16 error_code
     string error_msg
+    WaypointStatus[] waypoint_statuses
     """
     NONE: Final = 0
+    GOAL_REJECTED: Final = 1
+    SEND_GOAL_FAILURE: Final = 2
     UNKNOWN: Final = 9100
     FAILED_TO_LOAD_BEHAVIOR_TREE: Final = 9101
     TF_ERROR: Final = 9102
     TIMEOUT: Final = 9103
-    def __init__(self, *, error_code: int = ..., error_msg: str = ..., check_fields: bool = ...) -> None: ...
+    def __init__(self, *, error_code: int = ..., error_msg: str = ..., waypoint_statuses: Collection[nav2_msgs.msg.WaypointStatus] = ..., check_fields: bool = ...) -> None: ...
     error_code: int
     error_msg: str
+    @property
+    def waypoint_statuses(self) -> list[nav2_msgs.msg.WaypointStatus]: ...
+    @waypoint_statuses.setter
+    def waypoint_statuses(self, value: Collection[nav2_msgs.msg.WaypointStatus]) -> None: ...
 
 class NavigateThroughPoses_Feedback(Message):
     """nav2_msgs/action/NavigateThroughPoses_Feedback
@@ -1598,15 +1798,24 @@ class NavigateThroughPoses_Feedback(Message):
     builtin_interfaces/Duration estimated_time_remaining
     int16 number_of_recoveries
     float32 distance_remaining  # m
+    float32 position_tracking_error
+    float32 heading_tracking_error
     int16 number_of_poses_remaining
+    WaypointStatus[] waypoint_statuses
     """
-    def __init__(self, *, current_pose: geometry_msgs.msg.PoseStamped = ..., navigation_time: builtin_interfaces.msg.Duration = ..., estimated_time_remaining: builtin_interfaces.msg.Duration = ..., number_of_recoveries: int = ..., distance_remaining: float = ..., number_of_poses_remaining: int = ..., check_fields: bool = ...) -> None: ...
+    def __init__(self, *, current_pose: geometry_msgs.msg.PoseStamped = ..., navigation_time: builtin_interfaces.msg.Duration = ..., estimated_time_remaining: builtin_interfaces.msg.Duration = ..., number_of_recoveries: int = ..., distance_remaining: float = ..., position_tracking_error: float = ..., heading_tracking_error: float = ..., number_of_poses_remaining: int = ..., waypoint_statuses: Collection[nav2_msgs.msg.WaypointStatus] = ..., check_fields: bool = ...) -> None: ...
     current_pose: geometry_msgs.msg.PoseStamped
     navigation_time: builtin_interfaces.msg.Duration
     estimated_time_remaining: builtin_interfaces.msg.Duration
     number_of_recoveries: int
     distance_remaining: float
+    position_tracking_error: float
+    heading_tracking_error: float
     number_of_poses_remaining: int
+    @property
+    def waypoint_statuses(self) -> list[nav2_msgs.msg.WaypointStatus]: ...
+    @waypoint_statuses.setter
+    def waypoint_statuses(self, value: Collection[nav2_msgs.msg.WaypointStatus]) -> None: ...
 
 class NavigateThroughPoses_FeedbackMessage(Message):
     """nav2_msgs/action/NavigateThroughPoses_FeedbackMessage"""
@@ -1700,6 +1909,8 @@ class NavigateToPose_Result(Message):
     """nav2_msgs/action/NavigateToPose_Result
 
     uint16 NONE=0
+    uint16 GOAL_REJECTED=1
+    uint16 SEND_GOAL_FAILURE=2
     uint16 UNKNOWN=9000
     uint16 FAILED_TO_LOAD_BEHAVIOR_TREE=9001
     uint16 TF_ERROR=9002
@@ -1708,6 +1919,8 @@ class NavigateToPose_Result(Message):
     string error_msg
     """
     NONE: Final = 0
+    GOAL_REJECTED: Final = 1
+    SEND_GOAL_FAILURE: Final = 2
     UNKNOWN: Final = 9000
     FAILED_TO_LOAD_BEHAVIOR_TREE: Final = 9001
     TF_ERROR: Final = 9002
@@ -1724,13 +1937,17 @@ class NavigateToPose_Feedback(Message):
     builtin_interfaces/Duration estimated_time_remaining
     int16 number_of_recoveries
     float32 distance_remaining  # m
+    float32 position_tracking_error
+    float32 heading_tracking_error
     """
-    def __init__(self, *, current_pose: geometry_msgs.msg.PoseStamped = ..., navigation_time: builtin_interfaces.msg.Duration = ..., estimated_time_remaining: builtin_interfaces.msg.Duration = ..., number_of_recoveries: int = ..., distance_remaining: float = ..., check_fields: bool = ...) -> None: ...
+    def __init__(self, *, current_pose: geometry_msgs.msg.PoseStamped = ..., navigation_time: builtin_interfaces.msg.Duration = ..., estimated_time_remaining: builtin_interfaces.msg.Duration = ..., number_of_recoveries: int = ..., distance_remaining: float = ..., position_tracking_error: float = ..., heading_tracking_error: float = ..., check_fields: bool = ...) -> None: ...
     current_pose: geometry_msgs.msg.PoseStamped
     navigation_time: builtin_interfaces.msg.Duration
     estimated_time_remaining: builtin_interfaces.msg.Duration
     number_of_recoveries: int
     distance_remaining: float
+    position_tracking_error: float
+    heading_tracking_error: float
 
 class NavigateToPose_FeedbackMessage(Message):
     """nav2_msgs/action/NavigateToPose_FeedbackMessage"""
@@ -1828,12 +2045,14 @@ class SmoothPath_Result(Message):
     """nav2_msgs/action/SmoothPath_Result
 
     uint16 NONE=0
-    uint16 UNKNOWN=501
-    uint16 INVALID_SMOOTHER=502
-    uint16 TIMEOUT=503
-    uint16 SMOOTHED_PATH_IN_COLLISION=504
-    uint16 FAILED_TO_SMOOTH_PATH=505
-    uint16 INVALID_PATH=506
+    uint16 GOAL_REJECTED=1
+    uint16 SEND_GOAL_FAILURE=2
+    uint16 UNKNOWN=500
+    uint16 INVALID_SMOOTHER=501
+    uint16 TIMEOUT=502
+    uint16 SMOOTHED_PATH_IN_COLLISION=503
+    uint16 FAILED_TO_SMOOTH_PATH=504
+    uint16 INVALID_PATH=505
     nav_msgs/Path path
     builtin_interfaces/Duration smoothing_duration
     bool was_completed
@@ -1841,12 +2060,14 @@ class SmoothPath_Result(Message):
     string error_msg
     """
     NONE: Final = 0
-    UNKNOWN: Final = 501
-    INVALID_SMOOTHER: Final = 502
-    TIMEOUT: Final = 503
-    SMOOTHED_PATH_IN_COLLISION: Final = 504
-    FAILED_TO_SMOOTH_PATH: Final = 505
-    INVALID_PATH: Final = 506
+    GOAL_REJECTED: Final = 1
+    SEND_GOAL_FAILURE: Final = 2
+    UNKNOWN: Final = 500
+    INVALID_SMOOTHER: Final = 501
+    TIMEOUT: Final = 502
+    SMOOTHED_PATH_IN_COLLISION: Final = 503
+    FAILED_TO_SMOOTH_PATH: Final = 504
+    INVALID_PATH: Final = 505
     def __init__(self, *, path: nav_msgs.msg.Path = ..., smoothing_duration: builtin_interfaces.msg.Duration = ..., was_completed: bool = ..., error_code: int = ..., error_msg: str = ..., check_fields: bool = ...) -> None: ...
     path: nav_msgs.msg.Path
     smoothing_duration: builtin_interfaces.msg.Duration
@@ -1952,19 +2173,23 @@ class Spin_Result(Message):
     """nav2_msgs/action/Spin_Result
 
     uint16 NONE=0
-    uint16 UNKNOWN=701
-    uint16 TIMEOUT=702
-    uint16 TF_ERROR=703
-    uint16 COLLISION_AHEAD=704
+    uint16 GOAL_REJECTED=1
+    uint16 SEND_GOAL_FAILURE=2
+    uint16 UNKNOWN=700
+    uint16 TIMEOUT=701
+    uint16 TF_ERROR=702
+    uint16 COLLISION_AHEAD=703
     builtin_interfaces/Duration total_elapsed_time
     uint16 error_code
     string error_msg
     """
     NONE: Final = 0
-    UNKNOWN: Final = 701
-    TIMEOUT: Final = 702
-    TF_ERROR: Final = 703
-    COLLISION_AHEAD: Final = 704
+    GOAL_REJECTED: Final = 1
+    SEND_GOAL_FAILURE: Final = 2
+    UNKNOWN: Final = 700
+    TIMEOUT: Final = 701
+    TF_ERROR: Final = 702
+    COLLISION_AHEAD: Final = 703
     def __init__(self, *, total_elapsed_time: builtin_interfaces.msg.Duration = ..., error_code: int = ..., error_msg: str = ..., check_fields: bool = ...) -> None: ...
     total_elapsed_time: builtin_interfaces.msg.Duration
     error_code: int
@@ -2070,6 +2295,8 @@ class UndockRobot_Result(Message):
     """nav2_msgs/action/UndockRobot_Result
 
     uint16 NONE=0
+    uint16 GOAL_REJECTED=1
+    uint16 SEND_GOAL_FAILURE=2
     uint16 DOCK_NOT_VALID=902
     uint16 FAILED_TO_CONTROL=905
     uint16 TIMEOUT=907
@@ -2079,6 +2306,8 @@ class UndockRobot_Result(Message):
     string error_msg
     """
     NONE: Final = 0
+    GOAL_REJECTED: Final = 1
+    SEND_GOAL_FAILURE: Final = 2
     DOCK_NOT_VALID: Final = 902
     FAILED_TO_CONTROL: Final = 905
     TIMEOUT: Final = 907
@@ -2181,14 +2410,18 @@ class Wait_Goal(Message):
 class Wait_Result(Message):
     """nav2_msgs/action/Wait_Result
 
-    uint16 NONE=0
-    uint16 UNKNOWN=740
-    uint16 TIMEOUT=741
     builtin_interfaces/Duration total_elapsed_time
     uint16 error_code
     string error_msg
+    uint16 NONE=0
+    uint16 GOAL_REJECTED=1
+    uint16 SEND_GOAL_FAILURE=2
+    uint16 UNKNOWN=740
+    uint16 TIMEOUT=741
     """
     NONE: Final = 0
+    GOAL_REJECTED: Final = 1
+    SEND_GOAL_FAILURE: Final = 2
     UNKNOWN: Final = 740
     TIMEOUT: Final = 741
     def __init__(self, *, total_elapsed_time: builtin_interfaces.msg.Duration = ..., error_code: int = ..., error_msg: str = ..., check_fields: bool = ...) -> None: ...

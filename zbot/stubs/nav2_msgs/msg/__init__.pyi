@@ -10,6 +10,7 @@ import builtin_interfaces.msg
 import geometry_msgs.msg
 import nav2_msgs.msg
 import std_msgs.msg
+import unique_identifier_msgs.msg
 from zbot.interfaces import Action, Message, Service
 
 class BehaviorTreeLog(Message):
@@ -44,6 +45,24 @@ class BehaviorTreeStatusChange(Message):
     uid: int
     previous_status: str
     current_status: str
+
+class CircleObject(Message):
+    """nav2_msgs/msg/CircleObject
+
+    std_msgs/Header header
+    unique_identifier_msgs/UUID uuid
+    geometry_msgs/Point32 center
+    float32 radius
+    bool fill
+    int8 value
+    """
+    def __init__(self, *, header: std_msgs.msg.Header = ..., uuid: unique_identifier_msgs.msg.UUID = ..., center: geometry_msgs.msg.Point32 = ..., radius: float = ..., fill: bool = ..., value: int = ..., check_fields: bool = ...) -> None: ...
+    header: std_msgs.msg.Header
+    uuid: unique_identifier_msgs.msg.UUID
+    center: geometry_msgs.msg.Point32
+    radius: float
+    fill: bool
+    value: int
 
 class CollisionDetectorState(Message):
     """nav2_msgs/msg/CollisionDetectorState
@@ -165,6 +184,29 @@ class CostmapUpdate(Message):
     @data.setter
     def data(self, value: Collection[int]) -> None: ...
 
+class CriticsStats(Message):
+    """nav2_msgs/msg/CriticsStats
+
+    builtin_interfaces/Time stamp
+    string[] critics
+    bool[] changed
+    float32[] costs_sum
+    """
+    def __init__(self, *, stamp: builtin_interfaces.msg.Time = ..., critics: Collection[str] = ..., changed: Collection[bool] = ..., costs_sum: Collection[float] = ..., check_fields: bool = ...) -> None: ...
+    stamp: builtin_interfaces.msg.Time
+    @property
+    def critics(self) -> list[str]: ...
+    @critics.setter
+    def critics(self, value: Collection[str]) -> None: ...
+    @property
+    def changed(self) -> list[bool]: ...
+    @changed.setter
+    def changed(self, value: Collection[bool]) -> None: ...
+    @property
+    def costs_sum(self) -> array[float]: ...
+    @costs_sum.setter
+    def costs_sum(self, value: Collection[float]) -> None: ...
+
 class EdgeCost(Message):
     """nav2_msgs/msg/EdgeCost
 
@@ -177,19 +219,34 @@ class EdgeCost(Message):
     edgeid: int
     cost: float
 
-class MissedWaypoint(Message):
-    """nav2_msgs/msg/MissedWaypoint
+class ExclusionZoneDescription(Message):
+    """nav2_msgs/msg/ExclusionZoneDescription
 
-    # A place of a tour that was not reached, and why.
-
-    uint32 index
-    geometry_msgs/PoseStamped goal
-    uint16 error_code
+    string zone_name
+    string type
+    string frame_id
+    geometry_msgs/Point32[] points
+    float64 radius 0.0
+    float64 min_height -1.7976931348623158e+308
+    float64 max_height 1.7976931348623158e+308
+    bool enabled true
+    bool visualize false
+    float64 frame_hold_timeout 0.0
     """
-    def __init__(self, *, index: int = ..., goal: geometry_msgs.msg.PoseStamped = ..., error_code: int = ..., check_fields: bool = ...) -> None: ...
-    index: int
-    goal: geometry_msgs.msg.PoseStamped
-    error_code: int
+    def __init__(self, *, zone_name: str = ..., type: str = ..., frame_id: str = ..., points: Collection[geometry_msgs.msg.Point32] = ..., radius: float = ..., min_height: float = ..., max_height: float = ..., enabled: bool = ..., visualize: bool = ..., frame_hold_timeout: float = ..., check_fields: bool = ...) -> None: ...
+    zone_name: str
+    type: str
+    frame_id: str
+    @property
+    def points(self) -> list[geometry_msgs.msg.Point32]: ...
+    @points.setter
+    def points(self, value: Collection[geometry_msgs.msg.Point32]) -> None: ...
+    radius: float
+    min_height: float
+    max_height: float
+    enabled: bool
+    visualize: bool
+    frame_hold_timeout: float
 
 class Particle(Message):
     """nav2_msgs/msg/Particle
@@ -217,6 +274,25 @@ class ParticleCloud(Message):
     def particles(self) -> list[nav2_msgs.msg.Particle]: ...
     @particles.setter
     def particles(self, value: Collection[nav2_msgs.msg.Particle]) -> None: ...
+
+class PolygonObject(Message):
+    """nav2_msgs/msg/PolygonObject
+
+    std_msgs/Header header
+    unique_identifier_msgs/UUID uuid
+    geometry_msgs/Point32[] points
+    bool closed
+    int8 value
+    """
+    def __init__(self, *, header: std_msgs.msg.Header = ..., uuid: unique_identifier_msgs.msg.UUID = ..., points: Collection[geometry_msgs.msg.Point32] = ..., closed: bool = ..., value: int = ..., check_fields: bool = ...) -> None: ...
+    header: std_msgs.msg.Header
+    uuid: unique_identifier_msgs.msg.UUID
+    @property
+    def points(self) -> list[geometry_msgs.msg.Point32]: ...
+    @points.setter
+    def points(self, value: Collection[geometry_msgs.msg.Point32]) -> None: ...
+    closed: bool
+    value: int
 
 class Route(Message):
     """nav2_msgs/msg/Route
@@ -280,6 +356,28 @@ class SpeedLimit(Message):
     percentage: bool
     speed_limit: float
 
+class TrackingFeedback(Message):
+    """nav2_msgs/msg/TrackingFeedback
+
+    std_msgs/Header header
+    float32 position_tracking_error
+    float32 heading_tracking_error
+    uint32 current_path_index
+    geometry_msgs/PoseStamped robot_pose
+    float32 distance_to_goal
+    float32 speed
+    float32 remaining_path_length
+    """
+    def __init__(self, *, header: std_msgs.msg.Header = ..., position_tracking_error: float = ..., heading_tracking_error: float = ..., current_path_index: int = ..., robot_pose: geometry_msgs.msg.PoseStamped = ..., distance_to_goal: float = ..., speed: float = ..., remaining_path_length: float = ..., check_fields: bool = ...) -> None: ...
+    header: std_msgs.msg.Header
+    position_tracking_error: float
+    heading_tracking_error: float
+    current_path_index: int
+    robot_pose: geometry_msgs.msg.PoseStamped
+    distance_to_goal: float
+    speed: float
+    remaining_path_length: float
+
 class VoxelGrid(Message):
     """nav2_msgs/msg/VoxelGrid
 
@@ -304,3 +402,27 @@ class VoxelGrid(Message):
     size_x: int
     size_y: int
     size_z: int
+
+class WaypointStatus(Message):
+    """nav2_msgs/msg/WaypointStatus
+
+    uint8 PENDING=0
+    uint8 COMPLETED=1
+    uint8 SKIPPED=2
+    uint8 FAILED=3
+    uint8 waypoint_status
+    uint32 waypoint_index
+    geometry_msgs/PoseStamped waypoint_pose
+    uint16 error_code
+    string error_msg
+    """
+    PENDING: Final = 0
+    COMPLETED: Final = 1
+    SKIPPED: Final = 2
+    FAILED: Final = 3
+    def __init__(self, *, waypoint_status: int = ..., waypoint_index: int = ..., waypoint_pose: geometry_msgs.msg.PoseStamped = ..., error_code: int = ..., error_msg: str = ..., check_fields: bool = ...) -> None: ...
+    waypoint_status: int
+    waypoint_index: int
+    waypoint_pose: geometry_msgs.msg.PoseStamped
+    error_code: int
+    error_msg: str

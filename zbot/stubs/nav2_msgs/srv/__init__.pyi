@@ -11,8 +11,127 @@ import nav2_msgs.msg
 import nav2_msgs.srv
 import nav_msgs.msg
 import service_msgs.msg
-import std_msgs.msg
+import unique_identifier_msgs.msg
 from zbot.interfaces import Action, Message, Service
+
+class AddExclusionZone_Request(Message):
+    """nav2_msgs/srv/AddExclusionZone_Request
+
+    nav2_msgs/ExclusionZoneDescription zone
+    """
+    def __init__(self, *, zone: nav2_msgs.msg.ExclusionZoneDescription = ..., check_fields: bool = ...) -> None: ...
+    zone: nav2_msgs.msg.ExclusionZoneDescription
+
+class AddExclusionZone_Response(Message):
+    """nav2_msgs/srv/AddExclusionZone_Response
+
+    bool success
+    string message
+    """
+    def __init__(self, *, success: bool = ..., message: str = ..., check_fields: bool = ...) -> None: ...
+    success: bool
+    message: str
+
+class AddExclusionZone_Event(Message):
+    """nav2_msgs/srv/AddExclusionZone_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.srv.AddExclusionZone_Request] = ..., response: Collection[nav2_msgs.srv.AddExclusionZone_Response] = ..., check_fields: bool = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.srv.AddExclusionZone_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.srv.AddExclusionZone_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.srv.AddExclusionZone_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.srv.AddExclusionZone_Response]) -> None: ...
+
+class AddExclusionZone(Service):
+    Request: TypeAlias = AddExclusionZone_Request
+    Response: TypeAlias = AddExclusionZone_Response
+    Event: TypeAlias = AddExclusionZone_Event
+
+class AddShapes_Request(Message):
+    """nav2_msgs/srv/AddShapes_Request
+
+    CircleObject[] circles
+    PolygonObject[] polygons
+    """
+    def __init__(self, *, circles: Collection[nav2_msgs.msg.CircleObject] = ..., polygons: Collection[nav2_msgs.msg.PolygonObject] = ..., check_fields: bool = ...) -> None: ...
+    @property
+    def circles(self) -> list[nav2_msgs.msg.CircleObject]: ...
+    @circles.setter
+    def circles(self, value: Collection[nav2_msgs.msg.CircleObject]) -> None: ...
+    @property
+    def polygons(self) -> list[nav2_msgs.msg.PolygonObject]: ...
+    @polygons.setter
+    def polygons(self, value: Collection[nav2_msgs.msg.PolygonObject]) -> None: ...
+
+class AddShapes_Response(Message):
+    """nav2_msgs/srv/AddShapes_Response
+
+    bool success
+    """
+    def __init__(self, *, success: bool = ..., check_fields: bool = ...) -> None: ...
+    success: bool
+
+class AddShapes_Event(Message):
+    """nav2_msgs/srv/AddShapes_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.srv.AddShapes_Request] = ..., response: Collection[nav2_msgs.srv.AddShapes_Response] = ..., check_fields: bool = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.srv.AddShapes_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.srv.AddShapes_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.srv.AddShapes_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.srv.AddShapes_Response]) -> None: ...
+
+class AddShapes(Service):
+    Request: TypeAlias = AddShapes_Request
+    Response: TypeAlias = AddShapes_Response
+    Event: TypeAlias = AddShapes_Event
+
+class ClearCostmapAroundPose_Request(Message):
+    """nav2_msgs/srv/ClearCostmapAroundPose_Request
+
+    geometry_msgs/PoseStamped pose
+    float64 reset_distance
+    string[] plugins
+    """
+    def __init__(self, *, pose: geometry_msgs.msg.PoseStamped = ..., reset_distance: float = ..., plugins: Collection[str] = ..., check_fields: bool = ...) -> None: ...
+    pose: geometry_msgs.msg.PoseStamped
+    reset_distance: float
+    @property
+    def plugins(self) -> list[str]: ...
+    @plugins.setter
+    def plugins(self, value: Collection[str]) -> None: ...
+
+class ClearCostmapAroundPose_Response(Message):
+    """nav2_msgs/srv/ClearCostmapAroundPose_Response
+
+    bool success
+    """
+    def __init__(self, *, success: bool = ..., check_fields: bool = ...) -> None: ...
+    success: bool
+
+class ClearCostmapAroundPose_Event(Message):
+    """nav2_msgs/srv/ClearCostmapAroundPose_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.srv.ClearCostmapAroundPose_Request] = ..., response: Collection[nav2_msgs.srv.ClearCostmapAroundPose_Response] = ..., check_fields: bool = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.srv.ClearCostmapAroundPose_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.srv.ClearCostmapAroundPose_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.srv.ClearCostmapAroundPose_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.srv.ClearCostmapAroundPose_Response]) -> None: ...
+
+class ClearCostmapAroundPose(Service):
+    Request: TypeAlias = ClearCostmapAroundPose_Request
+    Response: TypeAlias = ClearCostmapAroundPose_Response
+    Event: TypeAlias = ClearCostmapAroundPose_Event
 
 class ClearCostmapAroundRobot_Request(Message):
     """nav2_msgs/srv/ClearCostmapAroundRobot_Request
@@ -20,17 +139,22 @@ class ClearCostmapAroundRobot_Request(Message):
     # Forgets the obstacles near the robot.
 
     float32 reset_distance  # m
+    string[] plugins
     """
-    def __init__(self, *, reset_distance: float = ..., check_fields: bool = ...) -> None: ...
+    def __init__(self, *, reset_distance: float = ..., plugins: Collection[str] = ..., check_fields: bool = ...) -> None: ...
     reset_distance: float
+    @property
+    def plugins(self) -> list[str]: ...
+    @plugins.setter
+    def plugins(self, value: Collection[str]) -> None: ...
 
 class ClearCostmapAroundRobot_Response(Message):
     """nav2_msgs/srv/ClearCostmapAroundRobot_Response
 
-    std_msgs/Empty response
+    bool success
     """
-    def __init__(self, *, response: std_msgs.msg.Empty = ..., check_fields: bool = ...) -> None: ...
-    response: std_msgs.msg.Empty
+    def __init__(self, *, success: bool = ..., check_fields: bool = ...) -> None: ...
+    success: bool
 
 class ClearCostmapAroundRobot_Event(Message):
     """nav2_msgs/srv/ClearCostmapAroundRobot_Event"""
@@ -56,17 +180,22 @@ class ClearCostmapExceptRegion_Request(Message):
     # Forgets all obstacles but those near the robot.
 
     float32 reset_distance  # m
+    string[] plugins
     """
-    def __init__(self, *, reset_distance: float = ..., check_fields: bool = ...) -> None: ...
+    def __init__(self, *, reset_distance: float = ..., plugins: Collection[str] = ..., check_fields: bool = ...) -> None: ...
     reset_distance: float
+    @property
+    def plugins(self) -> list[str]: ...
+    @plugins.setter
+    def plugins(self, value: Collection[str]) -> None: ...
 
 class ClearCostmapExceptRegion_Response(Message):
     """nav2_msgs/srv/ClearCostmapExceptRegion_Response
 
-    std_msgs/Empty response
+    bool success
     """
-    def __init__(self, *, response: std_msgs.msg.Empty = ..., check_fields: bool = ...) -> None: ...
-    response: std_msgs.msg.Empty
+    def __init__(self, *, success: bool = ..., check_fields: bool = ...) -> None: ...
+    success: bool
 
 class ClearCostmapExceptRegion_Event(Message):
     """nav2_msgs/srv/ClearCostmapExceptRegion_Event"""
@@ -91,18 +220,21 @@ class ClearEntireCostmap_Request(Message):
 
     # Forgets all obstacles of a map of costs.
 
-    std_msgs/Empty request
+    string[] plugins
     """
-    def __init__(self, *, request: std_msgs.msg.Empty = ..., check_fields: bool = ...) -> None: ...
-    request: std_msgs.msg.Empty
+    def __init__(self, *, plugins: Collection[str] = ..., check_fields: bool = ...) -> None: ...
+    @property
+    def plugins(self) -> list[str]: ...
+    @plugins.setter
+    def plugins(self, value: Collection[str]) -> None: ...
 
 class ClearEntireCostmap_Response(Message):
     """nav2_msgs/srv/ClearEntireCostmap_Response
 
-    std_msgs/Empty response
+    bool success
     """
-    def __init__(self, *, response: std_msgs.msg.Empty = ..., check_fields: bool = ...) -> None: ...
-    response: std_msgs.msg.Empty
+    def __init__(self, *, success: bool = ..., check_fields: bool = ...) -> None: ...
+    success: bool
 
 class ClearEntireCostmap_Event(Message):
     """nav2_msgs/srv/ClearEntireCostmap_Event"""
@@ -253,23 +385,75 @@ class GetCosts(Service):
     Response: TypeAlias = GetCosts_Response
     Event: TypeAlias = GetCosts_Event
 
+class GetShapes_Request(Message):
+    """nav2_msgs/srv/GetShapes_Request"""
+    def __init__(self, *, check_fields: bool = ...) -> None: ...
+
+class GetShapes_Response(Message):
+    """nav2_msgs/srv/GetShapes_Response
+
+    CircleObject[] circles
+    PolygonObject[] polygons
+    """
+    def __init__(self, *, circles: Collection[nav2_msgs.msg.CircleObject] = ..., polygons: Collection[nav2_msgs.msg.PolygonObject] = ..., check_fields: bool = ...) -> None: ...
+    @property
+    def circles(self) -> list[nav2_msgs.msg.CircleObject]: ...
+    @circles.setter
+    def circles(self, value: Collection[nav2_msgs.msg.CircleObject]) -> None: ...
+    @property
+    def polygons(self) -> list[nav2_msgs.msg.PolygonObject]: ...
+    @polygons.setter
+    def polygons(self, value: Collection[nav2_msgs.msg.PolygonObject]) -> None: ...
+
+class GetShapes_Event(Message):
+    """nav2_msgs/srv/GetShapes_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.srv.GetShapes_Request] = ..., response: Collection[nav2_msgs.srv.GetShapes_Response] = ..., check_fields: bool = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.srv.GetShapes_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.srv.GetShapes_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.srv.GetShapes_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.srv.GetShapes_Response]) -> None: ...
+
+class GetShapes(Service):
+    Request: TypeAlias = GetShapes_Request
+    Response: TypeAlias = GetShapes_Response
+    Event: TypeAlias = GetShapes_Event
+
 class IsPathValid_Request(Message):
     """nav2_msgs/srv/IsPathValid_Request
 
     # Asks whether a path is free.
 
     nav_msgs/Path path
+    uint8 max_cost 254
+    bool consider_unknown_as_obstacle false
+    string layer_name ""
+    string footprint ""
+    bool stop_at_first_collision true
+    float64 max_lookahead_distance -1.0
     """
-    def __init__(self, *, path: nav_msgs.msg.Path = ..., check_fields: bool = ...) -> None: ...
+    def __init__(self, *, path: nav_msgs.msg.Path = ..., max_cost: int = ..., consider_unknown_as_obstacle: bool = ..., layer_name: str = ..., footprint: str = ..., stop_at_first_collision: bool = ..., max_lookahead_distance: float = ..., check_fields: bool = ...) -> None: ...
     path: nav_msgs.msg.Path
+    max_cost: int
+    consider_unknown_as_obstacle: bool
+    layer_name: str
+    footprint: str
+    stop_at_first_collision: bool
+    max_lookahead_distance: float
 
 class IsPathValid_Response(Message):
     """nav2_msgs/srv/IsPathValid_Response
 
+    bool success
     bool is_valid
     int32[] invalid_pose_indices
     """
-    def __init__(self, *, is_valid: bool = ..., invalid_pose_indices: Collection[int] = ..., check_fields: bool = ...) -> None: ...
+    def __init__(self, *, success: bool = ..., is_valid: bool = ..., invalid_pose_indices: Collection[int] = ..., check_fields: bool = ...) -> None: ...
+    success: bool
     is_valid: bool
     @property
     def invalid_pose_indices(self) -> array[int]: ...
@@ -348,12 +532,13 @@ class ManageLifecycleNodes_Request(Message):
 
     # Leads all nodes of the navigation through their lives together.
 
-    uint8 STARTUP = 0
-    uint8 PAUSE = 1
-    uint8 RESUME = 2
-    uint8 RESET = 3
-    uint8 SHUTDOWN = 4
-
+    uint8 STARTUP=0
+    uint8 PAUSE=1
+    uint8 RESUME=2
+    uint8 RESET=3
+    uint8 SHUTDOWN=4
+    uint8 CONFIGURE=5
+    uint8 CLEANUP=6
     uint8 command
     """
     STARTUP: Final = 0
@@ -361,6 +546,8 @@ class ManageLifecycleNodes_Request(Message):
     RESUME: Final = 2
     RESET: Final = 3
     SHUTDOWN: Final = 4
+    CONFIGURE: Final = 5
+    CLEANUP: Final = 6
     def __init__(self, *, command: int = ..., check_fields: bool = ...) -> None: ...
     command: int
 
@@ -425,6 +612,83 @@ class ReloadDockDatabase(Service):
     Request: TypeAlias = ReloadDockDatabase_Request
     Response: TypeAlias = ReloadDockDatabase_Response
     Event: TypeAlias = ReloadDockDatabase_Event
+
+class RemoveExclusionZone_Request(Message):
+    """nav2_msgs/srv/RemoveExclusionZone_Request
+
+    string zone_name
+    bool remove_all false
+    """
+    def __init__(self, *, zone_name: str = ..., remove_all: bool = ..., check_fields: bool = ...) -> None: ...
+    zone_name: str
+    remove_all: bool
+
+class RemoveExclusionZone_Response(Message):
+    """nav2_msgs/srv/RemoveExclusionZone_Response
+
+    bool success
+    string message
+    """
+    def __init__(self, *, success: bool = ..., message: str = ..., check_fields: bool = ...) -> None: ...
+    success: bool
+    message: str
+
+class RemoveExclusionZone_Event(Message):
+    """nav2_msgs/srv/RemoveExclusionZone_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.srv.RemoveExclusionZone_Request] = ..., response: Collection[nav2_msgs.srv.RemoveExclusionZone_Response] = ..., check_fields: bool = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.srv.RemoveExclusionZone_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.srv.RemoveExclusionZone_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.srv.RemoveExclusionZone_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.srv.RemoveExclusionZone_Response]) -> None: ...
+
+class RemoveExclusionZone(Service):
+    Request: TypeAlias = RemoveExclusionZone_Request
+    Response: TypeAlias = RemoveExclusionZone_Response
+    Event: TypeAlias = RemoveExclusionZone_Event
+
+class RemoveShapes_Request(Message):
+    """nav2_msgs/srv/RemoveShapes_Request
+
+    bool all_objects
+    unique_identifier_msgs/UUID[] uuids
+    """
+    def __init__(self, *, all_objects: bool = ..., uuids: Collection[unique_identifier_msgs.msg.UUID] = ..., check_fields: bool = ...) -> None: ...
+    all_objects: bool
+    @property
+    def uuids(self) -> list[unique_identifier_msgs.msg.UUID]: ...
+    @uuids.setter
+    def uuids(self, value: Collection[unique_identifier_msgs.msg.UUID]) -> None: ...
+
+class RemoveShapes_Response(Message):
+    """nav2_msgs/srv/RemoveShapes_Response
+
+    bool success
+    """
+    def __init__(self, *, success: bool = ..., check_fields: bool = ...) -> None: ...
+    success: bool
+
+class RemoveShapes_Event(Message):
+    """nav2_msgs/srv/RemoveShapes_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.srv.RemoveShapes_Request] = ..., response: Collection[nav2_msgs.srv.RemoveShapes_Response] = ..., check_fields: bool = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.srv.RemoveShapes_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.srv.RemoveShapes_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.srv.RemoveShapes_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.srv.RemoveShapes_Response]) -> None: ...
+
+class RemoveShapes(Service):
+    Request: TypeAlias = RemoveShapes_Request
+    Response: TypeAlias = RemoveShapes_Response
+    Event: TypeAlias = RemoveShapes_Event
 
 class SaveMap_Request(Message):
     """nav2_msgs/srv/SaveMap_Request

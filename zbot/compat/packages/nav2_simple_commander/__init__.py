@@ -1,0 +1,1 @@
+"""Nav2's `nav2_simple_commander`."""

@@ -1,0 +1,3 @@
+"""Costmaps."""
+
+from zbot.libraries.navigation.costmap import PyCostmap2D

@@ -1,0 +1,3 @@
+"""Lines."""
+
+from zbot.libraries.navigation.costmap import LineIterator

@@ -1,0 +1,3 @@
+"""Maps."""
+
+from zbot.libraries.navigation.costmap import PyOccupancyGrid

@@ -1,0 +1,7 @@
+"""Client of Nav2."""
+
+from zbot.libraries.navigation.navigator import BasicNavigator, RunningTask, TaskResult
+from zbot.time import Duration as rclpyDuration
+
+from builtin_interfaces.msg import Duration
+from geometry_msgs.msg import PoseStamped
