@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import signal
 from typing import TYPE_CHECKING, Any
 
 import pytest
@@ -425,6 +426,10 @@ def test_a_spawner_activates_controllers_of_a_file(start: Start, tmp_path: Path)
     ending = start(*run, "unspawner", "base")
     ending.wait_for("Unloaded base")
     assert ending.wait() == 0
+    staying = start(*run, "spawner", "base", "--unload-on-kill")
+    staying.wait_for("Waiting until interrupt to unload controllers")
+    assert staying.stop(signal.SIGTERM) == 0
+    assert "Unloaded base" in staying.output
 
 
 def test_a_spawner_takes_parameters_of_the_launch_file(tmp_path: Path) -> None:
@@ -432,8 +437,18 @@ def test_a_spawner_takes_parameters_of_the_launch_file(tmp_path: Path) -> None:
     path.write_text("arm:\n  ros__parameters: {type: a/B}\n")
     words = ["arm", "--inactive", "--ros-args", "-p", "a:=1", "--params-file", str(path)]
     options = read_arguments(words)
-    assert (options.controller_names, options.inactive) == (["arm"], True)
-    assert options.param_file == [str(path)]
+    (arm,) = options.controllers
+    assert (arm.name, arm.inactive, arm.param_file) == ("arm", True, [str(path)])
+
+
+def test_each_controller_of_a_spawner_has_options_of_its_own(tmp_path: Path) -> None:
+    path = tmp_path / "arm.yaml"
+    path.write_text("")
+    words = ["-c", "/cm", "--controller", "arm", "-p", str(path), "--switch-timeout", "3", ""]
+    options = read_arguments([*words, "--controller", "grip", "--inactive", "--load-only"])
+    assert (options.controller_manager, options.switch_timeout) == ("/cm", 3.0)
+    found = [(one.name, one.param_file, one.inactive, one.load_only) for one in options.controllers]
+    assert found == [("arm", [str(path)], False, False), ("grip", [], True, True)]
 
 
 def test_controllers_of_a_namespace_have_their_own_names(start: Start, tmp_path: Path) -> None:
@@ -459,7 +474,7 @@ def test_controllers_of_a_namespace_have_their_own_names(start: Start, tmp_path:
 def test_a_spawner_says_what_it_waits_for(start: Start) -> None:
     words = ("zbot", "run", "controller_manager", "spawner", "a")
     program = start(*words, "--controller-manager-timeout", "1")
-    program.wait_for("error: /controller_manager was not there in 1 s")
+    program.wait_for("error: Could not contact service /controller_manager/list_controllers in 1")
     assert program.wait() == 1
     program = start(*words, "-p", "none.yaml")
     program.wait_for("the file 'none.yaml' of --param-file does not exist")

@@ -1,110 +1,123 @@
 """Load, configure and activate controllers, and exit.
 
 Run:     zbot run controller_manager spawner NAME... [--param-file FILE] [--inactive]
-Options: -c NAME of the controller manager, -p FILE with parameters of the controllers (may be
-         repeated), -t TYPE, --load-only, --inactive, --activate-as-group,
-         --controller-manager-timeout, --switch-timeout, --service-call-timeout,
-         --controller-ros-args WORDS; --unload-on-kill is accepted without effect
+         zbot run controller_manager spawner --controller NAME [OPTIONS] --controller NAME [OPTIONS]
+Options: -c NAME of the controller manager, -t TYPE, -n NAMESPACE, --activate-as-group,
+         --switch-asap, --unload-on-kill, --controller-manager-timeout, --switch-timeout,
+         --service-call-timeout; for all controllers, or after `--controller NAME` for this one:
+         -p FILE with parameters (may be repeated), --load-only, --inactive,
+         --controller-ros-args WORDS
 """
 
 from __future__ import annotations
 
 import argparse
+import signal
 import sys
+import time
 from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import zbot
+from zbot.libraries import controller_manager
 from zbot.parameters.ros_args import remove_ros_args
 from zbot_nodes.control.controller import ControllerError
 
-from controller_manager_msgs import srv
-from rcl_interfaces.srv import SetParameters
+from controller_manager_msgs.srv import SwitchController
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-_POLL_S = 1.0
-_WAIT_LOG_S = 10.0
+_EACH = "--controller"  # the option before the name and the options of one controller
 
 
 def read_arguments(words: Sequence[str]) -> argparse.Namespace:
-    """Read a command line with the options of ROS 2's spawner."""
+    """Read a command line with the options of ROS 2's spawner.
+
+    The attribute `controllers` of the result has the options of each controller.
+    """
+    given = [word for word in remove_ros_args(["spawner", *words])[1:] if word]
+    common = _common_parser()
+    if _EACH in given:
+        options, controllers = _read_each(common, given)
+    else:
+        common.add_argument("controller_names", nargs="+")
+        _add_controller_options(common)
+        options = common.parse_args(given)
+        controllers = [
+            argparse.Namespace(**{**vars(options), "name": name})
+            for name in options.controller_names
+        ]
+    # If a launch file gives `parameters=[file]` to the spawner, the controllers get the parameters.
+    files = [path for word, path in pairwise(words) if word == "--params-file"]
+    for one in controllers:
+        one.param_file = [*one.param_file, *files]
+        for path in one.param_file:
+            if not Path(path).is_file():
+                common.error(f"the file '{path}' of --param-file does not exist")
+    options.controllers = controllers
+    return options
+
+
+def _common_parser() -> argparse.ArgumentParser:
     text = "Load, configure and activate controllers"
-    parser = argparse.ArgumentParser(prog="spawner", description=text)
-    parser.add_argument("controller_names", nargs="+")
+    parser = argparse.ArgumentParser(prog="spawner", description=text, allow_abbrev=False)
     parser.add_argument("-c", "--controller-manager", default="controller_manager")
-    parser.add_argument("-p", "--param-file", action="append", default=[])
     parser.add_argument("-t", "--controller-type", default="")
     parser.add_argument("-n", "--namespace", default="")
-    parser.add_argument("--load-only", action="store_true")
-    parser.add_argument("--inactive", "--stopped", action="store_true")
     parser.add_argument("--activate-as-group", action="store_true")
     parser.add_argument("-u", "--unload-on-kill", action="store_true")
     parser.add_argument("--controller-manager-timeout", type=float, default=0.0)
     parser.add_argument("--switch-timeout", type=float, default=5.0)
     parser.add_argument("--service-call-timeout", type=float, default=10.0)
     parser.add_argument("--switch-asap", action=argparse.BooleanOptionalAction, default=False)
+    return parser
+
+
+def _add_controller_options(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("-p", "--param-file", action="append", default=[])
+    parser.add_argument("--load-only", action="store_true")
+    parser.add_argument("--inactive", "--stopped", action="store_true")
     parser.add_argument("--controller-ros-args", action="append", default=[])
-    options = parser.parse_args(remove_ros_args(["spawner", *words])[1:])
-    # If a launch file gives `parameters=[file]` to the spawner, the controllers get the parameters.
-    files = pairwise(words)
-    options.param_file += [path for word, path in files if word == "--params-file"]
-    for path in options.param_file:
-        if not Path(path).is_file():
-            parser.error(f"the file '{path}' of --param-file does not exist")
-    return options
+
+
+def _read_each(
+    common: argparse.ArgumentParser, words: list[str]
+) -> tuple[argparse.Namespace, list[argparse.Namespace]]:
+    """Read a command line in which each controller has options of its own."""
+    parser = argparse.ArgumentParser(prog="spawner", add_help=False, allow_abbrev=False)
+    parser.add_argument("name")
+    _add_controller_options(parser)
+    starts = [place for place, word in enumerate(words) if word == _EACH]
+    others, controllers = words[: starts[0]], []
+    for start, end in pairwise([*starts, len(words)]):
+        one, rest = parser.parse_known_args(words[start + 1 : end])
+        controllers.append(one)
+        others += rest
+    return common.parse_args(others), controllers
 
 
 class Spawner(zbot.Node):
     """Calls the services of a controller manager."""
 
     def __init__(self, options: argparse.Namespace, **node_options: Any) -> None:
-        name = options.controller_names[0].replace("/", "_").replace(".", "_")
+        name = options.controllers[0].name.replace("/", "_").replace(".", "_")
         super().__init__(f"spawner_{name}", **node_options)
         self.options = options
+        self.timeouts = options.controller_manager_timeout, options.service_call_timeout
+        self.space = "/" + (options.namespace.strip("/") or self.get_namespace().strip("/"))
         manager = options.controller_manager
-        if not manager.startswith("/"):
-            space = options.namespace.strip("/") or self.get_namespace().strip("/")
-            manager = f"/{space}/{manager}" if space else f"/{manager}"
-        self.manager = manager
+        is_absolute = manager.startswith("/")
+        self.manager = manager if is_absolute else f"{self.space.rstrip('/')}/{manager}"
 
-    def call(self, type_: Any, service: str, request: Any, timeout_s: float) -> Any:
-        """Call a service of the manager.
-
-        Raises:
-            ControllerError: There is no answer in time.
-        """
-        client: Any = self.create_client(type_, f"{self.manager}/{service}")
-        self.wait_for(client)
-        future = client.call_async(request)
-        zbot.spin_until_future_complete(self, future, timeout_sec=timeout_s or None)
-        self.destroy_client(client)
-        if not future.done():
-            raise ControllerError(f"{self.manager}/{service} did not answer in {timeout_s:g} s")
-        return future.result()
-
-    def wait_for(self, client: Any) -> None:
-        """Wait until the manager has its services, which needs the robot description."""
-        limit_s = self.options.controller_manager_timeout
-        waited_s = 0.0
-        while not client.wait_for_service(_POLL_S):
-            waited_s += _POLL_S
-            if limit_s and waited_s >= limit_s:
-                raise ControllerError(f"{self.manager} was not there in {limit_s:g} s")
-            if not waited_s % _WAIT_LOG_S:
-                text = f"waiting for service {client.srv_name} to become available..."
-                self.get_logger().info(text)
-
-    def ask(self, type_: Any, service: str, failure: str, **fields: Any) -> None:
+    def ask(self, function: Any, failure: str, *arguments: Any) -> None:
         """Call a service whose response has `ok`.
 
         Raises:
             ControllerError: The manager refuses.
         """
-        request = type_.Request(**fields)
-        response = self.call(type_, service, request, self.options.service_call_timeout)
+        response = function(self, self.manager, *arguments)
         if not response.ok:
             reason = getattr(response, "message", "") or "the manager's log has the reason"
             raise ControllerError(f"{failure}: {reason}")
@@ -113,101 +126,97 @@ class Spawner(zbot.Node):
         """Bring every controller to the wanted state.
 
         Raises:
-            ControllerError: The manager refuses or does not answer.
+            ControllerError: The manager refuses.
+            ServiceNotFoundError: The manager is not there in time.
+            ServiceCallError: The manager does not answer.
         """
-        options = self.options
-        for name in options.controller_names:
-            self.load(name)
-        if options.load_only:
-            return
-        for name in options.controller_names:
-            self.ask(
-                srv.ConfigureController,
-                "configure_controller",
-                f"Failed to configure {name}",
-                name=name,
-            )
-        if options.inactive:
-            return
-        together = (
-            [options.controller_names]
-            if options.activate_as_group
-            else [[name] for name in options.controller_names]
-        )
-        for names in together:
+        wanted = []
+        for one in self.options.controllers:
+            self.load(one)
+        for one in self.options.controllers:
+            if one.load_only:
+                continue
+            failure = f"Failed to configure {one.name}"
+            self.ask(controller_manager.configure_controller, failure, one.name, *self.timeouts)
+            wanted += [] if one.inactive else [one.name]
+        together = [wanted] if self.options.activate_as_group else [[name] for name in wanted]
+        for names in filter(None, together):
             self.switch(names, [])
             self.get_logger().info(f"Configured and activated {', '.join(names)}")
 
-    def load(self, name: str) -> None:
+    def load(self, one: argparse.Namespace) -> None:
         """Load a controller, unless it is loaded."""
-        listed = self.call(
-            srv.ListControllers,
-            "list_controllers",
-            srv.ListControllers.Request(),
-            self.options.service_call_timeout,
-        )
-        if any(one.name == name for one in listed.controller):
-            self.get_logger().warn(f"Controller already loaded, skipping load_controller: {name}")
+        loaded = controller_manager.list_controllers(self, self.manager, *self.timeouts).controller
+        if any(other.name == one.name for other in loaded):
+            text = f"Controller already loaded, skipping load_controller: {one.name}"
+            self.get_logger().warn(text)
             return
-        self.set_parameters_of(name)
-        self.ask(
-            srv.LoadController, "load_controller", f"Failed loading controller {name}", name=name
+        settings = {
+            "type": self.options.controller_type,
+            "node_options_args": list(one.controller_ros_args),
+        }
+        files = [str(Path(path).absolute()) for path in one.param_file]
+        controller_manager.set_controller_parameters_from_param_files(
+            self, self.manager, one.name, files, self.space
         )
-        self.get_logger().info(f"Loaded {name}")
-
-    def set_parameters_of(self, name: str) -> None:
-        """Give the manager the type and the files of a controller."""
-        values: dict[str, Any] = {}
-        if self.options.controller_type:
-            values[f"{name}.type"] = self.options.controller_type
-        if self.options.param_file:
-            paths = [str(Path(path).absolute()) for path in self.options.param_file]
-            values[f"{name}.params_file"] = paths
-            kind = _type_in(paths, name)
-            if kind and f"{name}.type" not in values:
-                values[f"{name}.type"] = kind
-        if self.options.controller_ros_args:
-            values[f"{name}.node_options_args"] = list(self.options.controller_ros_args)
-        if not values:
-            return
-        parameters = [
-            zbot.Parameter(key, value=value).to_parameter_msg() for key, value in values.items()
-        ]
-        request = SetParameters.Request(parameters=parameters)
-        timeout_s = self.options.service_call_timeout
-        self.call(SetParameters, "set_parameters", request, timeout_s)
+        for key, value in settings.items():
+            if value:
+                controller_manager.set_controller_parameters(
+                    self, self.manager, one.name, key, value
+                )
+        failure = f"Failed loading controller {one.name}"
+        self.ask(controller_manager.load_controller, failure, one.name, *self.timeouts)
+        self.get_logger().info(f"Loaded {one.name}")
 
     def switch(self, begin: Sequence[str], end: Sequence[str]) -> None:
         """Activate and deactivate controllers."""
         self.ask(
-            srv.SwitchController,
-            "switch_controller",
-            f"Failed to activate controller {', '.join(begin) or ', '.join(end)}",
-            activate_controllers=list(begin),
-            deactivate_controllers=list(end),
-            strictness=srv.SwitchController.Request.STRICT,
-            activate_asap=self.options.switch_asap,
+            controller_manager.switch_controllers,
+            f"Failed to {'' if begin else 'de'}activate controller {', '.join(begin or end)}",
+            end,
+            begin,
+            SwitchController.Request.STRICT,
+            self.options.switch_asap,
+            self.options.switch_timeout,
+            self.options.service_call_timeout,
         )
 
+    def unload(self, names: Sequence[str]) -> None:
+        """Deactivate and remove controllers."""
+        self.switch([], names)
+        for name in names:
+            failure = f"Failed to unload {name}"
+            self.ask(controller_manager.unload_controller, failure, name, *self.timeouts)
+            self.get_logger().info(f"Unloaded {name}")
 
-def _type_in(paths: Sequence[str], name: str) -> str:
-    """Return the type in a controller's own section of a parameter file, or an empty string."""
-    from zbot.parameters.file import sections  # noqa: PLC0415 - only for files
-
-    for path in paths:
-        for pattern, values in sections(path):
-            if pattern.rpartition("/")[2] == name and isinstance(values.get("type"), str):
-                return str(values["type"])
-    return ""
+    def unload_when_killed(self) -> None:
+        """Wait for Ctrl-C or SIGTERM, and remove the controllers that were activated."""
+        self.get_logger().info("Waiting until interrupt to unload controllers")
+        try:
+            while True:
+                time.sleep(1.0)  # on Windows, Ctrl-C ends no other wait
+        except KeyboardInterrupt:
+            pass
+        active = [
+            one.name for one in self.options.controllers if not (one.inactive or one.load_only)
+        ]
+        if active:
+            self.unload(active)
 
 
 def main() -> None:
     """Load, configure and activate the controllers."""
     options = read_arguments(sys.argv[1:])
-    with zbot.init():
+    handlers = zbot.SignalHandlerOptions.ALL
+    if options.unload_on_kill:
+        handlers = zbot.SignalHandlerOptions.NO  # the services are called after the signal
+        signal.signal(signal.SIGTERM, signal.default_int_handler)
+    with zbot.init(signal_handler_options=handlers):
         node = Spawner(options)
         try:
             node.spawn()
+            if options.unload_on_kill:
+                node.unload_when_killed()
         except zbot.ZbotError as error:
             sys.exit(f"error: {error}")
 

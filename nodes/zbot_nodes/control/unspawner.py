@@ -1,6 +1,6 @@
 """Deactivate and remove controllers, and exit.
 
-Run: zbot run controller_manager unspawner NAME... [-c controller_manager]
+Run: zbot run controller_manager unspawner NAME... [-c controller_manager] [--switch-timeout 5.0]
 """
 
 from __future__ import annotations
@@ -10,8 +10,6 @@ import sys
 import zbot
 from zbot_nodes.control.spawner import Spawner, read_arguments
 
-from controller_manager_msgs import srv
-
 
 def main() -> None:
     """Deactivate and remove the controllers."""
@@ -19,12 +17,7 @@ def main() -> None:
     with zbot.init():
         node = Spawner(options)
         try:
-            node.switch([], options.controller_names)
-            for name in options.controller_names:
-                node.ask(
-                    srv.UnloadController, "unload_controller", f"Failed to unload {name}", name=name
-                )
-                node.get_logger().info(f"Unloaded {name}")
+            node.unload(options.controller_names)
         except zbot.ZbotError as error:
             sys.exit(f"error: {error}")
 

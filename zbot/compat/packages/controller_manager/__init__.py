@@ -1,0 +1,18 @@
+"""ROS 2's `controller_manager`: calls of a controller manager."""
+
+from zbot.libraries.controller_manager import (
+    cleanup_controller,
+    configure_controller,
+    get_parameter_from_param_files,
+    list_controller_types,
+    list_controllers,
+    list_hardware_components,
+    list_hardware_interfaces,
+    load_controller,
+    reload_controller_libraries,
+    set_controller_parameters,
+    set_controller_parameters_from_param_files,
+    set_hardware_component_state,
+    switch_controllers,
+    unload_controller,
+)

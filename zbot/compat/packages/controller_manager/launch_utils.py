@@ -1,0 +1,8 @@
+"""Launch descriptions that spawn controllers."""
+
+from zbot.launch.actions.controller_spawner import (
+    generate_controllers_spawner_launch_description,
+    generate_controllers_spawner_launch_description_from_dict,
+    generate_load_controller_launch_description,
+    generate_spawner_launch_description,
+)
