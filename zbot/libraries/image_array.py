@@ -37,6 +37,8 @@ _CV_TO_BGR = {
     "yuv422_yuy2": "COLOR_YUV2BGR_YUY2",
     "yuyv": "COLOR_YUV2BGR_YUY2",
 }
+#: OpenCV's numbers of depths.
+_DEPTHS = {"8U": 0, "8S": 1, "16U": 2, "16S": 3, "32S": 4, "32F": 5, "64F": 6}
 # Weights of red, green and blue in grey, from ITU-R BT.601, as in OpenCV.
 _LUMA = (0.299, 0.587, 0.114)
 _FILE_NAMES = {"jpg": "jpeg", "jpe": "jpeg", "tif": "tiff"}
@@ -162,6 +164,18 @@ class CvBridge:
     def cvtype2_to_dtype_with_channels(self, cvtype: str) -> tuple[str, int]:
         """Return numpy's type name and the number of channels, e.g. ('uint8', 3) for `8UC3`."""
         return self.encoding_to_dtype_with_channels(cvtype)
+
+
+def getCvType(encoding: str) -> int:  # noqa: N802 - ROS 2's name
+    """Return OpenCV's number of an encoding's type, e.g. 16 (`cv2.CV_8UC3`) for `bgr8`.
+
+    Raises:
+        CvBridgeError: The encoding does not exist.
+    """
+    is_without_channels = _DEPTHS.get(encoding) is not None  # e.g. 8U
+    code, channels = _layout(f"{encoding}C1" if is_without_channels else encoding)
+    depth = _DEPTHS[_cv_type(code, channels).partition("C")[0]]
+    return depth + 8 * (channels - 1)
 
 
 def _layout(encoding: str) -> tuple[str, int]:

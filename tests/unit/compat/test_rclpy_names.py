@@ -59,7 +59,7 @@ rosidl_runtime_py.get_interfaces: get_interfaces get_message_interfaces get_inte
 message_filters: Subscriber TimeSynchronizer ApproximateTimeSynchronizer Cache Chain SimpleFilter
 sensor_msgs_py.point_cloud2: read_points read_points_list read_points_numpy create_cloud
 sensor_msgs_py.point_cloud2: create_cloud_xyz32 dtype_from_fields PointCloud2 PointField
-cv_bridge: CvBridge CvBridgeError
+cv_bridge: CvBridge CvBridgeError getCvType
 nav2_simple_commander.robot_navigator: BasicNavigator TaskResult RunningTask
 nav2_simple_commander.footprint_collision_checker: FootprintCollisionChecker
 nav2_simple_commander.line_iterator: LineIterator
@@ -70,6 +70,9 @@ controller_manager.launch_utils: generate_load_controller_launch_description
 controller_manager.test_utils: check_controllers_running check_if_js_published
 diagnostic_updater: Updater FunctionDiagnosticTask CompositeDiagnosticTask TopicDiagnostic
 diagnostic_updater: FrequencyStatusParam TimeStampStatusParam DiagnosticStatusWrapper
+laser_geometry: LaserProjection
+laser_geometry.laser_geometry: LaserProjection
+image_geometry: PinholeCameraModel StereoCameraModel
 nav2_common.launch: RewrittenYaml ReplaceString HasNodeParams ParseMultiRobotPose
 rosidl_parser.definition: NamespacedType BasicType AbstractSequence UnboundedString
 rosidl_pycommon.interface_base_classes: BaseMessage BaseService BaseAction BaseImpl

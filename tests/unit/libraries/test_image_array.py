@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from zbot.libraries.image_array import CvBridge, CvBridgeError
+from zbot.libraries.image_array import CvBridge, CvBridgeError, getCvType
 
 from sensor_msgs.msg import CompressedImage, Image
 from std_msgs.msg import Header
@@ -113,3 +113,19 @@ def test_a_compressed_image_is_read_back() -> None:
     image = BRIDGE.cv2_to_compressed_imgmsg(array, "png")
     assert image.format == "png"
     assert BRIDGE.compressed_imgmsg_to_cv2(image, "mono8").tolist() == [[100] * 4] * 4
+
+
+@pytest.mark.parametrize(
+    ("encoding", "number"),
+    [
+        ("8UC1", 0),
+        ("8U", 0),
+        ("mono16", 2),
+        ("bgr8", 16),
+        ("rgba8", 24),
+        ("32FC4", 29),
+        ("64FC1", 6),
+    ],
+)
+def test_types_have_the_numbers_of_opencv(encoding: str, number: int) -> None:
+    assert getCvType(encoding) == number

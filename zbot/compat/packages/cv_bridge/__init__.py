@@ -1,3 +1,3 @@
 """ROS 2's `cv_bridge`: images as arrays."""
 
-from zbot.libraries.image_array import CvBridge, CvBridgeError
+from zbot.libraries.image_array import CvBridge, CvBridgeError, getCvType

@@ -1,3 +1,3 @@
 """The same names under their own module."""
 
-from zbot.libraries.image_array import CvBridge, CvBridgeError
+from zbot.libraries.image_array import CvBridge, CvBridgeError, getCvType

@@ -1,0 +1,3 @@
+"""The same names under their own module."""
+
+from zbot.libraries.camera_model import PinholeCameraModel, StereoCameraModel
