@@ -1,0 +1,3 @@
+"""The same name under its own module."""
+
+from zbot.libraries.interactive_markers import MenuHandler
