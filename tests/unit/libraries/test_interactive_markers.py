@@ -104,7 +104,7 @@ def test_a_type_of_feedback_has_a_function_of_its_own(scene: Scene) -> None:
 
 
 def test_a_menu_calls_the_function_of_its_entry(scene: Scene) -> None:
-    menu, selected = MenuHandler(), []
+    menu, selected = MenuHandler(), list[Any]()
     tools = menu.insert("tools")
     light = menu.insert("light", parent=tools, callback=selected.append)
     hidden = menu.insert("hidden")

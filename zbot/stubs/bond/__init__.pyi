@@ -1,0 +1,2 @@
+# Written by python -m zbot.interfaces.stubs; do not edit.
+from bond import msg as msg
