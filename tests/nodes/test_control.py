@@ -64,9 +64,10 @@ MANAGER = "/controller_manager"
 class Robot:
     """Controller manager under test."""
 
-    def __init__(self, bench: Bench, tmp_path: Path) -> None:
+    def __init__(self, bench: Bench, tmp_path: Path, description: str = URDF) -> None:
         self.bench, self.folder = bench, tmp_path
-        self.node = bench.run(ControllerManager, {"robot_description": URDF, "update_rate": 50})
+        settings = {"robot_description": description, "update_rate": 50}
+        self.node = bench.run(ControllerManager, settings)
 
     def ask(self, service: str, type_: Any, **fields: Any) -> Any:
         return self.bench.call(type_, f"{MANAGER}/{service}", type_.Request(**fields))
@@ -159,7 +160,7 @@ def test_controllers_have_states_and_claim_interfaces(robot: Robot) -> None:
     ("kind", "settings", "reason"),
     [
         ("", {}, "The 'type' param was not defined for 'one'"),
-        ("my/Own", {}, "There is no controller type 'my/Own': there are diff_drive"),
+        ("my/Own", {}, "There is no controller type 'my/Own': there are ackermann"),
         (
             "diff_drive_controller/DiffDriveController",
             {**DRIVE, "wheel_radius": 0},

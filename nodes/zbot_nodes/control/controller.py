@@ -83,6 +83,18 @@ class Controller(zbot.Node):
             raise ControllerError(f"the parameter {name} of {self.get_name()} is empty")
         return found
 
+    def unknown_parameters(self) -> list[str]:
+        """Return the names of parameters that were set but that the controller never reads.
+
+        `type` is a parameter of the manager. The names with `qos_overrides` are those of topics.
+        """
+        given = self._parameter_overrides
+        return sorted(
+            name
+            for name in given
+            if not (self.has_parameter(name) or name == "type" or name.startswith("qos_overrides"))
+        )
+
     def command_interfaces(self) -> list[str]:
         """Return the interfaces to command. Other active controllers cannot command them."""
         return []

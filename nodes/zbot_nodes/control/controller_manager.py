@@ -21,10 +21,25 @@ from zbot_nodes.control.forward_command_controller import (
     JointGroupEffortController,
     JointGroupPositionController,
     JointGroupVelocityController,
+    MultiInterfaceForwardCommandController,
+)
+from zbot_nodes.control.gripper_controller import (
+    GripperActionController,
+    ParallelGripperActionController,
 )
 from zbot_nodes.control.hardware import SimulatedHardware, read_components
 from zbot_nodes.control.joint_state_broadcaster import JointStateBroadcaster
 from zbot_nodes.control.joint_trajectory_controller import JointTrajectoryController
+from zbot_nodes.control.sensor_broadcasters import (
+    ForceTorqueSensorBroadcaster,
+    IMUSensorBroadcaster,
+    RangeSensorBroadcaster,
+)
+from zbot_nodes.control.steering_controllers import (
+    AckermannSteeringController,
+    BicycleSteeringController,
+    TricycleSteeringController,
+)
 from zbot_nodes.description.urdf import read_urdf
 from zbot_nodes.description.xml_text import DescriptionError
 from zbot_nodes.startup.program import ParameterError, run_node
@@ -37,13 +52,22 @@ from std_msgs.msg import String
 TYPES: dict[str, type[Controller]] = {
     one.kind: one
     for one in (
+        AckermannSteeringController,
+        BicycleSteeringController,
         DiffDriveController,
+        ForceTorqueSensorBroadcaster,
         ForwardCommandController,
+        GripperActionController,
+        IMUSensorBroadcaster,
         JointGroupEffortController,
         JointGroupPositionController,
         JointGroupVelocityController,
         JointStateBroadcaster,
         JointTrajectoryController,
+        MultiInterfaceForwardCommandController,
+        ParallelGripperActionController,
+        RangeSensorBroadcaster,
+        TricycleSteeringController,
     )
 }
 _KEPT = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
@@ -207,6 +231,16 @@ class ControllerManager(zbot.Node):
             raise
         one.state = State.INACTIVE
         self.get_logger().info(f"Configuring controller '{name}'")
+        self.name_unknown(one)
+
+    def name_unknown(self, one: Controller) -> None:
+        """Warn of values for parameters that a controller does not have. They have no effect."""
+        # A value for all nodes of the process, e.g. `/**` in a file, is also one of the manager.
+        unknown = [name for name in one.unknown_parameters() if not self.has_parameter(name)]
+        if unknown:
+            self.get_logger().warn(
+                f"Controller '{one.get_name()}' does not use the parameters {', '.join(unknown)}"
+            )
 
     def cleanup(self, name: str) -> None:
         """Undo the configuration of a controller: destroy its node, and create the node again.

@@ -1,11 +1,13 @@
 """Forward commands to joints.
 
 Types:      forward_command_controller/ForwardCommandController,
+            forward_command_controller/MultiInterfaceForwardCommandController,
             position_controllers/JointGroupPositionController,
             velocity_controllers/JointGroupVelocityController,
             effort_controllers/JointGroupEffortController
-Subscribes: ~/commands (std_msgs/Float64MultiArray): a value for each joint
-Parameters: joints, interface_name (ForwardCommandController only)
+Subscribes: ~/commands (std_msgs/Float64MultiArray): a value for each joint or interface
+Parameters: joints; interface_name (ForwardCommandController only); joint and interface_names
+            (MultiInterfaceForwardCommandController)
 """
 
 from __future__ import annotations
@@ -26,13 +28,17 @@ class ForwardCommandController(Controller):
     interface = ""
 
     def configure(self) -> None:
-        """Read the names of the joints."""
+        """Read the names of the interfaces."""
+        self.names = self.read_names()
+        self.values: list[float] = []
+        self.create_subscription(Float64MultiArray, "~/commands", self.accept, _DEPTH)
+
+    def read_names(self) -> list[str]:
+        """Return the interfaces, in the order of the values."""
         interface = self.interface or str(self.setting("interface_name", ""))
         if not interface:
             raise ControllerError(f"the parameter interface_name of {self.get_name()} is empty")
-        self.names = [f"{joint}/{interface}" for joint in self.joints("joints")]
-        self.values: list[float] = []
-        self.create_subscription(Float64MultiArray, "~/commands", self.accept, _DEPTH)
+        return [f"{joint}/{interface}" for joint in self.joints("joints")]
 
     def command_interfaces(self) -> list[str]:
         """Return one interface of each joint."""
@@ -61,6 +67,19 @@ class ForwardCommandController(Controller):
         """Write the last command."""
         del period_s
         self.hardware.commands.update(zip(self.names, self.values, strict=False))
+
+
+class MultiInterfaceForwardCommandController(ForwardCommandController):
+    """Commands several interfaces of one joint."""
+
+    kind = "forward_command_controller/MultiInterfaceForwardCommandController"
+
+    def read_names(self) -> list[str]:
+        """Return the interfaces, in the order of the values."""
+        joint = str(self.setting("joint", ""))
+        if not joint:
+            raise ControllerError(f"the parameter joint of {self.get_name()} is empty")
+        return [f"{joint}/{interface}" for interface in self.joints("interface_names")]
 
 
 class JointGroupPositionController(ForwardCommandController):
