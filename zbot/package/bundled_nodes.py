@@ -35,6 +35,7 @@ BUNDLED_NODES: Final[dict[str, dict[str, str]]] = {
     "demo_nodes_py": _DEMO_NODES,
     "joy": {"joy_node": "driving.joy_node"},
     "joy_linux": {"joy_linux_node": "driving.joy_linux_node"},
+    "joy_teleop": {"joy_teleop": "driving.joy_teleop"},
     "lifecycle": _LIFECYCLE,
     "lifecycle_py": _LIFECYCLE,
     "diagnostic_aggregator": {"aggregator_node": "diagnostics.aggregator_node"},
