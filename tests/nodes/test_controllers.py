@@ -21,7 +21,11 @@ from zbot_nodes.control.steering_controllers import (
 
 from action_msgs.msg import GoalStatus
 from control_msgs.action import GripperCommand, ParallelGripperCommand
-from control_msgs.msg import SteeringControllerStatus
+from control_msgs.msg import (
+    DynamicInterfaceGroupValues,
+    InterfaceValue,
+    SteeringControllerStatus,
+)
 from controller_manager_msgs import srv
 from geometry_msgs.msg import TwistStamped, WrenchStamped
 from nav_msgs.msg import Odometry
@@ -67,9 +71,13 @@ PARTS = "".join(
     for name, part in zip(NAMES, (FINGER, WHEEL, WHEEL, STEERED, STEERED), strict=True)
 )
 SENSORS = sensor("imu", IMU) + sensor("wrist", FORCES) + sensor("bumper", {"range": 1.5})
+LAMP = (
+    '<gpio name="lamp"><command_interface name="on"/><state_interface name="on"/>'
+    '<state_interface name="heat"/></gpio>'
+)
 CAR = f"""<robot name="car"><link name="base"/>{JOINTS}<ros2_control name="all" type="system">
 <hardware><plugin>mock_components/GenericSystem</plugin></hardware>{PARTS}{SENSORS}
-</ros2_control></robot>"""
+{LAMP}</ros2_control></robot>"""
 WHEELBASE, TRACK = 2.0, 1.0
 
 
@@ -139,6 +147,7 @@ GEOMETRY = {
     "traction_wheels_radius": 0.5,
     "traction_wheel_radius": 0.5,
     "traction_track_width": TRACK,
+    "reference_timeout": 1000.0,  # tests run on busy machines
 }
 DRIVEN, STEERED_NAMES = ["right", "left"], ["right_steer", "left_steer"]
 
@@ -330,3 +339,24 @@ def test_values_go_to_several_interfaces_of_a_joint(car: Robot) -> None:
         "finger/position",
         "finger/max_effort",
     }
+
+
+# -- inputs and outputs ----------------------------------------------------------------------------
+
+
+def test_outputs_are_commanded_and_published(car: Robot, logged: list[Any]) -> None:
+    states = car.bench.watch(DynamicInterfaceGroupValues, "/pins/gpio_states")
+    settings = {"gpios": ["lamp"], "command_interfaces": {"lamp": {"interfaces": ["on"]}}}
+    car.start("pins", "gpio_controllers/GpioCommandController", settings)
+    publisher = car.bench.publisher(DynamicInterfaceGroupValues, "/pins/commands")
+    values = InterfaceValue(interface_names=["on", "colour"], values=[1.0, 2.0])
+    command = DynamicInterfaceGroupValues(interface_groups=["lamp"], interface_values=[values])
+    publisher.publish(command)
+
+    def found() -> dict[str, float]:
+        (group,) = states[-1].interface_values
+        return dict(zip(group.interface_names, group.values, strict=True))
+
+    assert wait_until(lambda: bool(states) and found() == {"on": 1.0, "heat": 0.0})
+    text = "there is no command interface 'lamp/colour'"
+    assert wait_until(lambda: any(one.message == text for one in logged))

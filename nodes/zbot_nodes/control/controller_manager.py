@@ -23,6 +23,7 @@ from zbot_nodes.control.forward_command_controller import (
     JointGroupVelocityController,
     MultiInterfaceForwardCommandController,
 )
+from zbot_nodes.control.gpio_controller import GpioCommandController
 from zbot_nodes.control.gripper_controller import (
     GripperActionController,
     ParallelGripperActionController,
@@ -57,6 +58,7 @@ TYPES: dict[str, type[Controller]] = {
         DiffDriveController,
         ForceTorqueSensorBroadcaster,
         ForwardCommandController,
+        GpioCommandController,
         GripperActionController,
         IMUSensorBroadcaster,
         JointGroupEffortController,
