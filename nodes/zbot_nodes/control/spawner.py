@@ -189,14 +189,18 @@ class Spawner(zbot.Node):
             self.ask(controller_manager.unload_controller, failure, name, *self.timeouts)
             self.get_logger().info(f"Unloaded {name}")
 
-    def unload_when_killed(self) -> None:
-        """Wait for Ctrl-C or SIGTERM, and remove the controllers that were activated."""
+    def wait(self) -> None:
+        """Wait without end.
+
+        Raises:
+            KeyboardInterrupt: The process got SIGINT or SIGTERM.
+        """
         self.get_logger().info("Waiting until interrupt to unload controllers")
-        try:
-            while True:
-                time.sleep(1.0)  # on Windows, Ctrl-C ends no other wait
-        except KeyboardInterrupt:
-            pass
+        while True:
+            time.sleep(1.0)  # on Windows, Ctrl-C ends no other wait
+
+    def unload_active(self) -> None:
+        """Remove the controllers that were to be activated."""
         active = [
             one.name for one in self.options.controllers if not (one.inactive or one.load_only)
         ]
@@ -214,9 +218,13 @@ def main() -> None:
     with zbot.init(signal_handler_options=handlers):
         node = Spawner(options)
         try:
-            node.spawn()
-            if options.unload_on_kill:
-                node.unload_when_killed()
+            try:
+                node.spawn()
+                if options.unload_on_kill:
+                    node.wait()
+            except KeyboardInterrupt:
+                if options.unload_on_kill:
+                    node.unload_active()
         except zbot.ZbotError as error:
             sys.exit(f"error: {error}")
 
