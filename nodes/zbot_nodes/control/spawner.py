@@ -223,8 +223,9 @@ def main() -> None:
                 if options.unload_on_kill:
                     node.wait()
             except KeyboardInterrupt:
-                if options.unload_on_kill:
-                    node.unload_active()
+                if not options.unload_on_kill:
+                    raise
+                node.unload_active()
         except zbot.ZbotError as error:
             sys.exit(f"error: {error}")
 
