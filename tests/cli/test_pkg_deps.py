@@ -21,7 +21,7 @@ from no_such_interfaces.srv import Open
 from std_msgs.msg import String, Strng
 from control_msgs.msg import PidState, PidSatte
 from arm.tools import hello
-from nav2_common.launch import RewrittenYaml
+from moveit_configs_utils import MoveItConfigsBuilder
 import ament_flake8
 from wheel.parameters import wheel_parameters
 try:
@@ -38,7 +38,7 @@ MORE = """\
   <exec_depend>some_driver</exec_depend>
   <exec_depend>arm</exec_depend>
   <exec_depend condition="$ROS_VERSION == 1">roscpp</exec_depend>
-  <depend>mavros_msgs</depend>
+  <depend>ublox_msgs</depend>
   <test_depend>ament_copyright</test_depend>
 """
 
@@ -58,13 +58,16 @@ def test_what_a_workspace_lacks_is_listed(write: Write, zbot_command: Command) -
     assert result.code == 1
     for first, second in (
         ("px4_msgs  (src/robot/robot/drive.py:4)", "download https://github.com/PX4/px4_msgs and"),
-        ("mavros_msgs  (src/robot/package.xml:15)", "download https://github.com/mavlink/mavros"),
+        ("ublox_msgs  (src/robot/package.xml:15)", "download https://github.com/KumarRobotics"),
         ("no_such_interfaces  (src/robot/robot/drive.py:5)", "type `zbot interface add` with the"),
         ("ant_msgs  (src/robot/msg/A.msg:2)", "type `zbot interface add` with the folder or"),
         ("std_msgs/msg/Strng  (src/robot/robot/drive.py:6)", "the version of std_msgs that is her"),
         ("control_msgs/msg/PidSatte  (src/robot/robot/drive.py:7)", "the version of control_msgs"),
         ("no_such_library  (src/robot/robot/drive.py:1)", "pip install no_such_library"),
-        ("nav2_common  (src/robot/robot/drive.py:9)", "download https://github.com/ros-navigation"),
+        (
+            "moveit_configs_utils  (src/robot/robot/drive.py:9)",
+            "download https://github.com/moveit",
+        ),
         ("wheel  (src/robot/robot/drive.py:11)", "the package is here, but only a build with"),
         ("no_such_thing  (src/robot/package.xml:9)", "pip install no_such_thing"),
     ):

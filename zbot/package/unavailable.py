@@ -94,8 +94,8 @@ _PACKAGES: Final = (
         _NAVIGATION,
         """
         nav2_amcl nav2_behaviors nav2_bringup nav2_bt_navigator nav2_collision_monitor
-        nav2_common nav2_controller nav2_costmap_2d nav2_docking nav2_planner nav2_recoveries
-        nav2_route nav2_smoother nav2_velocity_smoother nav2_waypoint_follower opennav_docking
+        nav2_controller nav2_costmap_2d nav2_docking nav2_planner nav2_recoveries nav2_route
+        nav2_smoother nav2_velocity_smoother nav2_waypoint_follower opennav_docking
         slam_toolbox cartographer_ros slam_gmapping rtabmap_launch rtabmap_slam rtabmap_odom
         rtabmap_viz rtabmap_util explore_lite frontier_exploration
         """,

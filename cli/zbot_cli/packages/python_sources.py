@@ -21,15 +21,9 @@ _PYPI = {
 #: Python packages of ROS 2 that are not on PyPI, with their repositories on GitHub.
 _REPOSITORIES = {
     "camera_info_manager_py": "ros-perception/image_pipeline",
-    "controller_manager": "ros-controls/ros2_control",
-    "diagnostic_updater": "ros/diagnostics",
-    "image_geometry": "ros-perception/vision_opencv",
     "joint_state_publisher": "ros/joint_state_publisher",
-    "laser_geometry": "ros-perception/laser_geometry",
     "launch_param_builder": "PickNikRobotics/launch_param_builder",
     "moveit_configs_utils": "moveit/moveit2",
-    "nav2_common": "ros-navigation/navigation2",
-    "nav2_simple_commander": "ros-navigation/navigation2",
     "py_trees_ros": "splintered-reality/py_trees_ros",
     "python_qt_binding": "ros-visualization/python_qt_binding",
     "rclpy_message_converter": "DFKI-NI/rospy_message_converter",
