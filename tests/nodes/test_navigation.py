@@ -156,6 +156,8 @@ def test_nodes_are_brought_up_in_their_order(bench: Bench, logged: list[Any]) ->
         (requests.PAUSE, False, "Managed nodes have been paused"),
         (requests.RESUME, True, "Managed nodes are active"),
         (requests.RESET, False, "Managed nodes have been reset"),
+        (requests.CONFIGURE, False, "Managed nodes are now configured"),
+        (requests.CLEANUP, False, "Managed nodes have been cleaned up"),
         (requests.STARTUP, True, "Managed nodes are active"),
         (requests.SHUTDOWN, False, "Managed nodes have been shut down"),
     ):

@@ -74,6 +74,18 @@ _COMMANDS = {
         "Managed nodes have been reset",
         "Failed to reset nodes: aborting reset",
     ),
+    ManageLifecycleNodes.Request.CONFIGURE: _Command(
+        (_CONFIGURE,),
+        "Configuring managed nodes...",
+        "Managed nodes are now configured",
+        "Failed to configure all requested nodes. Aborting bringup.",
+    ),
+    ManageLifecycleNodes.Request.CLEANUP: _Command(
+        (_CLEANUP,),
+        "Cleaning up managed nodes...",
+        "Managed nodes have been cleaned up",
+        "Failed to cleanup all requested nodes. Aborting cleanup.",
+    ),
     ManageLifecycleNodes.Request.SHUTDOWN: _Command(
         (_DEACTIVATE, _CLEANUP, _SHUTDOWN),
         "Shutting down managed nodes...",
@@ -154,10 +166,11 @@ class LifecycleManager(zbot.Node):
     async def run(self, number: int) -> bool:
         """Run a command. Return whether all nodes made its transitions."""
         command = _COMMANDS[number]
-        is_up = command.transitions[-1] is _ACTIVATE
+        last = command.transitions[-1]
+        is_up = last in {_CONFIGURE, _ACTIVATE}
         self.get_logger().info(command.begin)
         succeeded = await self.change_all(command, self.names if is_up else self.names[::-1])
-        self.set_active(is_active=is_up and succeeded)
+        self.set_active(is_active=last is _ACTIVATE and succeeded)
         if succeeded:
             self.get_logger().info(command.end)
         else:
