@@ -122,8 +122,9 @@ class Nav2Planner(Nav2Services):
         if self.goal_handle is None:
             self.error(f"{what} was rejected!")
         else:
-            self.result_future = self.goal_handle.get_result_async()
-            response = self._result_of(self.result_future)
+            future = self.goal_handle.get_result_async()
+            self.result_future = future
+            response = self._result_of(future)
         if response is None:
             self.status = GoalStatus.STATUS_UNKNOWN
             return _failed(client.action_type.Result, f"{what} was rejected!")
