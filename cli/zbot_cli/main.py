@@ -11,6 +11,7 @@ import sys
 from typing import TYPE_CHECKING, Any, NoReturn
 
 from zbot_cli.input import keyboard_interrupt
+from zbot_cli.output import standard_streams
 from zbot_cli.output.exit_status import Status
 
 if TYPE_CHECKING:
@@ -176,7 +177,9 @@ def _print_and_exit(text: str) -> NoReturn:
     try:
         print(text, flush=True)
     except BrokenPipeError:
-        _silence_stdout()
+        standard_streams.silence_stdout()
+    except OSError as error:
+        sys.exit(standard_streams.report_fault(error))
     sys.exit(Status.OK)
 
 
@@ -192,7 +195,7 @@ def _run_noun(words: list[str]) -> int | Callable[[], NoReturn]:
     if noun not in NOUNS and noun not in _HIDDEN:
         _exit_unknown_noun(words[0])
     if noun in _RUNS_PROGRAMS:
-        _restore_streams()
+        standard_streams.restore()
         # This line raises an error before the program starts, if the current folder was deleted.
         os.getcwd()  # noqa: PTH109 - pathlib takes time to import
     if noun == "run":
@@ -240,42 +243,6 @@ def _exit_unknown_noun(word: str) -> NoReturn:
     _exit_with_usage_error(f"No such command '{word}'.{hint}")
 
 
-def _flush() -> None:
-    try:
-        sys.stdout.flush()
-    except BrokenPipeError:
-        _silence_stdout()
-
-
-def _silence_stdout() -> None:
-    # The reader (`| head`) has closed the pipe. Python flushes once more at exit, so the output
-    # then goes to the null device.
-    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-
-
-def _set_up_streams() -> None:
-    for stream in (sys.stdout, sys.stderr):
-        reconfigure: Any = getattr(stream, "reconfigure", None)
-        if reconfigure is not None:
-            reconfigure(line_buffering=True, errors="backslashreplace")
-    # Control characters are escaped for a terminal only. Pipes and files get all output unchanged.
-    sys.stdout, sys.stderr = map(_for_terminal, (sys.stdout, sys.stderr))
-
-
-def _for_terminal(stream: Any) -> Any:
-    if stream is None or not stream.isatty():
-        return stream
-    from zbot.terminal.text import TerminalStream  # noqa: PLC0415 - not needed without a terminal
-
-    return TerminalStream(stream)
-
-
-def _restore_streams() -> None:
-    """Let the user's own programs control the terminal again."""
-    # `stream` is the original of a `TerminalStream`.
-    sys.stdout, sys.stderr = (getattr(one, "stream", one) for one in (sys.stdout, sys.stderr))
-
-
 def _has_current_folder() -> bool:
     try:
         os.getcwd()  # noqa: PTH109 - as above
@@ -312,16 +279,22 @@ def run_command(words: list[str]) -> int | Callable[[], NoReturn]:
 
         _name_workspace(error)
         return report(error)
-    except FileNotFoundError:
-        if options.debug or _has_current_folder():
-            raise
-        print("the current folder was deleted: go to another folder with `cd`", file=sys.stderr)
-        return Status.ERROR
     except BrokenPipeError:
-        _silence_stdout()
+        standard_streams.silence_stdout()
         return Status.OK
+    except OSError as error:
+        if options.debug:
+            raise
+        return _report_system_error(error)
     except KeyboardInterrupt:
         return Status.INTERRUPTED
+
+
+def _report_system_error(error: OSError) -> int:
+    if isinstance(error, FileNotFoundError) and not _has_current_folder():
+        print("the current folder was deleted: go to another folder with `cd`", file=sys.stderr)
+        return Status.ERROR
+    return standard_streams.report_fault(error)
 
 
 def _name_workspace(error: Any) -> None:
@@ -341,7 +314,7 @@ def _name_workspace(error: Any) -> None:
 
 def main() -> NoReturn:
     """Run the command line of this process, and end the process."""
-    _set_up_streams()
+    standard_streams.set_up()
     try:
         keyboard_interrupt.raise_on_ctrl_c()
         outcome = run_command(sys.argv[1:])
@@ -351,8 +324,8 @@ def main() -> NoReturn:
     keyboard_interrupt.end_process_on_ctrl_c()
     if callable(outcome):
         outcome()  # the program's exceptions are not caught: Python prints their tracebacks
-    _flush()
-    sys.exit(outcome)
+    fault = standard_streams.flush()
+    sys.exit(outcome or fault)
 
 
 def launch_test() -> NoReturn:

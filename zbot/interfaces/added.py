@@ -62,8 +62,6 @@ def store(package: FoundPackage) -> None:
         StoreError: The files cannot be written.
     """
     folder = definitions_folder()
-    if folder is None:
-        raise StoreError(package.name, "this user has no home folder")
     # Whole folders are renamed, so other programs never see only a part of the definitions.
     new, old = (folder / f".{package.name}.{os.getpid()}.{word}" for word in ("new", "old"))
     try:
@@ -90,7 +88,7 @@ def remove(package: str) -> None:
     """
     known = added_packages()
     folder = definitions_folder()
-    if package not in known or folder is None:
+    if package not in known:
         raise NotAddedError(package, known)
     try:
         shutil.rmtree(folder / package)
@@ -100,8 +98,7 @@ def remove(package: str) -> None:
 
 def added_packages() -> list[str]:
     """Return the names of the packages in the store, sorted."""
-    folder = definitions_folder()
-    return packages_in(folder) if folder is not None else []
+    return packages_in(definitions_folder())
 
 
 def _messages(spec: InterfaceSpec) -> Iterator[MessageSpec]:

@@ -83,7 +83,7 @@ def packages_in(parent: Path) -> list[str]:
 def known_packages() -> set[str]:
     """Return all packages with definitions, from all locations."""
     names = {*shipped_packages(), *_workspace()}
-    names.update(one for folder in _added() for one in packages_in(folder))
+    names.update(packages_in(definitions_folder()))
     for share in _ament_shares():
         index = share / "ament_index" / "resource_index" / "rosidl_interfaces"
         names |= {entry.name for entry in index.glob("*") if has_definitions(share / entry.name)}
@@ -93,15 +93,10 @@ def known_packages() -> set[str]:
 def _folders(package: str) -> Iterator[Path]:
     yield from filter(has_definitions, (_SHIPPED / package,))
     yield from _workspace().get(package, ())
-    others = (*_added(), *_ament_shares())
+    others = (definitions_folder(), *_ament_shares())
     yield from filter(has_definitions, (folder / package for folder in others))
     yield from _python_package_folders(package)
     yield from filter(has_definitions, (_SHIPPED_FOR_ROBOTS / package,))
-
-
-def _added() -> tuple[Path, ...]:
-    folder = definitions_folder()
-    return (folder,) if folder is not None else ()
 
 
 def _workspace() -> dict[str, list[Path]]:

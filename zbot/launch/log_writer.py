@@ -9,7 +9,6 @@ from typing import Final
 
 from zbot.launch.log import get_logger, launch_config
 from zbot.launch.log.handlers import is_coloured, show
-from zbot.log.log_file import get_logging_directory
 
 #: Colours of the labels. The label of each new process gets the next colour.
 _LABEL_COLOURS: Final = ("\x1b[36m", "\x1b[35m", "\x1b[34m", "\x1b[32m", "\x1b[33m")
@@ -28,12 +27,12 @@ class LogWriter:
         self._colours: dict[str, str] = {}
 
     @property
-    def folder(self) -> Path:
-        """The folder of the log files. The first use creates it."""
+    def folder(self) -> Path | None:
+        """The folder of the log files. The first use creates it. It is None if that fails."""
         try:
             return Path(launch_config.log_dir)
         except OSError:  # the first log line reports this error
-            return get_logging_directory()
+            return None
 
     @property
     def shows_debug(self) -> bool:

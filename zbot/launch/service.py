@@ -123,7 +123,8 @@ class LaunchService:
         context.begin(loop)
         self.__task = asyncio.current_task(loop)
         self._interrupts = 0
-        writer.info(self._logger_name, f"All log files can be found below {writer.folder}")
+        if writer.folder is not None:
+            writer.info(self._logger_name, f"All log files can be found below {writer.folder}")
         level = "DEBUG" if writer.shows_debug else logging.getLevelName(launch_config.level)
         writer.info(self._logger_name, f"Default logging verbosity is set to {level}")
         keep_running = None if shutdown_when_idle else loop.create_future()

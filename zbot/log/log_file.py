@@ -9,6 +9,8 @@ import time
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from zbot.package.user_folders import home_folder
+
 if TYPE_CHECKING:
     from io import FileIO
 
@@ -22,7 +24,7 @@ def get_logging_directory() -> Path:
     if wanted is not None:
         return wanted
     home = os.environ.get("ROS_HOME")
-    return (Path(home) if home else Path("~/.ros")).expanduser() / "log"
+    return (Path(home).expanduser() if home else home_folder() / ".ros") / "log"
 
 
 class LogFile:

@@ -88,7 +88,7 @@ def _workspace() -> Iterator[Package]:
 def _added() -> Iterator[Package]:
     """Yield the packages of `zbot interface add`."""
     parent = definitions_folder()
-    for folder in sorted(parent.iterdir()) if parent is not None and parent.is_dir() else ():
+    for folder in sorted(parent.iterdir()) if parent.is_dir() else ():
         if folder.name.isidentifier() and folder.is_dir():
             yield Package(folder.name, folder, Origin.INSTALLED)
 

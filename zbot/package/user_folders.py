@@ -2,9 +2,22 @@
 
 from __future__ import annotations
 
+import contextlib
+import errno
 import os
 import sys
 from pathlib import Path
+
+
+def home_folder() -> Path:
+    """Return the user's home folder.
+
+    A user without one, e.g. in a container, gets a folder of this user among the temporary files.
+    """
+    try:
+        return Path.home()
+    except RuntimeError:
+        return _temporary_folder()
 
 
 def settings_folder() -> Path:
@@ -17,29 +30,53 @@ def settings_folder() -> Path:
     if base:
         return Path(base) / "zbot"
     if sys.platform == "win32":
-        return Path(os.environ.get("APPDATA") or Path.home() / "AppData" / "Roaming") / "zbot"
+        return Path(os.environ.get("APPDATA") or home_folder() / "AppData" / "Roaming") / "zbot"
     if sys.platform == "darwin":
-        return Path.home() / "Library" / "Application Support" / "zbot"
-    return Path.home() / ".config" / "zbot"
+        return home_folder() / "Library" / "Application Support" / "zbot"
+    return home_folder() / ".config" / "zbot"
 
 
-def definitions_folder() -> Path | None:
+def definitions_folder() -> Path:
     """Return the folder with the definitions that `zbot interface add` has copied, by package.
 
-    The folder may not exist. The result is None if the user has no home folder.
+    The folder may not exist.
     """
-    try:
-        return settings_folder() / "interfaces"
-    except RuntimeError:  # there is no home folder, e.g. in a container
-        return None
+    return settings_folder() / "interfaces"
 
 
 def cache_folder() -> Path:
-    """Return the user's cache folder for zbot."""
+    """Return the user's cache folder for zbot.
+
+    If the user has no home folder that can be written, e.g. as the user of a service, it is a
+    folder of this user among the temporary files.
+    """
+    folder = _usual_cache_folder()
+    return folder if _can_be_written(folder) else _temporary_folder()
+
+
+def _can_be_written(folder: Path) -> bool:
+    present = next(one for one in (folder, *folder.parents) if os.path.exists(one))  # noqa: PTH110 - raises no PermissionError
+    return os.access(present, os.W_OK)
+
+
+def _temporary_folder() -> Path:
+    import tempfile  # noqa: PLC0415 - few users have no home folder
+
     if sys.platform == "win32":
-        base = os.environ.get("LOCALAPPDATA") or "~/AppData/Local"
+        return Path(tempfile.gettempdir()) / "zbot"  # each user has a folder of temporary files
+    folder = Path(tempfile.gettempdir()) / f"zbot-{os.getuid()}"
+    with contextlib.suppress(FileExistsError):
+        folder.mkdir(mode=0o700)
+    if folder.lstat().st_uid != os.getuid():  # another user could change the programs in it
+        raise PermissionError(errno.EPERM, "it belongs to another user", str(folder))
+    return folder
+
+
+def _usual_cache_folder() -> Path:
+    if sys.platform == "win32":
+        base = os.environ.get("LOCALAPPDATA") or home_folder() / "AppData" / "Local"
     elif sys.platform == "darwin":
-        base = "~/Library/Caches"
+        base = home_folder() / "Library" / "Caches"
     else:
-        base = os.environ.get("XDG_CACHE_HOME") or "~/.cache"
+        base = os.environ.get("XDG_CACHE_HOME") or home_folder() / ".cache"
     return Path(base).expanduser() / "zbot"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import shutil
 import sys
+import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -19,7 +20,7 @@ from zbot.package import (
 )
 from zbot.package.finder import Origin, all_packages, find_package
 from zbot.package.symlink_install import SymlinkInstallError
-from zbot.package.user_folders import cache_folder
+from zbot.package.user_folders import cache_folder, home_folder
 from zbot.package.workspace import package_folders, set_workspace_variable
 
 if TYPE_CHECKING:
@@ -294,6 +295,35 @@ def test_each_system_has_its_own_cache_folder(
     monkeypatch.setenv("HOME", str(tmp_path))
     monkeypatch.setenv("LOCALAPPDATA", str(tmp_path / "local"))
     assert cache_folder() == tmp_path / folder
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="the folder has another name there")
+def test_a_user_without_a_home_gets_a_folder_among_the_temporary_files(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def no_home() -> Path:
+        raise RuntimeError("Could not determine home directory.")
+
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+    monkeypatch.setattr(Path, "home", no_home)
+    folder = tmp_path / f"zbot-{os.getuid()}"
+    assert home_folder() == folder
+    assert folder.stat().st_mode & 0o777 == 0o700
+    monkeypatch.setattr(os, "getuid", lambda: 12345)
+    (tmp_path / "zbot-12345").mkdir()
+    with pytest.raises(PermissionError, match="belongs to another user"):
+        home_folder()
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="the folder has another name there")
+def test_a_cache_that_cannot_be_written_is_among_the_temporary_files(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+    monkeypatch.setenv("HOME", str(tmp_path / "missing"))
+    monkeypatch.delenv("XDG_CACHE_HOME", raising=False)
+    monkeypatch.setattr(os, "access", lambda path, _: path != tmp_path)
+    assert cache_folder() == tmp_path / f"zbot-{os.getuid()}"
 
 
 # -- workspaces ----------------------------------------------------------------------------------

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.launch.errors import SubstitutionError
 from zbot.launch.substitution import Substitution, describe, normalize, perform
+from zbot.log.log_file import get_logging_directory
 from zbot.suggestion import did_you_mean
 
 if TYPE_CHECKING:
@@ -239,7 +240,7 @@ class LaunchLogDir(Substitution):
 
     def perform(self, context: LaunchContext) -> str:
         """Return the folder."""
-        return str(context.writer.folder)
+        return str(context.writer.folder or get_logging_directory())
 
 
 class FileContent(Substitution):
