@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from zbot.launch.entity import LaunchDescriptionEntity, calling_line
+from zbot.launch.errors import EntityTypeError, UnknownArgumentError
 from zbot.launch.event import ExecutionComplete
 
 if TYPE_CHECKING:
@@ -23,9 +24,18 @@ class Action(LaunchDescriptionEntity):
 
     Args:
         condition: The action runs only if the condition is true. None means that it always runs.
+        unknown: Arguments that neither the action nor its base classes have.
+
+    Raises:
+        UnknownArgumentError: There is an unknown argument.
+        EntityTypeError: `condition` is not a condition.
     """
 
-    def __init__(self, *, condition: Condition | None = None) -> None:
+    def __init__(self, *, condition: Condition | None = None, **unknown: object) -> None:
+        for name in unknown:
+            raise UnknownArgumentError(type(self), name)
+        if condition is not None and not hasattr(condition, "evaluate"):
+            raise EntityTypeError("condition", "IfCondition(...)", condition)
         self.condition = condition
         self.origin: Origin | None = calling_line()
 

@@ -31,6 +31,8 @@ class LaunchDescription(LaunchDescriptionEntity):
     ) -> None:
         self.entities: list[LaunchDescriptionEntity] = []
         self.deprecated_reason = deprecated_reason
+        if isinstance(initial_entities, LaunchDescriptionEntity):
+            raise EntityTypeError("LaunchDescription", "given a list, [...]", initial_entities)
         for entity in initial_entities or ():
             self.add_entity(entity)
 
@@ -47,7 +49,7 @@ class LaunchDescription(LaunchDescriptionEntity):
         """
         if not isinstance(entity, LaunchDescriptionEntity):
             place = f"item {len(self.entities)} of a LaunchDescription"
-            raise EntityTypeError(place, "an action", entity)
+            raise EntityTypeError(place, "one action", entity)
         self.entities.append(entity)
 
     add_action = add_entity

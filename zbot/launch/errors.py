@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import inspect
 import os
 from typing import TYPE_CHECKING
 
 from zbot.errors import ZbotError
+from zbot.launch.argument_names import question_about
 from zbot.suggestion import question, similar_names
 
 if TYPE_CHECKING:
@@ -158,6 +160,27 @@ class EntityTypeError(LaunchError, TypeError, ValueError):
     def __init__(self, where: str, expected: str, value: object) -> None:
         self.where, self.expected, self.value = where, expected, value
         super().__init__(f"{where} must be {expected}, not {type(value).__name__}: {value!r}")
+
+
+class UnknownArgumentError(LaunchError, TypeError):
+    """An action was given an argument that it does not have, e.g. `pkg` in place of `package`.
+
+    Attributes:
+        action: The class of the action.
+        argument: The name of the argument.
+        hint: The name that may be meant. It is empty if there is none.
+    """
+
+    def __init__(self, action: type[object], argument: str) -> None:
+        self.action, self.argument = action, argument
+        known = {
+            name
+            for base in action.__mro__
+            for name, one in inspect.signature(base.__init__).parameters.items()  # type: ignore[misc] # of a class
+            if one.kind is one.KEYWORD_ONLY or one.kind is one.POSITIONAL_OR_KEYWORD
+        }
+        self.hint = question_about(argument, known - {"self"})
+        super().__init__(f"{action.__name__} has no argument '{argument}'")
 
 
 class ArgumentCountError(LaunchError, TypeError):

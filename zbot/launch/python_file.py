@@ -10,12 +10,12 @@ from typing import TYPE_CHECKING, Any
 from zbot.errors import ZbotError
 from zbot.launch.description import LaunchDescription
 from zbot.launch.errors import LaunchFileError, describe
+from zbot.launch.python_mistakes import FUNCTION, advice, missing_function
 from zbot.package import python_finder
 
 if TYPE_CHECKING:
     from pathlib import Path
 
-_FUNCTION = "generate_launch_description"
 #: Modules that launch files import, and the extra of zbot that installs each module.
 _EXTRAS = {"numpy": "numpy", "xacro": "robot"}
 
@@ -29,7 +29,7 @@ def load(path: Path) -> LaunchDescription:
     returned: Any = None
     try:
         module = load_module(path)
-        function = getattr(module, _FUNCTION, None)
+        function = getattr(module, FUNCTION, None)
         if callable(function):
             returned = function()
     except SyntaxError as error:
@@ -38,7 +38,8 @@ def load(path: Path) -> LaunchDescription:
     except Exception as error:
         raise _with_line(path, error) from error
     if function is None:
-        raise LaunchFileError(str(path), 0, f"the file has no function {_FUNCTION}()")
+        reason = f"the file has no function {FUNCTION}()"
+        raise LaunchFileError(str(path), 0, reason, missing_function(module))
     if not isinstance(returned, LaunchDescription):
         line = getattr(getattr(function, "__code__", None), "co_firstlineno", 0)
         raise LaunchFileError(str(path), line, _wrong_result(returned))
@@ -63,9 +64,9 @@ def load_module(path: str | Path) -> ModuleType:
 
 def _wrong_result(returned: object) -> str:
     if returned is None:
-        return f"{_FUNCTION}() returns nothing: end it with `return LaunchDescription([...])`"
-    kind = type(returned)
-    return f"{_FUNCTION}() must return a LaunchDescription, not {kind.__module__}.{kind.__name__}"
+        return f"{FUNCTION}() returns nothing: end it with `return LaunchDescription([...])`"
+    what = "the class itself" if returned is LaunchDescription else f"a {type(returned).__name__}"
+    return f"{FUNCTION}() returns {what}: write `return LaunchDescription([...])`"
 
 
 def _with_line(path: Path, error: Exception) -> LaunchFileError:
@@ -79,8 +80,10 @@ def _with_line(path: Path, error: Exception) -> LaunchFileError:
     ]
     reason = str(error) if isinstance(error, ZbotError) else describe(error)
     hint = getattr(error, "hint", "") or ""
+    if not isinstance(error, ZbotError):
+        hint = advice(error)
     if isinstance(error, ModuleNotFoundError) and error.name in _EXTRAS:
         hint = f'pip install "zbot[{_EXTRAS[error.name]}]"'
-    elif isinstance(error, ModuleNotFoundError) and not isinstance(error, ZbotError):
+    elif isinstance(error, ModuleNotFoundError) and not hint:
         hint = "`zbot pkg deps` shows what is missing, and where it is"
     return LaunchFileError(str(path), (lines[-1] if lines else 0) or 0, reason, hint)

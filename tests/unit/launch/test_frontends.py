@@ -180,6 +180,27 @@ def test_a_mistake_is_reported_with_file_and_line(
 
 
 @pytest.mark.parametrize(
+    ("inner", "hint"),
+    [
+        ("<node pkg='p' executable='e'/>", "write exec, not executable"),
+        ("<node pkg='p' type='e'/>", "write exec, not type"),
+        ("<node package='p' exec='e'/>", "did you mean 'pkg'?"),
+        ("<node pkg='p' exec='e' ns='n'/>", "did you mean 'namespace'?"),
+        ("<node pkg='p' exec='e' arguments='a'/>", "did you mean 'args'?"),
+        ("<node pkg='p' exec='e'><parameters name='a' value='1'/></node>", "did you mean 'param'?"),
+        ("<node pkg='p' exec='e'><remap form='a' to='b'/></node>", "write from, not form"),
+        ("<arg name='a' value='1'/>", "did you mean 'default'?"),
+        ("<nod/>", "did you mean 'node'?"),
+        ("<node pkg='p'/>", ""),
+    ],
+)
+def test_a_wrong_name_of_a_tag_or_attribute_is_named(tmp_path: Path, inner: str, hint: str) -> None:
+    with pytest.raises(LaunchFileError) as caught:
+        _load(tmp_path, "a.launch.xml", f"<launch>{inner}</launch>")
+    assert caught.value.hint == hint
+
+
+@pytest.mark.parametrize(
     "text",
     [
         "<?xml version='1.0'?>\n<launch><arg name='speed'/></launch>",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any, get_args
 
+from zbot.launch.argument_names import question_about
 from zbot.launch.errors import CoercionError
 from zbot.launch.frontend.errors import (
     AttributeTypeError,
@@ -12,7 +13,6 @@ from zbot.launch.frontend.errors import (
 )
 from zbot.launch.substitution import to_bool
 from zbot.launch.typed_value import get_typed_value, is_instance_of, is_typing_list
-from zbot.suggestion import did_you_mean
 
 #: Types of the items in an attribute's list. For another item type, `get_attr` returns children.
 _LISTS = ((bool,), (int,), (float,), (str,))
@@ -79,7 +79,9 @@ class Entity:
 
     def _missing(self, name: str) -> MissingAttributeError:
         reason = f"`{self.type_name}` needs the attribute '{name}'"
-        return MissingAttributeError(self.path, self.line, reason)
+        wrong = [one for one in self.attributes if question_about(one, [name])]
+        hint = f"write {name}, not {wrong[0]}" if wrong else ""
+        return MissingAttributeError(self.path, self.line, reason, hint)
 
     def value(self, name: str) -> Any:
         """Return an attribute without conversion. In YAML, the value may be a number or a list."""
@@ -160,10 +162,12 @@ class Entity:
         """
         for child in () if self._all_used else self._children:
             if child.type_name not in self._used:
-                raise child.error(f"`{child.type_name}` is not allowed inside `{self.type_name}`")
+                hint = question_about(child.type_name, self._used)
+                reason = f"`{child.type_name}` is not allowed inside `{self.type_name}`"
+                raise child.error(reason, hint)
         for name in self.attributes:
             if name not in self._used:
-                hint = did_you_mean(name, self._used)
+                hint = question_about(name, self._used)
                 raise self.error(f"`{self.type_name}` has no attribute '{name}'", hint)
 
 
