@@ -11,7 +11,9 @@ import zenoh
 
 from zbot.errors import ArgumentTypeError, ContextInitializedError
 from zbot.graph.snapshot import Graph
+from zbot.log import get_logger
 from zbot.log.teacher_notice import NOTICE_KEY, log_notice
+from zbot.parameters.lost_arguments import warning_about
 from zbot.parameters.ros_args import Arguments, configure_logging
 from zbot.process import at_exit, blocked_put, signals
 from zbot.transport import config, environment, membership, shared_memory
@@ -133,6 +135,8 @@ class Context:
             self.dialect = dialect_of_rmw(self._rmw, in_class=self._in_class)
             if initialize_logging:
                 configure_logging(self.arguments)
+            if lost := warning_about(self.arguments.unparsed):
+                get_logger("zbot").warning(lost)
             self._state = "valid"
 
     def ok(self) -> bool:

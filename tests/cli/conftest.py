@@ -32,7 +32,7 @@ name = '{name}'
 setup(
     name=name,
     packages=[name],
-    data_files=[
+    data_files=[('share/ament_index/resource_index/packages', ['resource/' + name]),
         ('share/' + name, ['package.xml']),
         ('share/' + name + '/launch', glob('launch/*')),
         {data}
@@ -41,6 +41,12 @@ setup(
         {scripts}
     ]}},
 )
+"""
+CONFIG = """\
+[develop]
+script_dir=$base/lib/{name}
+[install]
+install_scripts=$base/lib/{name}
 """
 
 
@@ -98,7 +104,8 @@ def write(workspace: Path) -> Write:
         whole = {"package.xml": MANIFEST.format(name=name, more=more, build_type=build_type)}
         if build_type == "ament_python":
             whole["setup.py"] = SETUP.format(name=name, scripts=scripts, data=data)
-            whole["setup.cfg"] = ""
+            whole["setup.cfg"] = CONFIG.format(name=name)
+            whole[f"resource/{name}"] = ""
             whole[f"{name}/__init__.py"] = ""
         for path, text in {**whole, **files}.items():
             (folder / path).parent.mkdir(parents=True, exist_ok=True)

@@ -16,6 +16,10 @@ if TYPE_CHECKING:
 
 NOT_FOUND = "`ros2 launch` would not find it"
 NOT_MADE = "ROS 2 would not generate code from it"
+NO_PACKAGE = "ROS 2 would not find the package"
+NO_PROGRAM = "`ros2 run` would not find the programs"
+INDEX = "'share/ament_index/resource_index/packages'"
+CFG = "[develop] script_dir=$base/lib/robot and [install] install_scripts=$base/lib/robot"
 KNOWN = {"rclpy", "std_msgs", "geometry_msgs", "my_msgs"}
 
 
@@ -188,7 +192,7 @@ def test_files_in_other_encodings(write: Write) -> None:
     folder = write()
     setup = "# -*- coding: latin-1 -*-\n# ü\nfrom setuptools import setup\nsetup(name='robot')\n"
     (folder / "setup.py").write_text(setup, encoding="latin-1")
-    assert problems(folder) == []
+    assert not [one for one in problems(folder) if "warning" not in one]
 
 
 def test_a_folder_in_the_place_of_a_file_is_an_error(write: Write, zbot_command: Command) -> None:
@@ -280,8 +284,117 @@ def test_files_that_ros_2_would_not_find_are_warnings(write: Write) -> None:
     (folder / "setup.cfg").unlink()
     assert problems(folder) == [
         f"launch/a.launch.py: warning: setup.py does not install it: {NOT_FOUND}",
-        "setup.py: warning: there is no setup.cfg: `ros2 run` would not find the programs",
+        f"setup.py: warning: data_files lacks ({INDEX}, ['resource/robot']): {NO_PACKAGE}",
+        f"setup.py: warning: data_files lacks ('share/robot', ['package.xml']): {NO_PACKAGE}",
+        f"setup.py: warning: there is no setup.cfg: {NO_PROGRAM}; write {CFG}",
     ]
+
+
+@pytest.mark.parametrize(
+    ("file", "old", "new", "problem"),
+    [
+        (
+            "setup.py",
+            "'a = robot.a:main',",
+            "'a = robot.a:main'",
+            "py:13: a comma is missing",
+        ),
+        (
+            "setup.py",
+            ":main',\n        'b",
+            ":main()',\n        'b",
+            "write main, without",
+        ),
+        ("setup.py", "'b = ", "'a = ", "setup.py:14: 'a' is declared twice"),
+        ("setup.py", "'console_scripts'", "'console_script'", "did you mean 'console_scripts'?"),
+        ("setup.py", "entry_points=", "entry_point=", "setup() has no argument 'entry_point'; did"),
+        ("setup.py", "data_files=", "data_file=", "setup() has no argument 'data_file'; did you"),
+        (
+            "setup.py",
+            "packages=[name]",
+            "packages=['robt']",
+            "did you mean 'robot'?",
+        ),
+        (
+            "setup.py",
+            "name = 'robot'",
+            "name = 'robt'",
+            "is 'robt' here, but 'robot' in",
+        ),
+        (
+            "setup.py",
+            "['package.xml']),",
+            "['package.xml' 'setup.py']),",
+            "a comma is missing between 'package.xml' and 'setup.py'",
+        ),
+        ("setup.py", "['package.xml']),", "['package.xml'])", "perhaps you missed a comma?"),
+        ("setup.py", "('share/' + name, ['package.xml']),", "", "lacks ('share/robot', ['package"),
+        (
+            "setup.cfg",
+            "script_dir",
+            "script-dir",
+            "cfg:2: warning: write script_dir, not",
+        ),
+        (
+            "setup.cfg",
+            "install_scripts",
+            "install-scripts",
+            "cfg:4: warning: write install_s",
+        ),
+        (
+            "setup.cfg",
+            "lib/robot\n[",
+            "lib/robt\n[",
+            "write script_dir=$base/lib/robot: ",
+        ),
+        ("setup.cfg", "[install]\n", "", "add install_scripts=$base/lib/robot below [install]"),
+        ("setup.cfg", "[develop]\n", "", "setup.cfg:1: File contains no section headers."),
+        ("package.xml", "ament_python", "ament_pyton", "there is no build type 'ament_pyton'; did"),
+    ],
+)
+def test_a_mistake_in_the_setup_files_is_named(
+    write: Write, file: str, old: str, new: str, problem: str
+) -> None:
+    programs = {f"robot/{name}.py": "def main(): pass\n" for name in "ab"}
+    folder = write(scripts="'a = robot.a:main',\n        'b = robot.b:main',", **programs)
+    assert problems(folder) == []
+    text = (folder / file).read_text()
+    assert old in text
+    (folder / file).write_text(text.replace(old, new, 1))
+    assert problem in "\n".join(problems(folder))
+
+
+@pytest.mark.parametrize(
+    ("name", "advice"),
+    [
+        ("other.py", "robot: warning: add an empty __init__.py"),
+        ("_init_.py", "robot/_init_.py: warning: rename _init_.py to __init__.py"),
+    ],
+)
+def test_a_folder_of_modules_without_init_is_a_warning(
+    write: Write, name: str, advice: str
+) -> None:
+    folder = write()
+    (folder / "robot" / "__init__.py").rename(folder / "robot" / name)
+    assert problems(folder) == [
+        f"{advice}: without it, ROS 2 would not install the modules of this folder"
+    ]
+
+
+def test_a_configuration_that_is_not_installed_is_a_warning(write: Write) -> None:
+    assert problems(write(**{"config/a.yaml": ""})) == [
+        "config/a.yaml: warning: setup.py does not install it: programs would not find it in ROS 2"
+    ]
+
+
+def test_pkg_check_names_the_problems(write: Write, zbot_command: Command) -> None:
+    write("good")
+    write("bad", scripts="'a = bad.gone:main'")
+    assert zbot_command("pkg", "check", "good").code == 0
+    checked = zbot_command("pkg", "check")
+    assert (checked.code, checked.out) == (1, "")
+    assert "src/bad/setup.py:13: 'a' names the module bad.gone" in checked.err
+    assert "did you mean 'good'?" in zbot_command("pkg", "check", "god").err
 
 
 def test_files_installed_by_cmake_are_checked(write: Write) -> None:

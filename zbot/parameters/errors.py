@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import InvalidParameterError, ParameterError, SetupError, ZbotError
@@ -27,8 +28,18 @@ __all__ = [
     "UnknownCallbackError",
 ]
 
+_DECIMAL_COMMA = re.compile(r"[-+]?[0-9]+,[0-9]+")
+
 ParameterException = ParameterError
 InvalidParameterException = InvalidParameterError
+
+
+def decimal_comma(value: object, expected_type: str) -> str:
+    """Return `; write 1.5, with a point` if a text such as `1,5` is given for a number."""
+    is_number = expected_type.lower() in {"double", "integer"}
+    if is_number and isinstance(value, str) and _DECIMAL_COMMA.fullmatch(value):
+        return f"; write {value.replace(',', '.')}, with a point"
+    return ""
 
 
 class ParameterNotDeclaredException(ParameterError, LookupError):
@@ -59,7 +70,8 @@ class InvalidParameterTypeException(ParameterError, TypeError):
         super().__init__(
             f"Trying to set parameter {desired_parameter.name!r} to "
             f"'{desired_parameter.value}' of type '{desired_parameter.type_.name}', "
-            f"expecting type '{expected_type}'",
+            f"expecting type '{expected_type}'"
+            f"{decimal_comma(desired_parameter.value, expected_type)}",
             desired_parameter.name,
         )
 
@@ -122,7 +134,7 @@ class InvalidQosOverridesError(ZbotError):
         super().__init__(f"the QoS overrides of {what} are not valid: {reason}")
 
 
-class ArgumentsError(ZbotError, ValueError, RuntimeError):
+class ArgumentsError(SetupError, ValueError, RuntimeError):
     """Arguments after `--ros-args` are unknown or not valid."""
 
     def __init__(self, word: str | list[str], reason: str) -> None:

@@ -205,7 +205,7 @@ def _remap(found: Arguments, word: str) -> Arguments:
     try:
         _validate_remap(source, target)
     except InvalidNameError as error:
-        raise ArgumentsError(word, str(error)) from error
+        raise ArgumentsError(word, str(error)) from None
     return found._replace(remaps=(*found.remaps, Remap(source, target, node, kind)))
 
 
@@ -224,7 +224,7 @@ def _parameter(found: Arguments, word: str) -> Arguments:
     try:
         value = parameter_file.parse_value(text, of_one_kind=True)
     except ParameterValueError as error:
-        raise ArgumentsError(word, str(error)) from error
+        raise ArgumentsError(word, str(error)) from None
     return found._replace(parameters=(*found.parameters, ParameterValue(name, value, node)))
 
 

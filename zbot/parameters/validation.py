@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from zbot.parameters.errors import decimal_comma
 from zbot.parameters.parameter import Parameter
 
 if TYPE_CHECKING:
@@ -178,7 +179,8 @@ def rejection_reason(
             return "Static parameter cannot be undeclared"
         if is_wrong_type(parameter, descriptor):
             wrong = f"expected '{descriptor.type.text}' got '{parameter.type_.text}'"
-            return f"Wrong parameter type, {wrong}: {_facts(name, descriptor, present)}"
+            point = decimal_comma(parameter.value, descriptor.type.text)
+            return f"Wrong parameter type, {wrong}: {_facts(name, descriptor, present)}{point}"
     reason = _range_rejection(parameter, descriptor.with_type(parameter.type_))
     now = "" if present is None or present.value is None else f", now {present.value}"
     return f"{reason} ({parameter.type_.text}{now})" if reason else ""

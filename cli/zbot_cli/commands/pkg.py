@@ -11,7 +11,7 @@ import typer
 
 from zbot.errors import ZbotError
 from zbot.package import PackageNotFoundError, package_prefix, package_share, packages
-from zbot.package.finder import find_package
+from zbot.package.finder import BUNDLED_NAMES, find_package
 from zbot.package.workspace import MANIFEST, current_workspace, package_folders, package_name
 from zbot.suggestion import did_you_mean
 from zbot_cli.commands.run import PackageNotFoundError as UnknownPackageError
@@ -20,6 +20,7 @@ from zbot_cli.output.exit_status import Status
 from zbot_cli.output.listing import AsJson, new_app, print_json
 from zbot_cli.packages import executables
 from zbot_cli.packages.author import email_address, full_name
+from zbot_cli.packages.check.package import check_package
 from zbot_cli.packages.check.problem import shown_path
 from zbot_cli.packages.creation import Plan, create, known_licenses
 from zbot_cli.packages.executables import Executable, all_packages, program_file
@@ -28,6 +29,7 @@ from zbot_cli.packages.known_workspaces import remember
 if TYPE_CHECKING:
     from xml.etree.ElementTree import Element
 
+    from zbot_cli.packages.check.problem import Problem
     from zbot_cli.packages.lacking import Lacking
 
 app = new_app("Find and create packages")
@@ -169,6 +171,24 @@ def list_packages(as_json: AsJson = False) -> None:
         print_json([dict(zip(keys, row, strict=True)) for row in rows])
         return
     print(*sorted({*found, *bundled}), sep="\n")
+
+
+@app.command("check")
+def check(
+    package_names: Annotated[
+        list[str] | None, typer.Argument(help="Check only these packages")
+    ] = None,
+) -> int:
+    """Check packages of the workspace for mistakes."""
+    folders = {package_name(folder): folder for folder in package_folders()}
+    known = {*packages(), *folders}.difference(BUNDLED_NAMES)
+    problems: list[Problem] = []
+    for name in package_names or sorted(folders):
+        if name not in folders:
+            raise UnknownPackageError(name, sorted(folders))
+        problems += check_package(folders[name], known - {name})
+    print(*problems, sep="\n", end="\n" if problems else "", file=sys.stderr)
+    return Status.ERROR if any(one.is_error for one in problems) else Status.OK
 
 
 @app.command("executables")

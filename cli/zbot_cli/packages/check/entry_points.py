@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import re
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -20,6 +21,10 @@ if TYPE_CHECKING:
     from zbot_cli.packages.check.subject import Subject
 
 
+#: The first of two entry points that were joined to one string, without the end of its function.
+_JOINED = re.compile(r"\s*[\w.-]+\s*=\s*[\w.]+:(?=\w+\s*=)")
+
+
 def check_entry_points(subject: Subject) -> Iterator[Problem]:
     """Yield the problems of a package's entry points, without importing anything."""
     try:
@@ -30,6 +35,12 @@ def check_entry_points(subject: Subject) -> Iterator[Problem]:
     for path, text in declared:
         reason = _problem_text(subject, text)
         if reason:
+            line = line_of(path, *text.split("=")) or line_of(path, *re.split("[=:]", text)[:2])
+            yield Problem(path, line, reason)
+    names = [text.partition("=")[0].strip() for _, text in declared]
+    for index, (path, text) in enumerate(declared):
+        if names[index] in names[:index]:
+            reason = f"'{names[index]}' is declared twice: only one of the programs can be started"
             yield Problem(path, line_of(path, *text.split("=")), reason)
 
 
@@ -38,12 +49,16 @@ def _problem_text(subject: Subject, text: str) -> str:
     module, colon, function = (part.strip() for part in target.partition("[")[0].partition(":"))
     if not (name and equals and module and colon and function):
         return f"'{text.strip()}' must have the form 'name = package.module:function'"
+    if joined := _JOINED.match(text):
+        return f"a comma is missing after '{joined[0].strip()}...': Python joins the two strings"
     path = module_file(module, tuple(import_paths(subject.folder)))
     if path is None:
         return f"'{name}' names the module {module}, which does not exist{_hint(subject, module)}"
     if path not in subject.modules:
         return ""  # a module of another package, or a syntax error that is reported elsewhere
     names = set(_names(subject.modules[path].body))
+    if function.endswith("()"):
+        return f"'{name}' names {function}: write {function[:-2]}, without brackets"
     first = function.partition(".")[0]
     if "*" in names or first in names:
         return ""

@@ -12,6 +12,7 @@ from zbot.package.finder import Origin, Package
 from zbot.package.setup_file import setup_arguments
 from zbot.package.symlink_install import files_below, installed_files
 from zbot.package.workspace import MANIFEST
+from zbot.suggestion import did_you_mean, nearest, question
 from zbot_cli.packages.check.problem import Problem
 from zbot_cli.packages.check.subject import line_of
 
@@ -31,6 +32,10 @@ _BUILD_FILES = {
 def check_installation(subject: Subject) -> Iterator[Problem]:
     """Yield a problem for each file that a build would not find or would not install."""
     file = _BUILD_FILES.get(subject.build_type)
+    if subject.build_type and (guess := nearest(subject.build_type, _BUILD_FILES)):
+        text = f"there is no build type '{subject.build_type}'{question([guess], '; ')}"
+        path = subject.folder / MANIFEST
+        yield Problem(path, line_of(path, "build_type"), text)
     if file and not (subject.folder / file).is_file():
         text = f"the build type is {subject.build_type}, but there is no {file}"
         yield Problem(
@@ -60,9 +65,6 @@ def _check_setup(subject: Subject, path: Path) -> Iterator[Problem]:
     if isinstance(named, str) and subject.manifest and named != subject.name:
         text = f"the package is '{named}' here, but '{subject.name}' in {MANIFEST}"
         yield Problem(path, line_of(path, named), text)
-    if subject.build_type == "ament_python" and not (subject.folder / "setup.cfg").is_file():
-        text = "there is no setup.cfg: `ros2 run` would not find the programs"
-        yield Problem(path, 0, text, is_error=False)
 
 
 def _module(subject: Subject, name: str) -> Path:
@@ -74,13 +76,29 @@ def _missing(subject: Subject, arguments: dict[str, object]) -> Iterator[tuple[s
     places = arguments.get("package_dir")
     for name in folders if isinstance(folders, list) and not places else ():
         if isinstance(name, str) and not os.path.isdir(_module(subject, name)):  # noqa: PTH112 - any text
-            yield f"`packages` names {name}, but there is no such folder", name
+            hint = _comma(subject, name.replace(".", "/")) or did_you_mean(
+                name, _folders(subject), before="; "
+            )
+            yield f"`packages` names {name}, but there is no such folder{hint}", name
     listed = arguments.get("data_files")
     for entry in listed if isinstance(listed, list) else ():
         files = entry[1] if isinstance(entry, tuple) and len(entry) == 2 else None
         for name in files if isinstance(files, (list, tuple)) else ():
             if isinstance(name, str) and not os.path.isfile(subject.folder / name):  # noqa: PTH113 - as above
-                yield f"data_files names {name}, which does not exist", name
+                yield f"data_files names {name}, which does not exist{_comma(subject, name)}", name
+
+
+def _folders(subject: Subject) -> list[str]:
+    return [path.parent.name for path in sorted(subject.folder.glob("*/*.py"))]
+
+
+def _comma(subject: Subject, name: str) -> str:
+    """Return a hint if a name consists of the names of two files: Python joins two strings."""
+    for index in range(1, len(name)):
+        parts = (name[:index], name[index:])
+        if all(os.path.exists(subject.folder / part) for part in parts):  # noqa: PTH110 - any text
+            return f"; a comma is missing between '{parts[0]}' and '{parts[1]}'"
+    return ""
 
 
 def _check_left_out(subject: Subject) -> Iterator[Problem]:
@@ -93,3 +111,8 @@ def _check_left_out(subject: Subject) -> Iterator[Problem]:
         if path.resolve() not in known and path.suffix in _LAUNCH_ENDINGS:
             text = f"{file} does not install it: `ros2 launch` would not find it"
             yield Problem(path, 0, text, is_error=False)
+    for folder in ("config", "params", "urdf", "rviz", "worlds", "maps", "meshes"):
+        for path in sorted(files_below(subject.folder / folder)):
+            if path.resolve() not in known:
+                text = f"{file} does not install it: programs would not find it in ROS 2"
+                yield Problem(path, 0, text, is_error=False)

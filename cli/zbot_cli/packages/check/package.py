@@ -11,6 +11,7 @@ from zbot_cli.packages.check.entry_points import check_entry_points
 from zbot_cli.packages.check.installation import check_installation
 from zbot_cli.packages.check.interfaces import check_interfaces
 from zbot_cli.packages.check.problem import Problem
+from zbot_cli.packages.check.setup_files import check_setup_files
 from zbot_cli.packages.check.subject import Subject
 
 if TYPE_CHECKING:
@@ -38,5 +39,6 @@ def check_package(folder: Path, known: Container[str]) -> list[Problem]:
     problems += check_entry_points(subject)
     problems += check_interfaces(subject)
     problems += check_installation(subject)
+    problems += check_setup_files(subject)
     problems += check_dependencies(subject, known)
     return sorted(dict.fromkeys(problems), key=lambda one: (not one.is_error, one))

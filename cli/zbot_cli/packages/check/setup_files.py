@@ -1,0 +1,132 @@
+"""Check of the setup.py and setup.cfg of a Python package."""
+
+from __future__ import annotations
+
+import configparser
+import contextlib
+import warnings
+from typing import TYPE_CHECKING
+
+from zbot.package.errors import SetupFileError
+from zbot.package.setup_file import data_files, setup_arguments
+from zbot.package.workspace import MANIFEST
+from zbot.suggestion import nearest, question
+from zbot_cli.packages.check.problem import Problem
+from zbot_cli.packages.check.subject import line_of
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from pathlib import Path
+
+    from zbot_cli.packages.check.subject import Subject
+
+#: The arguments of `setup()` that the setup.py of a ROS 2 package has.
+_ARGUMENTS = (
+    "name", "version", "packages", "package_dir", "package_data", "py_modules", "data_files",
+    "install_requires", "zip_safe", "author", "author_email", "maintainer", "maintainer_email",
+    "url", "keywords", "classifiers", "description", "long_description", "license", "scripts",
+    "tests_require", "extras_require", "entry_points", "include_package_data", "python_requires",
+)  # fmt: skip
+_CFG = (("develop", "script_dir"), ("install", "install_scripts"))
+_INDEX = "share/ament_index/resource_index/packages"
+
+
+def check_setup_files(subject: Subject) -> Iterator[Problem]:
+    """Yield the problems of the setup files, except wrong entry points and missing files."""
+    path = subject.folder / "setup.py"
+    if subject.build_type != "ament_python" or not path.is_file():
+        return
+    try:
+        arguments = setup_arguments(path)
+        targets = {folder.rstrip("/") for folder, _ in data_files(subject.folder)}
+    except SetupFileError:
+        return  # the check of the installation reports it
+    if arguments.get("name", subject.name) != subject.name:
+        return  # all the rest has the wrong name too
+    yield from _check_calls(path)
+    yield from _check_names(path, arguments)
+    yield from _check_data_files(subject, arguments, targets)
+    yield from _check_init_files(subject)
+    yield from _check_cfg(subject)
+
+
+def _check_calls(path: Path) -> Iterator[Problem]:
+    """Report what Python warns of, e.g. a missing comma between two tuples."""
+    with warnings.catch_warnings(record=True) as found:
+        warnings.simplefilter("always")
+        with contextlib.suppress(SyntaxError, ValueError, RecursionError, MemoryError):
+            compile(path.read_bytes(), str(path), "exec")
+    for one in found:
+        yield Problem(path, one.lineno, str(one.message))
+
+
+def _check_names(path: Path, arguments: dict[str, object]) -> Iterator[Problem]:
+    for name in arguments:
+        if name not in _ARGUMENTS and (guess := nearest(name, _ARGUMENTS)):
+            text = f"setup() has no argument '{name}'{question([guess], '; ')}"
+            yield Problem(path, line_of(path, name), text)
+    groups = arguments.get("entry_points")
+    for group in groups if isinstance(groups, dict) else ():
+        if isinstance(group, str) and nearest(group, ["console_scripts"]):
+            text = f"entry_points has no group '{group}'{question(['console_scripts'], '; ')}"
+            yield Problem(path, line_of(path, group), text)
+
+
+def _check_data_files(
+    subject: Subject, arguments: dict[str, object], targets: set[str]
+) -> Iterator[Problem]:
+    listed = arguments.get("data_files", [])
+    if not isinstance(listed, list) or not all(isinstance(one, tuple) for one in listed):
+        return  # only a run of the file would show what it installs
+    wanted = {_INDEX: f"resource/{subject.name}", f"share/{subject.name}": MANIFEST}
+    for target, file in wanted.items():
+        if target not in targets:
+            entry = f"('{target}', ['{file}'])"
+            text = f"data_files lacks {entry}: ROS 2 would not find the package"
+            path = subject.folder / "setup.py"
+            yield Problem(path, line_of(path, "data_files"), text, is_error=False)
+
+
+def _check_init_files(subject: Subject) -> Iterator[Problem]:
+    top = subject.folder / subject.name
+    folders = {path.parent for path in subject.modules if path.is_relative_to(top)}
+    for folder in sorted(folders):
+        if (folder / "__init__.py").is_file():
+            continue
+        near = [one for one in folder.glob("*init*.py") if nearest(one.name, ["__init__.py"])]
+        advice = f"rename {near[0].name} to __init__.py" if near else "add an empty __init__.py"
+        text = f"{advice}: without it, ROS 2 would not install the modules of this folder"
+        yield Problem(near[0] if near else folder, 0, text, is_error=False)
+
+
+def _check_cfg(subject: Subject) -> Iterator[Problem]:
+    path = subject.folder / "setup.cfg"
+    place = f"$base/lib/{subject.name}"
+    if not path.is_file():
+        lines = " and ".join(f"[{section}] {option}={place}" for section, option in _CFG)
+        text = f"there is no setup.cfg: `ros2 run` would not find the programs; write {lines}"
+        yield Problem(subject.folder / "setup.py", 0, text, is_error=False)
+        return
+    parser = configparser.ConfigParser(interpolation=None)
+    try:
+        parser.read_string(path.read_text(encoding="utf-8"))
+    except (configparser.Error, UnicodeDecodeError) as error:
+        yield Problem(path, getattr(error, "lineno", 0) or 0, " ".join(str(error).split()))
+        return
+    for section, option in _CFG:
+        yield from _check_option(path, parser, section, option, place)
+
+
+def _check_option(
+    path: Path, parser: configparser.ConfigParser, section: str, option: str, place: str
+) -> Iterator[Problem]:
+    dashes, right = option.replace("_", "-"), f"{option}={place}"
+    if parser.has_option(section, dashes):
+        text = f"write {option}, not {dashes}: new setuptools refuse the dash"
+        yield Problem(path, line_of(path, dashes), text, is_error=False)
+        return
+    found = parser.get(section, option, fallback="")
+    if found != place:
+        text = f"write {right}" if found else f"add {right} below [{section}]"
+        text += ": `ros2 run` would not find the programs"
+        yield Problem(path, line_of(path, option), text, is_error=False)
