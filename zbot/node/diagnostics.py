@@ -18,6 +18,7 @@ from zbot.graph.snapshot import Snapshot
 from zbot.log import get_logger
 from zbot.names import ROSOUT_TOPIC, fully_qualified, is_hidden
 from zbot.suggestion import nearest
+from zbot.transport import running_programs
 from zbot.wire.keys import SHARED_DOMAIN
 from zbot.wire.tokens import EndpointToken, EntityKind, NodeToken
 
@@ -132,6 +133,13 @@ class Diagnostics:
         with self._signal:
             own = list(self._own.values())
             has_own = any(token.key in self._own for token in news)
+        self._check_stopped(
+            {
+                fully_qualified(token.namespace, token.node): logger_name
+                for token, logger_name in own
+                if isinstance(token, NodeToken) and token in news
+            }
+        )
         others = self._context.graph.known() if has_own else ()
         for token in news:
             for mine, logger_name in own:
@@ -170,6 +178,19 @@ class Diagnostics:
                 f"there is another node named {name}; give one of them another name: "
                 f"--ros-args -r __node:={mine.node}_2",
             )
+
+    def _check_stopped(self, nodes: dict[str, str]) -> None:
+        """Warn if a program that Ctrl-Z has stopped has a node of the same name.
+
+        A stopped program does not answer, so the graph may not show its nodes.
+
+        Args:
+            nodes: The full names of own nodes, each with the name of its logger.
+        """
+        for name, logger_name in nodes.items():
+            text = running_programs.stopped_text(self._context.get_domain_id(), name)
+            if text:
+                self._warn(logger_name, ("stopped", name), f"another node has this name: {text}")
 
     def _compare_types(self, mine: EndpointToken, other: EndpointToken, logger_name: str) -> None:
         if self._context.dialect.needs_equal_types and {mine.kind, other.kind} in _PAIRS:

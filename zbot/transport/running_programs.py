@@ -20,6 +20,7 @@ from zbot.json_reader import read_json_object
 from zbot.names import is_hidden
 from zbot.transport import background_process, environment, membership
 from zbot.transport.process_facts import command_line
+from zbot.transport.process_state import is_stopped
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -194,3 +195,40 @@ def outside_text() -> str:
 def _described(program: RunningProgram, joined: Membership | None) -> str:
     names = ", ".join(program.visible_nodes[:_MOST_LISTED]) or program.command
     return f"{names} (process {program.pid}: {program.reason(joined)})"
+
+
+def stopped_text(domain: int, node: str = "") -> str:
+    """Return a sentence about programs that Ctrl-Z has stopped, and what to do, or `""`.
+
+    Args:
+        domain: The domain of the programs.
+        node: The full name of a node. If it is given, only programs with this node count.
+    """
+    found = [
+        one
+        for one in running()
+        if one.domain == domain
+        and (node in one.nodes if node else one.visible_nodes)
+        and is_stopped(one.pid)
+    ]
+    if not found:
+        return ""
+    listed = (f"{', '.join(one.visible_nodes)} (process {one.pid})" for one in found)
+    return (
+        f"{'; '.join(listed)} {'is' if len(found) == 1 else 'are'} stopped, e.g. by Ctrl-Z: type "
+        f"`fg` in the terminal, or `kill -9 {' '.join(str(one.pid) for one in found)}`"
+    )
+
+
+def elsewhere_text(domain: int) -> str:
+    """Return a sentence about this machine's nodes of other domains, or `""` if there are none."""
+    found: dict[int, list[str]] = {}
+    for one in running():
+        if one.domain != domain:
+            found.setdefault(one.domain, []).extend(one.visible_nodes)
+    places = [
+        f"{', '.join(names[:_MOST_LISTED])} in domain {number}: set ZBOT_DOMAIN_ID={number}"
+        for number, names in sorted(found.items())
+        if names
+    ]
+    return f"this machine runs {'; '.join(places[:_MOST_LISTED])}" if places else ""

@@ -13,7 +13,14 @@ from zbot.graph.snapshot import full_names
 from zbot.names import fully_qualified, is_hidden
 from zbot.suggestion import did_you_mean
 from zbot.wire.tokens import EntityKind
-from zbot_cli.domain.client import client, full_name, note_if_nobody_runs, snapshot, snapshot_of
+from zbot_cli.domain.client import (
+    client,
+    full_name,
+    note_if_nobody_runs,
+    print_stopped_programs,
+    snapshot,
+    snapshot_of,
+)
 from zbot_cli.input.option_groups import with_option_groups
 from zbot_cli.output.listing import NO_DAEMON, AsJson, DaemonOptions, new_app, print_json
 
@@ -65,6 +72,7 @@ def list_nodes(
     note_if_nobody_runs(graph)
     nodes = [node for node in graph.nodes if show_all or not is_hidden(_name(node))]
     names = full_names(nodes)
+    print_stopped_programs()
     if count:
         print(len(names))
     elif as_json:

@@ -65,11 +65,26 @@ def snapshot() -> Snapshot:
 def note_if_nobody_runs(graph: Snapshot) -> None:
     """If no node is running, print this on stderr. Print nothing if stderr is not a terminal."""
     if sys.stderr.isatty() and all(is_hidden(node.node) for node in graph.nodes):
-        print(
-            f"no node is running in domain {domain_id()}; start one in another terminal, "
-            "e.g. zbot run sensor",
-            file=sys.stderr,
-        )
+        print(f"no node is running in domain {domain_id()}; {_where_to_look()}", file=sys.stderr)
+
+
+def nobody_runs() -> str:
+    """Return a sentence which says that no node is running, and where this machine's nodes are."""
+    elsewhere = running_programs.elsewhere_text(domain_id())
+    return f"no node is running{f' in domain {domain_id()}; {elsewhere}' if elsewhere else ''}"
+
+
+def _where_to_look() -> str:
+    return escape_control_characters(running_programs.elsewhere_text(domain_id())) or (
+        "start one in another terminal, e.g. zbot run sensor"
+    )
+
+
+def print_stopped_programs() -> None:
+    """Print on stderr which programs of the domain are stopped (Ctrl-Z), if any."""
+    text = running_programs.stopped_text(domain_id())
+    if text:
+        print(escape_control_characters(text), file=sys.stderr, flush=True)
 
 
 @contextlib.contextmanager

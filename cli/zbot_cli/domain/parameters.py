@@ -17,7 +17,7 @@ from zbot.parameters.parameter import (
     parameter_value_to_python,
 )
 from zbot.suggestion import did_you_mean
-from zbot_cli.domain.client import full_name
+from zbot_cli.domain.client import full_name, nobody_runs
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
@@ -58,7 +58,7 @@ class ParameterNotSetError(ZbotError):
 
 
 def _others(known: Sequence[str]) -> str:
-    return f"running nodes are {', '.join(known)}" if known else "no node is running"
+    return f"running nodes are {', '.join(known)}" if known else nobody_runs()
 
 
 @dataclass(slots=True)

@@ -7,14 +7,17 @@ import time
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
-from zbot.suggestion import did_you_mean
+from zbot.names import fully_qualified
+from zbot.suggestion import did_you_mean, similar_names
 from zbot.wire.tokens import EntityKind
+from zbot_cli.domain.client import print_stopped_programs
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from zbot.graph.snapshot import Snapshot
     from zbot.node.node import Node
+    from zbot.wire.tokens import EndpointToken
 
 #: Seconds after which a command says that a topic has no publisher or no subscription.
 HINT_DELAY_S = 2.0
@@ -84,7 +87,21 @@ def print_waiting(graph: Snapshot, name: str) -> bool:
     return bool(hint)
 
 
-def hint_if_silent(node: Node, names: Sequence[str], is_silent: Callable[[], bool]) -> None:
+def print_silent(name: str, publishers: Sequence[EndpointToken]) -> None:
+    """Print on stderr that the publishers of a topic have sent no message yet."""
+    who = sorted({fully_qualified(one.namespace, one.node) for one in publishers})
+    print(
+        f"no message on {name} yet; its publisher is {', '.join(who)}", file=sys.stderr, flush=True
+    )
+
+
+def hint_if_silent(
+    node: Node,
+    names: Sequence[str],
+    is_silent: Callable[[], bool],
+    *,
+    is_measured: bool = False,
+) -> None:
     """After two seconds without a message, print on stderr which topics have no publisher.
 
     The node's executor must spin.
@@ -94,6 +111,7 @@ def hint_if_silent(node: Node, names: Sequence[str], is_silent: Callable[[], boo
         names: The topics that the command listens to.
         is_silent: Function that returns whether no message has arrived. Messages may arrive from
             plain Zenoh programs, which do not appear in the graph.
+        is_measured: Whether a topic is named too if it has a publisher that has sent nothing.
     """
     from zbot.executor.clock import Clock  # noqa: PLC0415 - needed only by commands that listen
     from zbot.time import ClockType  # noqa: PLC0415 - as above
@@ -101,8 +119,12 @@ def hint_if_silent(node: Node, names: Sequence[str], is_silent: Callable[[], boo
     def check() -> None:
         timer.cancel()
         if is_silent():
+            print_stopped_programs()
+            graph = node.context.graph.snapshot()
             for name in names:
-                print_missing(node.context.graph.snapshot(), name, EntityKind.PUBLISHER)
+                print_missing(graph, name, EntityKind.PUBLISHER)
+                if is_measured and (publishers := graph.publishers(name)):
+                    print_silent(name, publishers)
 
     timer = node.create_timer(HINT_DELAY_S, check, clock=Clock(clock_type=ClockType.STEADY_TIME))
 
@@ -118,6 +140,7 @@ def print_missing(graph: Snapshot, name: str, kind: EntityKind) -> None:
     if graph.on(name, kind):
         return
     known = [topic for topic, _ in graph.names_and_types(kind)]
+    known = known if similar_names(name, known) else [topic for topic, _ in graph.topics()]
     hint = did_you_mean(name, known) or "`zbot topic list` shows the topics"
     verb = "publishes" if kind is EntityKind.PUBLISHER else "subscribes to"
     print(f"nobody {verb} {name}; {hint}", file=sys.stderr, flush=True)

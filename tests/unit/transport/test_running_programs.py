@@ -91,3 +91,32 @@ def test_without_a_writable_folder_nothing_is_registered() -> None:
     registration.add("/talker")
     registration.close()
     assert running_programs.running() == []
+
+
+def test_a_stopped_program_is_named_with_its_process(monkeypatch: pytest.MonkeyPatch) -> None:
+    programs = [replace(INSIDE, pid=11), replace(INSIDE, pid=12, nodes=["/arm", "/_hidden"])]
+    monkeypatch.setattr(running_programs, "running", lambda: programs)
+    monkeypatch.setattr(running_programs, "is_stopped", lambda pid: pid in {11, 12})
+    assert running_programs.stopped_text(17, "/arm") == (
+        "/arm (process 12) is stopped, e.g. by Ctrl-Z: type `fg` in the terminal, or `kill -9 12`"
+    )
+    assert running_programs.stopped_text(17) == (
+        "/talker (process 11); /arm (process 12) are stopped, e.g. by Ctrl-Z: "
+        "type `fg` in the terminal, or `kill -9 11 12`"
+    )
+    assert running_programs.stopped_text(17, "/other") == ""
+    assert running_programs.stopped_text(0) == ""
+    monkeypatch.setattr(running_programs, "is_stopped", lambda _: False)
+    assert running_programs.stopped_text(17) == ""
+
+
+def test_nodes_of_other_domains_are_named_with_their_domain(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    programs = [INSIDE, replace(INSIDE, domain=5, nodes=["/arm"]), replace(INSIDE, nodes=["/_x"])]
+    monkeypatch.setattr(running_programs, "running", lambda: programs)
+    assert running_programs.elsewhere_text(5) == (
+        "this machine runs /talker in domain 17: set ZBOT_DOMAIN_ID=17"
+    )
+    monkeypatch.setattr(running_programs, "running", lambda: programs[:1])
+    assert running_programs.elsewhere_text(17) == ""

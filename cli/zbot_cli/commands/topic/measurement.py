@@ -113,7 +113,7 @@ def measure(
                 _subscribe_to_bytes(node, name, meter)
         report = _Report(measurement, meters, as_json=as_json)
         node.create_timer(_PERIOD_S, report.show)
-        hint_if_silent(node, names, lambda: not report.started)
+        hint_if_silent(node, names, lambda: not report.started, is_measured=True)
         zbot.spin(node)
 
 
