@@ -98,7 +98,7 @@ def program_files(folder: Path) -> dict[str, Path]:
     scripts = {path.name: path for path in sorted((folder / "scripts").glob("*.py"))}
     known = {path.resolve() for path in found.values()}
     found.update({name: path for name, path in scripts.items() if path.resolve() not in known})
-    return {name: path for name, path in found.items() if _is_python(path)}
+    return {name: path for name, path in found.items() if is_python(path)}
 
 
 def _data_programs(folder: Path) -> dict[str, Path]:
@@ -114,7 +114,8 @@ def _is_present(path: Path) -> bool:
     return os.path.isfile(path)  # noqa: PTH113 - the path may be no valid name
 
 
-def _is_python(path: Path) -> bool:
+def is_python(path: Path) -> bool:
+    """Return whether a file is a Python program, from its ending or its first line."""
     if path.suffix == ".py":
         return True
     try:

@@ -7,6 +7,7 @@ typer starts slowly.
 from __future__ import annotations
 
 import os
+import re
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
@@ -14,7 +15,9 @@ from typing import TYPE_CHECKING, NoReturn
 from zbot.errors import ZbotError
 from zbot.package.errors import NotRunnableError
 from zbot.package.unavailable import Unavailable, unavailable_package
+from zbot_cli.commands.run import missing_file
 from zbot_cli.commands.run.execution import run_and_exit
+from zbot_cli.commands.run.missing_file import ProgramNotFoundError
 from zbot_cli.output.exit_status import Status
 from zbot_cli.packages import executables
 from zbot_cli.packages.executables import BUNDLED, Executable, Package
@@ -65,6 +68,9 @@ class ExecutableNotFoundError(ZbotError):
         otherwise = "`zbot pkg executables` lists the nodes"
         if packages:
             otherwise = f"{packages[0].name} has {', '.join(known) or 'no nodes'}"
+            if packages[0].compiled and not known:
+                names = ", ".join(sorted(packages[0].compiled))
+                otherwise = f"its programs are C++, which zbot does not run: {names}"
         self.hint = _hint(name, known, otherwise)
         for package in packages:
             if package.fault:
@@ -93,13 +99,6 @@ class SeveralExecutablesError(ZbotError):
             self.hint = f"name the package too: zbot run {found[0].package} {found[0].name}"
         lines = "".join(f"\n- {one.package} {one.name} ({one.target})" for one in found)
         super().__init__(f"Multiple executables found:{lines}")
-
-
-class ProgramNotFoundError(ZbotError):
-    """A file or a prefix command does not exist."""
-
-    def __init__(self, what: str, name: str) -> None:
-        super().__init__(f"{what} '{name}' not found")
 
 
 class PrefixError(ZbotError):
@@ -195,12 +194,31 @@ def _find_farther(
         raise NotRunnableError(first, kind)
     if inside:
         _raise_not_found(rest[0] if rest else "", inside)
+    if error := _file_error(first, packages):
+        raise error
     if rest and not rest[0].startswith("-"):
         raise PackageNotFoundError(first, sorted({one.name for one in packages if one.executables}))
     raise ExecutableNotFoundError(first, _names(packages))
 
 
+def _file_error(word: str, packages: list[Package]) -> ZbotError | None:
+    """Return an error if a word is no executable, but a file, a folder, or two words in one."""
+    match = re.fullmatch(r"(\w+)[.:](\w+)", word)
+    if match and _called(match[1], packages):
+        hint = f"a package and its program are two words: zbot run {match[1]} {match[2]}"
+        return ProgramNotFoundError(f"'{word}' is not a program", hint)
+    if Path(f"{word}.py").is_file():
+        return ProgramNotFoundError(f"'{word}' is a file", f"type: zbot run {word}.py")
+    if Path(word).is_dir():
+        return missing_file.folder(Path(word))
+    return missing_file.launch_file(word)
+
+
 def _raise_not_found(name: str, inside: list[Package]) -> NoReturn:
+    if missing_file.launch_file(name):
+        raise ProgramNotFoundError(
+            f"'{name}' is a launch file", f"type: zbot launch {inside[0].name} {name}"
+        )
     if any(name in package.compiled for package in inside):
         raise CompiledProgramError(name, inside[0].name)
     raise ExecutableNotFoundError(name, _names(inside), inside)
@@ -217,9 +235,15 @@ def _is_path(word: str) -> bool:
 
 def _file(word: str) -> Executable:
     path = Path(word)
+    if error := missing_file.launch_file(word):
+        raise error
     if not path.is_file():
-        raise ProgramNotFoundError("File", word)
-    return Executable("", path.name, str(path))
+        raise missing_file.missing_file(word)
+    if not executables.is_python(path):
+        raise missing_file.not_python(word)
+    # Without a separator, the name of a program that does not end in .py would mean a module.
+    target = path if executables.is_file(str(path)) else path.absolute()
+    return Executable("", path.name, str(target))
 
 
 def _named(name: str, packages: Iterable[Package]) -> list[Executable]:
@@ -252,7 +276,7 @@ def _run_behind(prefix: list[str], words: list[str]) -> int:
 
     program = shutil.which(prefix[0])
     if program is None:
-        raise ProgramNotFoundError("Prefix command", prefix[0])
+        raise ProgramNotFoundError(f"Prefix command '{prefix[0]}' not found")
     command = [*prefix, sys.executable, "-c", _ZBOT, "run", *words]
     sys.stdout.flush()
     if os.name != "nt":

@@ -108,6 +108,8 @@ def _set_path(executable: Executable) -> None:
 
 
 def _function(executable: Executable) -> Any:
+    if "=" in executable.target:
+        raise EntryPointError(executable, "a comma is missing between two entry points in setup.py")
     module_name, _, attributes = (part.strip() for part in executable.target.partition(":"))
     try:
         found: Any = importlib.import_module(module_name)

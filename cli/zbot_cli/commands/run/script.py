@@ -20,10 +20,13 @@ if TYPE_CHECKING:
 class NothingToRunError(ZbotError):
     """A file with only definitions has no `main()`, and does not have exactly one node class."""
 
-    def __init__(self, path: str) -> None:
+    def __init__(self, path: str, hint: str = "") -> None:
         self.path = path
-        self.hint = "write a main() function, and call it at the end of the file"
-        super().__init__(f"{path} has nothing to run: no main(), and not exactly one node class")
+        self.hint = hint or "write a main() function, and call it at the end of the file"
+        reason = (
+            "no main(), and not exactly one node class" if not hint else "its main part is wrong"
+        )
+        super().__init__(f"{path} has nothing to run: {reason}")
 
 
 def run_script(path: str) -> Any:
@@ -43,9 +46,33 @@ def run_script(path: str) -> Any:
     module.__file__ = path
     sys.modules["__main__"] = module
     exec(code, module.__dict__)  # noqa: S102 - running the user's file is the whole point
+    if hint := _wrong_main_part(source):
+        raise NothingToRunError(path, hint)
     if not _only_defines(source):
         return None
     return _start_of(module, path)()
+
+
+def _wrong_main_part(source: bytes) -> str:
+    """Return what to write if the last part of a file does not start the program, or `""`."""
+    import ast  # noqa: PLC0415 - as in `_only_defines`
+
+    right = "if __name__ == '__main__':"
+    statements = ast.parse(source).body
+    functions = {one.name for one in statements if isinstance(one, ast.FunctionDef)}
+    for statement in statements:
+        match statement:
+            case ast.If(
+                test=ast.Compare(left=ast.Name(id="__name__"), comparators=[ast.Constant(value)])
+            ) if value != "__main__":
+                return f"write `{right}`, not {value!r}"
+            case ast.If(test=ast.Compare(left=ast.Constant("__name__"))):
+                return f"write `{right}`, with __name__ not in quotes"
+            case ast.If(body=[ast.Expr(ast.Name(name))]) | ast.Expr(ast.Name(name)) if (
+                name in functions
+            ):
+                return f"write {name}(), with brackets"
+    return ""
 
 
 def _only_defines(source: bytes) -> bool:

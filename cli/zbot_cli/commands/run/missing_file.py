@@ -1,0 +1,73 @@
+"""Errors for a path on the command line of `zbot run` that is not a Python program."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from zbot.errors import ZbotError
+from zbot.package.workspace import MANIFEST
+from zbot.suggestion import question, similar_names
+
+_LAUNCH_ENDINGS = (
+    ".launch.py",
+    "_launch.py",
+    ".launch.xml",
+    ".launch.yaml",
+    ".launch.yml",
+    ".launch",
+)
+
+
+class ProgramNotFoundError(ZbotError):
+    """A file or a prefix command does not exist, or `zbot run` cannot run the file."""
+
+    def __init__(self, reason: str, hint: str = "") -> None:
+        self.hint = hint
+        super().__init__(reason)
+
+
+def missing_file(word: str) -> ProgramNotFoundError:
+    """Return the error for a path without a file."""
+    path = Path(word)
+    if path.is_dir():
+        return folder(path)
+    near = question(map(str, _similar(path)))
+    if not near and len(path.parts) == 2 and all(map(str.isidentifier, path.parts)):
+        near = f"a package and its program are two words: zbot run {' '.join(path.parts)}"
+    return ProgramNotFoundError(f"File '{word}' not found", near)
+
+
+def folder(path: Path) -> ProgramNotFoundError:
+    """Return the error for the path of a folder."""
+    programs = sorted(path.glob("*.py"))
+    hint = "name a program: zbot run FILE.py, or zbot run PACKAGE PROGRAM"
+    if (path / MANIFEST).is_file():
+        hint = f"name the package and a program of it: zbot run {path.resolve().name} PROGRAM"
+    elif programs:
+        hint = f"name a file in it, e.g. zbot run {programs[0]}"
+    return ProgramNotFoundError(f"'{path}' is a folder, not a program", hint)
+
+
+def launch_file(words: str) -> ProgramNotFoundError | None:
+    """Return the error for words that name a launch file, or `None` for other words."""
+    if not words.endswith(_LAUNCH_ENDINGS):
+        return None
+    return ProgramNotFoundError(f"'{words}' is a launch file", f"type: zbot launch {words}")
+
+
+def not_python(word: str) -> ProgramNotFoundError:
+    """Return the error for a file that is not a Python program."""
+    ending = Path(word).suffix
+    hint = "zbot runs Python programs: C++ needs ROS 2" if ending in {".cpp", ".cc", ".c"} else ""
+    return ProgramNotFoundError(f"'{word}' is not a Python program", hint)
+
+
+def _similar(path: Path) -> list[Path]:
+    parent = path.parent
+    if not parent.is_dir():
+        above = parent.parent
+        beside = [one.name for one in above.iterdir()] if above.is_dir() else []
+        found = [above / name / path.name for name in similar_names(parent.name, beside)]
+        return [one for one in found if one.is_file()]
+    files = [one.name for one in parent.iterdir() if one.suffix == ".py"]
+    return [parent / name for name in similar_names(path.name, files)]
