@@ -99,6 +99,12 @@ def test_an_unknown_name_is_refused_with_a_hint() -> None:
     assert "The action server /fibonaci is not available after waiting 0.2 seconds" in late.err
 
 
+@pytest.mark.usefixtures("server")
+def test_a_goal_for_a_wrong_name_names_a_similar_action(start: Start) -> None:
+    command = start("zbot", "action", "send_goal", "/fibonaci", TYPE)
+    command.wait_for("hint: did you mean '/fibonacci'?")
+
+
 @pytest.mark.parametrize("words", [(TYPE, "{order: 2}"), ("order: 2",), ("order=2",)])
 @pytest.mark.usefixtures("server")
 def test_send_goal_prints_the_output_of_ros2(words: tuple[str, ...]) -> None:

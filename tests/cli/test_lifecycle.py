@@ -93,6 +93,7 @@ def test_get_shows_the_state() -> None:
     ("name", "hint"),
     [
         ("/lc_talkr", "no node /lc_talkr is running; did you mean '/lc_talker'?"),
+        ("/plan", "no node /plan is running; did you mean '/plain'?"),
         ("/zzz", "no node /zzz is running; managed nodes are /lc_talker"),
         ("/plain", "/plain is running, but it is not a managed node"),
     ],

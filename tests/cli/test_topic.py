@@ -102,6 +102,25 @@ def test_a_silent_topic_is_told_of_once_with_a_similar_name(start: Start, words:
     assert "misspelt" not in command.output
 
 
+@pytest.mark.parametrize("verb", ["hz", "bw", "delay"])
+def test_a_publisher_that_sends_nothing_is_named(
+    start: Start, make_context: MakeContext, verb: str
+) -> None:
+    node = library.Node("quiet", context=make_context())
+    node.create_publisher(Header, "silence", 10)
+    command = start("zbot", "topic", verb, "/silence")
+    command.wait_for("no message on /silence yet; its publisher is /quiet")
+
+
+def test_pub_once_names_a_similar_topic_with_a_publisher(
+    start: Start, make_context: MakeContext
+) -> None:
+    node = library.Node("talker", context=make_context())
+    node.create_publisher(String, "chatter", 10)
+    command = start("zbot", "topic", "pub", "--once", "/chater", "std_msgs/msg/String")
+    command.wait_for("nobody subscribes to /chater; did you mean '/chatter'?")
+
+
 def test_pub_once_names_a_similar_topic_with_a_subscription(
     start: Start, make_context: MakeContext
 ) -> None:

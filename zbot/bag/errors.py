@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from pathlib import Path
 
 from zbot.errors import ZbotError
-
-if TYPE_CHECKING:
-    from pathlib import Path
+from zbot.suggestion import did_you_mean
 
 
 class BagError(ZbotError, RuntimeError):
@@ -27,6 +25,9 @@ class BagNotFoundError(BagError, LookupError):
 
     def __init__(self, path: Path | str) -> None:
         self.path = str(path)
+        parent = Path(path).parent
+        present = [str(one) for one in parent.iterdir()] if parent.is_dir() else []
+        self.hint = did_you_mean(str(Path(path)), present)
         super().__init__(f"Bag path '{path}' does not exist!")
 
 

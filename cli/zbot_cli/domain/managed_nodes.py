@@ -33,8 +33,9 @@ class NodeNotFoundError(ZbotError):
     def __init__(self, name: str, graph: Snapshot) -> None:
         self.name = name
         known = managed_nodes(graph, include_hidden=True)
-        guess = did_you_mean(name, known)
-        if any(_name(node.namespace, node.node) == name for node in graph.nodes):
+        names = [_name(node.namespace, node.node) for node in graph.nodes]
+        guess = did_you_mean(name, known) or did_you_mean(name, names)
+        if name in names:
             self.hint = f"{name} is running, but it is not a managed node"
         elif guess:
             self.hint = f"no node {name} is running; {guess}"

@@ -31,6 +31,11 @@ if TYPE_CHECKING:
 
 
 @pytest.mark.usefixtures("robot")
+def test_a_topic_that_nobody_publishes_is_named_with_a_similar_topic(start: Start) -> None:
+    recording(start, "--topics", "/chater").wait_for("did you mean '/chatter'?")
+
+
+@pytest.mark.usefixtures("robot")
 def test_record_writes_live_topics_until_ctrl_c(start: Start, bag: Path) -> None:
     program = recording(start, "--topics", "/chatter", "scan", "/map")
     program.wait_for("All requested topics are subscribed. Stopping discovery...")

@@ -239,8 +239,10 @@ def test_a_folder_without_metadata_is_read(path: Path) -> None:
 
 
 def test_mistakes_are_one_sentence(path: Path, tmp_path: Path) -> None:
-    with pytest.raises(BagNotFoundError, match=r"Bag path '.*lesson' does not exist!"):
+    (tmp_path / "lesson_1").mkdir()
+    with pytest.raises(BagNotFoundError, match=r"Bag path '.*lesson' does not exist!") as caught:
         Reader(path)
+    assert caught.value.hint == f"did you mean '{tmp_path / 'lesson_1'}'?"
     with pytest.raises(BagReadError, match=r"no .mcap, .db3 or .bag file"):
         Reader(tmp_path)
     (tmp_path / "notes.txt").write_text("x")

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 
     from zbot.action import ActionClient, ClientGoalHandle
     from zbot.executor.task import Future
+    from zbot.graph.snapshot import Snapshot
     from zbot.node.node import Node
 
 _STEP_S = 0.5  # Ctrl-C cannot interrupt waiting for the graph, so the command waits in steps
@@ -109,6 +110,8 @@ class SendGoal:
         with hidden_node("send_goal", survives_ctrl_c=True) as node:
             self._node = node
             self._print_text("Waiting for an action server to become available...")
+            if self._timeout_s is None:
+                self._hint(node.context.graph.snapshot())
             if template is None:
                 self._type = self._wait_for_type(deadline)
                 template = self._template(self._type)
@@ -116,6 +119,12 @@ class SendGoal:
             if not client.wait_for_server(_remaining(deadline)):
                 raise self._no_server()
             return self._run_goal(client, template.make(lambda: node.get_clock().now().nanoseconds))
+
+    def _hint(self, graph: Snapshot) -> None:
+        """Print the most similar name on stderr if the action has no server."""
+        hint = suggestion(self._name, graph)
+        if hint and self._name not in dict(graph.actions()):
+            print(f"hint: {hint}", file=sys.stderr, flush=True)
 
     def _template(self, type_name: str) -> Template:
         try:

@@ -18,7 +18,8 @@ from zbot.bag.writer import Writer
 from zbot.errors import ZbotError
 from zbot.executor.single_threaded_executor import SingleThreadedExecutor
 from zbot_cli.commands.bag.options import set_log_level
-from zbot_cli.domain.client import hidden_node
+from zbot_cli.domain.client import full_name, hidden_node
+from zbot_cli.domain.topic_types import hint_if_silent
 from zbot_cli.input.keyboard import has_keyboard, keys_to
 
 if TYPE_CHECKING:
@@ -91,6 +92,7 @@ class Recording:
             stack.callback(recorder.stop)
             executor = SingleThreadedExecutor(context=node.context)
             executor.add_node(node)
+            hint_if_silent(node, sorted(map(full_name, self.selection.topics)), lambda: True)
             if self.has_keys and has_keyboard():
                 node.get_logger().info("Press SPACE for pausing/resuming")
                 stack.enter_context(
