@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import inspect
 import os
+import re
 from typing import TYPE_CHECKING
 
 from zbot.errors import ZbotError
@@ -86,7 +87,9 @@ class LaunchArgumentError(LaunchError, RuntimeError, ValueError):
     @classmethod
     def malformed(cls, word: str) -> LaunchArgumentError:
         """Return the error for a word that does not have the form `name:=value`."""
-        return cls(f"malformed launch argument '{word}', expected format '<name>:=<value>'")
+        match = re.match(r"-*(\w+)\s*[:=]*(.*)", word)
+        hint = f"write {match[1]}:={match[2] or 'VALUE'}" if match else ""
+        return cls(f"malformed launch argument '{word}', expected format '<name>:=<value>'", hint)
 
     @classmethod
     def missing(cls, name: str, description: str) -> LaunchArgumentError:

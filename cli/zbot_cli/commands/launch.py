@@ -97,6 +97,8 @@ def launch(
     set_ros_variables()
     set_workspace_variable(path.parent)  # launch files and processes import the packages
     arguments = parse_arguments(rest)
+    if print_description and arguments:
+        print("-p prints the launch file and starts nothing: leave it out", file=sys.stderr)
     if show_args or print_description:
         return _show(path, arguments_only=show_args)
     if show_all:

@@ -242,6 +242,22 @@ def test_words_of_the_command_line_are_arguments() -> None:
             parse_arguments([word])
 
 
+@pytest.mark.parametrize(
+    ("word", "hint"),
+    [
+        ("rate=1.5", "write rate:=1.5"),
+        ("rate:", "write rate:=VALUE"),
+        ("rate:=", "write rate:=VALUE"),
+        ("rate", "write rate:=VALUE"),
+        (":=1", ""),
+    ],
+)
+def test_a_malformed_argument_says_how_to_write_it(word: str, hint: str) -> None:
+    with pytest.raises(LaunchArgumentError) as caught:
+        parse_arguments([word])
+    assert caught.value.hint == hint
+
+
 def test_a_missing_default_is_reported() -> None:
     argument = DeclareLaunchArgument("speed", description="how fast")
     with pytest.raises(LaunchArgumentError, match='"speed" \\(description: "how fast"\\)'):
