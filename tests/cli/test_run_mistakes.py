@@ -21,7 +21,14 @@ def files(write: Write) -> None:
         "robot", scripts="'drive = robot.drive:main'", **{"robot/drive.py": "", "launch/a.xml": ""}
     )
     write("cpp", build_type="ament_cmake", **{"CMakeLists.txt": _CMAKE})
-    for name in ("talker.py", "a.launch.py", "notes.txt", "drive.cpp", "more/own.py"):
+    for name in (
+        "talker.py",
+        "a.launch.py",
+        "a.launch.xml",
+        "notes.txt",
+        "drive.cpp",
+        "more/own.py",
+    ):
         Path(name).parent.mkdir(exist_ok=True)
         Path(name).touch()
 
@@ -46,7 +53,7 @@ def files(write: Write) -> None:
         ("more", "'more' is a folder, not a program", "e.g. zbot run more/own.py"),
         ("src/robot", "'src/robot' is a folder, not a program", "zbot run robot PROGRAM"),
         (".", "'.' is a folder, not a program", "e.g. zbot run a.launch.py"),
-        ("a.launch.py", "'a.launch.py' is a launch file", "type: zbot launch a.launch.py"),
+        ("./a.launch.xml", "'./a.launch.xml' is a launch file", "type: zbot launch ./a.launch.xml"),
         ("robot a.launch.xml", "is a launch file", "type: zbot launch robot a.launch.xml"),
         ("notes", "No executable found", "`zbot pkg executables` lists the nodes"),
     ],
@@ -78,3 +85,11 @@ def test_a_main_part_that_starts_nothing_is_an_error(tmp_path: Path, end: str, h
     with pytest.raises(NothingToRunError, match="has nothing to run") as caught:
         run_script(str(path))
     assert hint in caught.value.hint
+
+
+def test_a_launch_file_is_started_with_launch(tmp_path: Path) -> None:
+    path = tmp_path / "a.launch.py"
+    path.write_text("def generate_launch_description():\n    return None\n")
+    with pytest.raises(NothingToRunError, match="it is a launch file") as caught:
+        run_script(str(path))
+    assert caught.value.hint == f"type: zbot launch {path}"

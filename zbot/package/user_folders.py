@@ -55,7 +55,8 @@ def cache_folder() -> Path:
 
 
 def _can_be_written(folder: Path) -> bool:
-    present = next(one for one in (folder, *folder.parents) if os.path.exists(one))  # noqa: PTH110 - raises no PermissionError
+    above = (folder, *folder.parents)
+    present = next((one for one in above if os.path.exists(one)), folder)  # noqa: PTH110 - raises no PermissionError
     return os.access(present, os.W_OK)
 
 

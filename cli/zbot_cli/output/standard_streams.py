@@ -109,7 +109,9 @@ def _advice(file: object) -> str:
 
     from zbot.package.user_folders import settings_folder  # noqa: PLC0415 - only for errors
 
-    path, settings = Path(os.fsdecode(file)), settings_folder()  # type: ignore[arg-type] # a path
+    if not isinstance(file, (str, bytes)):  # the number of an open file
+        return ""
+    path, settings = Path(os.fsdecode(file)), settings_folder()
     if settings not in (path, *path.parents) and path not in settings.parents:
         return ""
     return "\n\nhint: set XDG_CONFIG_HOME to a folder in which you can write"

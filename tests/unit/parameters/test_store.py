@@ -64,6 +64,14 @@ def test_an_override_of_another_type_is_refused() -> None:
         declare(store(rate="fast"), "rate", 1.0)
 
 
+def test_a_number_with_a_comma_is_refused_with_a_point() -> None:
+    with pytest.raises(InvalidParameterTypeException, match=r"write 1\.5, with"):
+        declare(store(rate="1,5"), "rate", 1.0)
+    one = store()
+    declare(one, "rate", 1.0)
+    assert set_to(one, rate="1,5").endswith("and is 1.0; write 1.5, with a point")
+
+
 def test_an_override_out_of_range_refuses_the_declaration() -> None:
     one = store(rate=20)
     with pytest.raises(InvalidParameterValueException, match=r"out of range\. Min: 0, Max: 10"):

@@ -235,11 +235,11 @@ def _is_path(word: str) -> bool:
 
 def _file(word: str) -> Executable:
     path = Path(word)
-    if error := missing_file.launch_file(word):
-        raise error
     if not path.is_file():
         raise missing_file.missing_file(word)
-    if not executables.is_python(path):
+    if path.suffix not in {"", ".py"} and (error := missing_file.launch_file(word)):
+        raise error
+    if path.suffix and not executables.is_python(path):
         raise missing_file.not_python(word)
     # Without a separator, the name of a program that does not end in .py would mean a module.
     target = path if executables.is_file(str(path)) else path.absolute()

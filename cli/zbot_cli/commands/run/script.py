@@ -20,12 +20,13 @@ if TYPE_CHECKING:
 class NothingToRunError(ZbotError):
     """A file with only definitions has no `main()`, and does not have exactly one node class."""
 
-    def __init__(self, path: str, hint: str = "") -> None:
-        self.path = path
-        self.hint = hint or "write a main() function, and call it at the end of the file"
-        reason = (
-            "no main(), and not exactly one node class" if not hint else "its main part is wrong"
-        )
+    def __init__(
+        self,
+        path: str,
+        reason: str = "no main(), and not exactly one node class",
+        hint: str = "write a main() function, and call it at the end of the file",
+    ) -> None:
+        self.path, self.hint = path, hint
         super().__init__(f"{path} has nothing to run: {reason}")
 
 
@@ -47,7 +48,7 @@ def run_script(path: str) -> Any:
     sys.modules["__main__"] = module
     exec(code, module.__dict__)  # noqa: S102 - running the user's file is the whole point
     if hint := _wrong_main_part(source):
-        raise NothingToRunError(path, hint)
+        raise NothingToRunError(path, "its main part starts nothing", hint)
     if not _only_defines(source):
         return None
     return _start_of(module, path)()
@@ -94,6 +95,8 @@ def _start_of(module: ModuleType, path: str) -> Callable[[], Any]:
     main: Any = getattr(module, "main", None)
     if callable(main):
         return partial(main)
+    if hasattr(module, "generate_launch_description"):
+        raise NothingToRunError(path, "it is a launch file", f"type: zbot launch {path}")
     import zbot  # noqa: PLC0415 - not needed by a file with `main()`
 
     classes: list[Any] = [
