@@ -49,7 +49,7 @@ class LaunchDescription(LaunchDescriptionEntity):
         """
         if not isinstance(entity, LaunchDescriptionEntity):
             place = f"item {len(self.entities)} of a LaunchDescription"
-            raise EntityTypeError(place, "one action", entity)
+            raise EntityTypeError(place, "an action", entity)
         self.entities.append(entity)
 
     add_action = add_entity

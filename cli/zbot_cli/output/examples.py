@@ -64,6 +64,7 @@ EXAMPLES = {
     "param load": "zbot param load /turtlesim turtlesim.yaml",
     "param set": "zbot param set /turtlesim background_r 150",
     "pkg create": "zbot pkg create my_package --node-name my_node --dependencies rclpy std_msgs",
+    "pkg check": "zbot pkg check my_package",
     "pkg deps": "zbot pkg deps my_package",
     "pkg executables": "zbot pkg executables turtlesim",
     "pkg list": "zbot pkg list",

@@ -63,7 +63,7 @@ _ALL = f"LaunchDescription([{_NODE}])"
         (_ALL, "LaunchDescription", "returns the class itself: write `return", ""),
         (_ALL, f"LaunchDescription({_NODE})", "must be given a list, [...], not Node", ""),
         (_ALL, f"LaunchDescription({_NODE}, {_NODE})", "takes from", "put the actions into a list"),
-        (_ALL, f"LaunchDescription([[{_NODE}]])", "item 0 of a LaunchDescription must be one", ""),
+        (_ALL, f"LaunchDescription([[{_NODE}]])", "item 0 of a LaunchDescription must be an", ""),
         (_ALL, "LaunchDescription().add_acton(1)", "no attribute", "did you mean 'add_action'?"),
     ],
 )
