@@ -20,12 +20,22 @@ def shortened(value: object, limit: int = 80) -> str:
     return text if len(text) <= limit else f"{text[: limit - 3]}..."
 
 
+def described(value: object) -> str:
+    """Return the type and value of an argument, or what it is if it is a class or a function."""
+    name = getattr(value, "__name__", "")
+    if name and isinstance(value, type):
+        return f"the class {name}"
+    if name and callable(value):
+        return f"the function {name}"
+    return f"{type(value).__name__}: {shortened(value)}"
+
+
 class ArgumentTypeError(ZbotError, TypeError):
     """A function was given a value of the wrong Python type, e.g. a number as a node's name."""
 
     def __init__(self, argument: str, expected: str, value: object) -> None:
         self.argument, self.expected, self.value = argument, expected, value
-        super().__init__(f"{argument} must be {expected}, not {type(value).__name__}: {value!r}")
+        super().__init__(f"{argument} must be {expected}, not {described(value)}")
 
 
 class InvalidNameError(ZbotError, ValueError):
@@ -130,13 +140,17 @@ class SetupError(ZbotError):
     """The environment of a program is wrong. A traceback of the code would not help."""
 
 
+def library_name() -> str:
+    """Return the name of the library that the program uses, `rclpy` or `zbot`."""
+    return "rclpy" if "rclpy" in sys.modules else "zbot"
+
+
 class NotInitializedError(ZbotError, RuntimeError):
     """An operation needs a context that is initialised and not yet shut down."""
 
     def __init__(self, what: str = "this") -> None:
         self.what = what
-        library = "rclpy" if "rclpy" in sys.modules else "zbot"  # the name that the program uses
-        super().__init__(f"{what} needs {library}.init() first (and no shutdown() after it)")
+        super().__init__(f"{what} needs {library_name()}.init() first (and no shutdown() after it)")
 
 
 class InvalidHandleError(ZbotError, RuntimeError):
@@ -162,7 +176,7 @@ class QoSArgumentError(ZbotError, TypeError):
         self.value = value
         super().__init__(
             "Expected QoSProfile or int, the depth of a queue, but received "
-            f"{type(value).__name__}: {value!r}"
+            f"{described(value)}; write the depth, e.g. 10"
         )
 
 

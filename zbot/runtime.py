@@ -6,7 +6,9 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.context import get_default_context
 from zbot.errors import NotInitializedError
+from zbot.executor.errors import ExecutorArgumentError
 from zbot.executor.single_threaded_executor import SingleThreadedExecutor
+from zbot.executor.spinnable import check_node
 from zbot.interfaces.unknown_field import add_advice
 from zbot.node.node import Node
 from zbot.process import signals
@@ -121,7 +123,11 @@ def get_global_executor(context: Context | None = None) -> Executor:
 
 def _spin(node: Node, executor: Executor | None, run: Callable[[Executor], None]) -> None:
     """Add the node to the executor, call a function with the executor, and remove the node."""
-    executor = _executor_of(node) if executor is None else executor
+    check_node("spin", node)
+    if executor is None:
+        executor = _executor_of(node)
+    elif not hasattr(executor, "spin_once"):
+        raise ExecutorArgumentError(executor)
     before = node.executor
     added = executor.add_node(node)
     try:

@@ -12,19 +12,21 @@ from functools import partial
 from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 from zbot.action.client_goal_handle import ClientGoalHandle
-from zbot.action.endpoint import ActionEndpoint
-from zbot.action.errors import ActionMessageError, NotAnActionTypeError
+from zbot.action.endpoint import ActionEndpoint, check_arguments
+from zbot.action.errors import ActionMessageError
 from zbot.action.feedback import FeedbackSubscription
 from zbot.action.generic import FeedbackT, GoalT, ResultT
 from zbot.action.goal_state import GoalState
 from zbot.action.work_queue import WorkQueue
 from zbot.errors import InvalidHandleError
+from zbot.executor.callback_check import check_callback, unless_called
 from zbot.executor.callback_group import ReentrantCallbackGroup
 from zbot.executor.clock import Clock
 from zbot.executor.task import Future
 from zbot.executor.timer import Timer
 from zbot.executor.waitable import NumberOfEntities
 from zbot.interfaces import type_name
+from zbot.node.argument_check import is_name
 from zbot.node.errors import ServiceError
 from zbot.qos import (
     QoSProfile,
@@ -126,8 +128,7 @@ class ActionClient(ActionEndpoint[GoalT, ResultT, FeedbackT]):
         feedback_sub_qos_profile: QoSProfile = qos_profile_action_feedback,
         status_sub_qos_profile: QoSProfile = qos_profile_action_status_default,
     ) -> None:
-        if not hasattr(action_type, "Impl"):
-            raise NotAnActionTypeError(action_type)
+        check_arguments("ActionClient", node, action_type, (action_name, is_name))
         self._node = node
         self._action_type = action_type
         self._action_name = node.resolve_service_name(action_name)
@@ -241,7 +242,17 @@ class ActionClient(ActionEndpoint[GoalT, ResultT, FeedbackT]):
 
         Raises:
             ActionMessageError: `goal` is not of the action's `Goal` class.
+            NotCallableError: The feedback callback is not callable.
+            CallbackSignatureError: The feedback callback does not take one argument.
         """
+        check_callback(
+            "send_goal_async",
+            feedback_callback,
+            "(feedback_message)",
+            argument="feedback_callback",
+            position=1,
+            may_be_none=unless_called,
+        )
         request = self._request(goal, goal_uuid)
         self._remember(request.goal_id, feedback_callback)
         future: _ActionFuture[ClientGoalHandle[GoalT, ResultT, FeedbackT]]

@@ -4,7 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from zbot.action.errors import NotAnActionTypeError
 from zbot.action.generic import ActionGeneric, FeedbackT, GoalT, ResultT
+from zbot.executor.set_by_init import SetByInit
+from zbot.executor.spinnable import check_node
+from zbot.node.argument_check import check_order, is_class, is_node
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -12,16 +16,32 @@ if TYPE_CHECKING:
     from typing_extensions import Self
 
     from zbot.executor.clock import Clock
+    from zbot.node.argument_check import Kind
     from zbot.node.service_introspection import ServiceIntrospectionState
     from zbot.qos import QoSProfile
+
+
+def check_arguments(call: str, node: Any, action_type: Any, *arguments: tuple[Any, Kind]) -> None:
+    """Check the arguments of a client or server.
+
+    Raises:
+        ArgumentOrderError: The arguments are in the wrong order.
+        NodeArgumentError: The first argument is not a node.
+        NotAnActionTypeError: The second argument is not an action class.
+    """
+    check_order(call, (node, is_node), (action_type, is_class), *arguments)
+    check_node(call, node)
+    if not hasattr(action_type, "Impl"):
+        raise NotAnActionTypeError(action_type)
 
 
 class ActionEndpoint(ActionGeneric[GoalT, ResultT, FeedbackT]):
     """A client or a server of an action. The end of a `with` block destroys it."""
 
-    _action_type: type[Any]
+    _node: Any = SetByInit("node, action_type, 'name'")
+    _action_type: type[Any] = SetByInit("node, action_type, 'name'")  # type: ignore[assignment]
     _action_name: str
-    _services: Sequence[Any]  # its three clients or servers
+    _services: Sequence[Any] = SetByInit("node, action_type, 'name'")  # type: ignore[assignment]
 
     @property
     def action_type(self) -> type[Any]:

@@ -25,11 +25,3 @@ class ActionMessageError(ZbotError, TypeError):
         text = repr(value)
         text = text if len(text) <= 80 else f"{text[:77]}..."
         super().__init__(f"{action} takes a {expected}, not {text}")
-
-
-class ExecuteCallbackError(ZbotError, TypeError):
-    """A server's execute callback cannot be called."""
-
-    def __init__(self, value: object) -> None:
-        self.value = value
-        super().__init__(f"Failed to register goal execution callback: {value!r} is not callable")

@@ -10,18 +10,20 @@ from functools import partial
 from typing import TYPE_CHECKING, Any, cast
 
 from zbot.action.cancellation import ERROR_REJECTED, CancelQuery
-from zbot.action.endpoint import ActionEndpoint
-from zbot.action.errors import ActionMessageError, ExecuteCallbackError, NotAnActionTypeError
+from zbot.action.endpoint import ActionEndpoint, check_arguments
+from zbot.action.errors import ActionMessageError
 from zbot.action.generic import FeedbackT, GoalT, ResultT
 from zbot.action.goal_state import GoalEvent, GoalState, GoalTransitionError
 from zbot.action.server_goal_handle import ServerGoalHandle
 from zbot.action.service import Reply, call, create_action_service
 from zbot.action.work_queue import WorkQueue
 from zbot.errors import InvalidHandleError
+from zbot.executor.callback_check import check_callback, unless_called
 from zbot.executor.callback_group import ReentrantCallbackGroup
 from zbot.executor.timer import Timer
 from zbot.executor.waitable import NumberOfEntities
 from zbot.interfaces import type_name
+from zbot.node.argument_check import is_name
 from zbot.process.hooks import user_traceback
 from zbot.qos import (
     QoSProfile,
@@ -103,7 +105,8 @@ class ActionServer(ActionEndpoint[GoalT, ResultT, FeedbackT]):
 
     Raises:
         NotAnActionTypeError: The class is not an action type.
-        ExecuteCallbackError: The execute callback cannot be called, or is missing.
+        NotCallableError: A callback is not callable, or the execute callback is missing.
+        CallbackSignatureError: A callback does not take one argument.
         InvalidServiceNameError: The name breaks ROS 2's grammar.
         InvalidHandleError: The node was destroyed.
     """
@@ -127,12 +130,13 @@ class ActionServer(ActionEndpoint[GoalT, ResultT, FeedbackT]):
         status_pub_qos_profile: QoSProfile = qos_profile_action_status_default,
         result_timeout: float = 10,
     ) -> None:
-        if not hasattr(action_type, "Impl"):
-            raise NotAnActionTypeError(action_type)
+        given = () if execute_callback is None else ((execute_callback, callable),)
+        check_arguments("ActionServer", node, action_type, (action_name, is_name), *given)
         self._execute_callback: Callable[[Any], Any] | None = None
         has_handler = handle_accepted_callback not in (None, default_handle_accepted_callback)
         if execute_callback is not None or not has_handler:
-            self.register_execute_callback(cast("Any", execute_callback))
+            self._check("execute_callback", "(goal_handle)", execute_callback, position=3)
+            self._execute_callback = execute_callback
         self.register_goal_callback(goal_callback)
         self.register_handle_accepted_callback(handle_accepted_callback)
         self.register_cancel_callback(cancel_callback)
@@ -199,26 +203,34 @@ class ActionServer(ActionEndpoint[GoalT, ResultT, FeedbackT]):
         """Replace the callback that executes goals.
 
         Raises:
-            ExecuteCallbackError: The callback cannot be called.
+            NotCallableError: The callback is not callable.
+            CallbackSignatureError: The callback does not take one argument.
         """
-        if not callable(execute_callback):
-            raise ExecuteCallbackError(execute_callback)
+        self._check("execute_callback", "(goal_handle)", execute_callback)
         self._execute_callback = execute_callback
+
+    def _check(self, argument: str, form: str, callback: object, **options: Any) -> None:
+        call = f"{type(self).__name__}'s {argument}"
+        check_callback(call, callback, form, argument=argument, **options)
 
     def register_goal_callback(self, goal_callback: Callable[[Any], Any] | None) -> None:
         """Replace the callback that decides about new goals. `None` accepts all goals."""
+        self._check("goal_callback", "(goal)", goal_callback, may_be_none=unless_called)
         self._goal_callback = goal_callback or default_goal_callback
 
     def register_handle_accepted_callback(
         self, handle_accepted_callback: Callable[[Any], Any] | None
     ) -> None:
         """Replace the callback that gets accepted goals. `None` executes the goals immediately."""
+        given = handle_accepted_callback
+        self._check("handle_accepted_callback", "(goal_handle)", given, may_be_none=unless_called)
         self._handle_accepted_callback = (
             handle_accepted_callback or default_handle_accepted_callback
         )
 
     def register_cancel_callback(self, cancel_callback: Callable[[Any], Any] | None) -> None:
         """Replace the callback that decides about cancel requests. `None` rejects all requests."""
+        self._check("cancel_callback", "(goal_handle)", cancel_callback, may_be_none=unless_called)
         self._cancel_callback = cancel_callback or default_cancel_callback
 
     async def _on_goal_request(self, request: Any, response: Any) -> Reply | Any:

@@ -8,6 +8,8 @@ import weakref
 from collections import deque
 from typing import TYPE_CHECKING, Any
 
+from zbot.executor.set_by_init import SetByInit
+
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
@@ -21,8 +23,10 @@ class CallbackGroup:
     release the group for an entity that has no work.
     """
 
+    _entities: weakref.WeakSet[Any] = SetByInit("")  # type: ignore[assignment]
+
     def __init__(self) -> None:
-        self._entities: weakref.WeakSet[Any] = weakref.WeakSet()
+        self._entities = weakref.WeakSet()
 
     def add_entity(self, entity: Any) -> None:
         """Put a subscription, timer, service ... into the group."""

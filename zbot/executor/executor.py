@@ -12,11 +12,14 @@ import threading
 import time
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import NotInitializedError
+from zbot.errors import ArgumentTypeError, NotInitializedError
 from zbot.executor.callback_group import ReentrantCallbackGroup
 from zbot.executor.callback_stack import running_callbacks
 from zbot.executor.entity_queue import EntityQueue
 from zbot.executor.errors import ConditionReachedException, ExecutorBusyError, ShutdownError
+from zbot.executor.forgotten_spin import Program
+from zbot.executor.set_by_init import SetByInit
+from zbot.executor.spinnable import check_node
 from zbot.executor.task import Future, Task
 from zbot.executor.task_step import TaskStep
 from zbot.process import signals
@@ -34,9 +37,17 @@ if TYPE_CHECKING:
 
 
 def _deadline_ns(timeout_sec: float | None) -> int | None:
-    if timeout_sec is None or timeout_sec < 0:
+    if timeout_sec is None:
         return None
-    return time.monotonic_ns() + int(timeout_sec * 1e9)
+    try:
+        return None if timeout_sec < 0 else time.monotonic_ns() + int(timeout_sec * 1e9)
+    except TypeError:
+        raise ArgumentTypeError("timeout_sec", "a number of seconds", timeout_sec) from None
+
+
+def _check_future(future: object) -> None:
+    if not hasattr(future, "add_waker") or isinstance(future, type):
+        raise ArgumentTypeError("future", "a future, e.g. the result of call_async()", future)
 
 
 class Executor(EntityQueue):
@@ -47,6 +58,10 @@ class Executor(EntityQueue):
             used.
     """
 
+    _nodes: list[SpinnableNode] = SetByInit("")  # type: ignore[assignment]
+    _spinning_thread: int | None = SetByInit("")  # type: ignore[assignment]
+    _spin_lock: threading.Lock = SetByInit("")  # type: ignore[assignment]
+
     def __init__(self, *, context: Context | None = None) -> None:
         super().__init__()
         if context is None:
@@ -54,12 +69,12 @@ class Executor(EntityQueue):
 
             context = get_default_context()
         self._context = context
-        self._nodes: list[SpinnableNode] = []
+        self._nodes = []
         self._paused: ReadyQueue | None = None
         self._is_shutdown = False
         self._due_ns: int | None = None  # when the first timer is due
         self._spin_lock = threading.Lock()
-        self._spinning_thread: int | None = None
+        self._spinning_thread = None
         self._spins_in_main = False
         context.add_waker(self.wake)
 
@@ -79,14 +94,21 @@ class Executor(EntityQueue):
         return self._context
 
     def add_node(self, node: SpinnableNode) -> bool:
-        """Run a node's callbacks from now on. Return `False` if the node is already added."""
+        """Run a node's callbacks from now on. Return `False` if the node is already added.
+
+        Raises:
+            NodeArgumentError: The argument is not a node.
+            ShutdownError: This executor was shut down.
+        """
+        check_node(f"{type(self).__name__}.add_node", node)
+        nodes = self._nodes
         if self._is_shutdown:
             raise ShutdownError("this executor")
-        if node in self._nodes:
+        if node in nodes:
             return False
         if node.executor is not None:
             node.executor.remove_node(node)
-        self._nodes.append(node)
+        nodes.append(node)
         handle = node.handle
         handle.executor = self
         if self._paused is handle.ready_queue:
@@ -379,6 +401,7 @@ class Executor(EntityQueue):
 
         If another thread spins this executor, the calling thread only waits for the future.
         """
+        _check_future(future)
         deadline = _deadline_ns(timeout_sec)
         if self._is_spun_by_other_thread():
             self._wait_for_future(future, deadline)
@@ -393,6 +416,7 @@ class Executor(EntityQueue):
         self, future: Future[Any], timeout_sec: float | None = None
     ) -> None:
         """Run the next callback. If the future is over or the time has passed, run no callback."""
+        _check_future(future)
         if self._is_spun_by_other_thread():
             self._wait_for_future(future, _deadline_ns(timeout_sec))
             return
@@ -426,6 +450,7 @@ class Executor(EntityQueue):
             if self._spinning_thread is not None:
                 raise ExecutorBusyError
             self._spin_lock.acquire()  # `wait_idle` holds the lock only for a short time
+        Program.has_spun = True
         self._spinning_thread = threading.get_ident()
         self._spins_in_main = self._spinning_thread == threading.main_thread().ident
         signals.MainThread.spins += self._spins_in_main

@@ -4,12 +4,32 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Protocol
 
+from zbot.executor.errors import NodeArgumentError
+from zbot.executor.set_by_init import MissingSuperInitError
+
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from zbot.executor.executor import Executor
     from zbot.executor.ready_queue import ReadyQueue
     from zbot.executor.waitable import WaitableEntity
+
+
+def check_node(call: str, value: Any) -> None:
+    """Check that an argument is a node, and neither the class of a node nor something else.
+
+    Raises:
+        NodeArgumentError: The argument is not a node.
+        MissingSuperInitError: The node's class did not call `super().__init__()`.
+    """
+    try:
+        is_node = not isinstance(value, type) and value.handle is not None
+    except MissingSuperInitError:
+        raise
+    except AttributeError:
+        is_node = False
+    if not is_node:
+        raise NodeArgumentError(call, value) from None
 
 
 class SpinnableState(Protocol):

@@ -14,6 +14,7 @@ from enum import Enum
 from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast
 
 from zbot.errors import ExternalShutdownException
+from zbot.executor.callback_check import check_callback
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine, Generator
@@ -117,7 +118,13 @@ class Future(Generic[T]):
         self._complete(_FINISHED, exception=exception, replace=True)
 
     def add_done_callback(self, callback: Callable[[Self], Any]) -> None:
-        """Call `callback(self)` when the future is over, or immediately if it is over already."""
+        """Call `callback(self)` when the future is over, or immediately if it is over already.
+
+        Raises:
+            NotCallableError: The callback is not callable.
+            CallbackSignatureError: The callback does not take one argument.
+        """
+        check_callback("add_done_callback", callback, "(future)")
         with self._lock:
             if not self.is_over:
                 self._callbacks.append(callback)
@@ -208,6 +215,7 @@ class Task(Future[T]):
         if inspect.iscoroutine(handler):
             self._coroutine: Coroutine[Any, Any, T] | None = handler
         else:
+            check_callback("create_task", handler)
             function = cast("Callable[..., Any]", handler)
             self._coroutine = None
             self._call: Callable[[], Any] = lambda: function(*args, **(kwargs or {}))

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import contextlib
-import inspect
 import time
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import InvalidHandleError, NotInitializedError
+from zbot.executor.callback_check import check_callback, if_written
 from zbot.executor.clock import ROSClock
-from zbot.executor.errors import CallbackSignatureError, RateInterruptedError
+from zbot.executor.errors import RateInterruptedError
 from zbot.time import ClockType, Duration, Time
 from zbot.transport.handle import Handle
 
@@ -95,7 +95,7 @@ class Timer:
 
     @callback.setter
     def callback(self, callback: Callable[..., Any] | None) -> None:
-        self._with_info = callback is not None and _wants_info(callback)
+        self._with_info = callback is not None and check_timer_callback("Timer.callback", callback)
         self._callback = callback
 
     @property
@@ -236,23 +236,16 @@ class TimerHandle(Handle[Timer]):
         self.entity.take()
 
 
-def _wants_info(callback: Callable[..., Any]) -> bool:
+def check_timer_callback(call: str, callback: Callable[..., Any] | None) -> bool:
     """Return whether a timer's callback takes a `TimerInfo`.
 
     Raises:
+        NotCallableError: The callback is not callable.
         CallbackSignatureError: The callback accepts neither zero arguments nor one argument.
     """
-    try:
-        signature = inspect.signature(callback)
-    except (TypeError, ValueError):
-        return False
-    for arguments in ((), (None,)):
-        try:
-            signature.bind(*arguments)
-        except TypeError:
-            continue
-        return bool(arguments)
-    raise CallbackSignatureError("a timer's callback", "() or (timer_info)")
+    # In rclpy, a timer may have no callback, e.g. for a wait set.
+    forms = ("()", "(timer_info)")
+    return check_callback(call, callback, *forms, position=1, may_be_none=if_written) == 1
 
 
 class _RateContext:

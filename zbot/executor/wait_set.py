@@ -6,6 +6,7 @@ import threading
 import time
 from typing import TYPE_CHECKING, Any, Literal
 
+from zbot.executor.forgotten_spin import Program
 from zbot.transport.wakeup import BinarySemaphore
 
 if TYPE_CHECKING:
@@ -67,6 +68,7 @@ class WaitSet:
 
     def wait(self, timeout_nsec: int) -> None:
         """Wait until an object is ready, at most `timeout_nsec` nanoseconds (below 0: no limit)."""
+        Program.has_spun = True
         woken = BinarySemaphore()
         deadline = None if timeout_nsec < 0 else time.monotonic_ns() + timeout_nsec
         self.remember_waker(woken.set)

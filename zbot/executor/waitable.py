@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import astuple, dataclass
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
+from zbot.executor.set_by_init import SetByInit
 from zbot.executor.wait_set import WaitSet
 
 if TYPE_CHECKING:
@@ -44,6 +45,8 @@ class Waitable(Generic[T]):
     Args:
         callback_group: Decides which callbacks may run at the same time as `execute`.
     """
+
+    callback_group: CallbackGroup = SetByInit("callback_group")  # type: ignore[assignment]
 
     def __init__(self, callback_group: CallbackGroup) -> None:
         self.callback_group = callback_group

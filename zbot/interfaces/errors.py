@@ -116,15 +116,17 @@ class NotAMessageTypeError(ZbotError, TypeError, AttributeError):
 
     def __init__(self, given: object, reason: str) -> None:
         self.given, self.reason = given, reason
-        name = given.__qualname__ if isinstance(given, type) else repr(given)
-        super().__init__(f"{name} cannot be used as an interface type: {reason}")
+        name = getattr(given, "__qualname__", None) or getattr(given, "__name__", None)
+        super().__init__(
+            f"{name or shortened(given)} cannot be used as an interface type: {reason}"
+        )
 
 
 class InterfaceKindError(NotAMessageTypeError, RuntimeError):
     """A class has the wrong kind, e.g. a service class in place of a message class."""
 
-    def __init__(self, given: object, expected: str) -> None:
-        super().__init__(given, f"it is not {expected}")
+    def __init__(self, given: object, kind: str, expected: str) -> None:
+        super().__init__(given, f"it is {kind}, not {expected}")
         self.expected = expected
 
 

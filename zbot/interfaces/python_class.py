@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import weakref
+from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 from zbot.interfaces import description, registry
@@ -129,5 +130,8 @@ def _not_a_class_reason(value: object) -> str:
     if isinstance(value, (Message, Service, Action)) or dataclasses.is_dataclass(value):
         return f"it is an instance; pass its class, {type(value).__name__}"
     if isinstance(value, str):
-        return "it is a string; get_interface() gives the class of a name"
+        name = value.rpartition("/")[2]
+        return f"it is a text; import the class and write {name} without quotes"
+    if isinstance(value, ModuleType):
+        return "it is a module; write one of its classes"
     return "it is not a class"

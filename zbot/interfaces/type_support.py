@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from zbot.interfaces.errors import InterfaceKindError
 from zbot.interfaces.message import Action, Message, Service
 from zbot.interfaces.python_class import spec_of
-from zbot.interfaces.spec import MessageSpec, ServiceSpec
+from zbot.interfaces.spec import ActionSpec, MessageSpec, ServiceSpec
+
+if TYPE_CHECKING:
+    from zbot.interfaces.spec import InterfaceSpec
 
 MsgT = TypeVar("MsgT", bound=Message)
 SrvT = TypeVar("SrvT", bound=Service)
@@ -32,8 +35,9 @@ def check_is_valid_msg_type(interface: type[Any]) -> None:
         NotAMessageTypeError: The class is not an interface class.
         InterfaceKindError: The class is a service or action class.
     """
-    if not isinstance(spec_of(interface), MessageSpec):
-        raise InterfaceKindError(interface, "a message")
+    spec = spec_of(interface)
+    if not isinstance(spec, MessageSpec):
+        raise InterfaceKindError(interface, _kind_of(spec), "a message")
 
 
 def check_is_valid_srv_type(interface: type[Any]) -> None:
@@ -43,5 +47,12 @@ def check_is_valid_srv_type(interface: type[Any]) -> None:
         NotAMessageTypeError: The class is not an interface class.
         InterfaceKindError: The class is a message or action class.
     """
-    if not isinstance(spec_of(interface), ServiceSpec):
-        raise InterfaceKindError(interface, "a service")
+    spec = spec_of(interface)
+    if not isinstance(spec, ServiceSpec):
+        raise InterfaceKindError(interface, _kind_of(spec), "a service")
+
+
+def _kind_of(spec: InterfaceSpec) -> str:
+    if isinstance(spec, ActionSpec):
+        return "an action"
+    return "a service" if isinstance(spec, ServiceSpec) else "a message"

@@ -10,8 +10,11 @@ import threading
 from bisect import bisect_left, bisect_right
 from typing import TYPE_CHECKING, Any, Protocol
 
+from zbot.executor.callback_check import check_callback
 from zbot.executor.clock import ROSClock
+from zbot.executor.set_by_init import SetByInit
 from zbot.log import get_logger
+from zbot.node.argument_check import check_object, check_order, is_class, is_name, is_node
 from zbot.time import Duration, Time
 
 if TYPE_CHECKING:
@@ -33,11 +36,18 @@ class Filter(Protocol):
 class SimpleFilter:
     """Filter that calls all registered callbacks with its output."""
 
+    callbacks: dict[int, tuple[Callable[..., Any], tuple[Any, ...]]] = SetByInit("")  # type: ignore[assignment]
+
     def __init__(self) -> None:
-        self.callbacks: dict[int, tuple[Callable[..., Any], tuple[Any, ...]]] = {}
+        self.callbacks = {}
 
     def registerCallback(self, cb: Callable[..., Any], *args: Any) -> int:  # noqa: N802 - ROS 2's
-        """Register a function to call with each output and `args`. Return the connection's id."""
+        """Register a function to call with each output and `args`. Return the connection's id.
+
+        Raises:
+            NotCallableError: `cb` is not callable.
+        """
+        check_callback("registerCallback", cb, argument="cb")
         connection = max(self.callbacks, default=-1) + 1
         self.callbacks[connection] = (cb, args)
         return connection
@@ -63,6 +73,8 @@ class Subscriber(SimpleFilter):
         self, node: Node, msg_type: type[Any], topic: str, qos_profile: Any = 10, **options: Any
     ) -> None:
         super().__init__()
+        check_order("Subscriber", (node, is_node), (msg_type, is_class), (topic, is_name))
+        check_object("node", node, "a node", "create_subscription")
         self.node = node
         self.topic = topic
         self.sub = node.create_subscription(

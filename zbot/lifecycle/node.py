@@ -8,6 +8,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 from zbot.errors import ArgumentTypeError, ExternalShutdownException
+from zbot.executor.set_by_init import SetByInit
 from zbot.lifecycle.errors import CallbackReturnError, NotAManagedEntityError, NotANodeError
 from zbot.lifecycle.managed_entity import ManagedEntity, SimpleManagedEntity
 from zbot.lifecycle.publisher import LifecyclePublisher
@@ -76,6 +77,8 @@ class LifecycleNodeMixin(ManagedEntity):
         NotANodeError: `Node` is missing among the base classes.
         ArgumentTypeError: `enable_communication_interface` is not a bool.
     """
+
+    _zbot_lifecycle: Any = SetByInit("'my_node'")
 
     def __init__(
         self,

@@ -6,9 +6,20 @@ from operator import attrgetter
 from typing import TYPE_CHECKING, Any, Literal, TypeVar, cast, overload
 
 from zbot.errors import ArgumentTypeError, InvalidHandleError
+from zbot.executor.callback_check import check_callback, unless_called
+from zbot.executor.forgotten_spin import note_callback
 from zbot.executor.guard_condition import GuardCondition
-from zbot.executor.timer import Rate, Timer
+from zbot.executor.timer import Rate, Timer, check_timer_callback
 from zbot.interfaces.type_support import check_is_valid_msg_type, check_is_valid_srv_type
+from zbot.node.argument_check import (
+    check_object,
+    check_order,
+    is_class,
+    is_name,
+    is_number,
+    is_profile,
+    seconds,
+)
 from zbot.node.client import Client
 from zbot.node.errors import InvalidPeriodError
 from zbot.node.event_callbacks import PublisherEventCallbacks, SubscriptionEventCallbacks
@@ -92,21 +103,26 @@ class NodeEntities(PrivateAliases):
             InvalidHandleError: The node was destroyed.
         """
         handle = self._zbot_alive()
+        check_order(
+            "create_publisher", (msg_type, is_class), (topic, is_name), (qos_profile, is_profile)
+        )
         check_is_valid_msg_type(msg_type)
         name = handle.resolve(topic, is_service=False)
         qos = self._zbot_overridden("publisher", name, qos_profile, qos_overriding_options)
+        events = event_callbacks or PublisherEventCallbacks()
+        check_object("event_callbacks", events, "PublisherEventCallbacks", "attach")
+        group = self._zbot_group(callback_group)
         token = handle.endpoint(EntityKind.PUBLISHER, name, msg_type, qos)
         publisher = publisher_class(
             handle.context,
             msg_type,
             token,
             logger_name=handle.logger_name,
-            callback_group=callback_group or self.default_callback_group,
+            callback_group=group,
         )
         publisher.topic = topic
         handle.publishers.append(publisher)
         handle.diagnostics.add(token, handle.logger_name)
-        events = event_callbacks or PublisherEventCallbacks()
         events.attach(publisher, handle.ready_queue, handle.context.graph)
         return cast("Publisher[MsgT]", publisher)
 
@@ -139,22 +155,32 @@ class NodeEntities(PrivateAliases):
 
         Raises:
             InvalidTopicNameError: The name breaks ROS 2's grammar.
+            NotCallableError: The callback is not callable.
             CallbackSignatureError: The number of the callback's arguments is not 1 or 2.
             ContentFilterError: The expression does not fit the type.
             NotAMessageTypeError: `msg_type` is not a message class.
             InvalidHandleError: The node was destroyed.
         """
         handle = self._zbot_alive()
+        check_order(
+            "create_subscription",
+            (msg_type, is_class),
+            (topic, is_name),
+            (callback, callable),
+            (qos_profile, is_profile),
+        )
         check_is_valid_msg_type(msg_type)
         name = handle.resolve(topic, is_service=False)
         qos = self._zbot_overridden("subscription", name, qos_profile, qos_overriding_options)
+        events = event_callbacks or SubscriptionEventCallbacks()
+        check_object("event_callbacks", events, "SubscriptionEventCallbacks", "attach")
         subscription = Subscription(
             handle.context,
             msg_type,
             callback,
             handle.endpoint(EntityKind.SUBSCRIPTION, name, msg_type, qos),
             ready_queue=handle.ready_queue,
-            callback_group=callback_group or self.default_callback_group,
+            callback_group=self._zbot_group(callback_group),
             raw=raw,
             logger_name=handle.logger_name,
             content_filter=content_filter_options,
@@ -163,7 +189,7 @@ class NodeEntities(PrivateAliases):
         handle.subscriptions.append(subscription)
         handle.diagnostics.add(subscription.token, handle.logger_name)
         handle.add(subscription)
-        events = event_callbacks or SubscriptionEventCallbacks()
+        note_callback(handle.token.node, "create_subscription", callback)
         events.attach(subscription, handle.ready_queue, handle.context.graph)
         subscription.start()
         return subscription
@@ -191,10 +217,16 @@ class NodeEntities(PrivateAliases):
         Raises:
             InvalidServiceNameError: The name breaks ROS 2's grammar.
             NotAMessageTypeError: `srv_type` is not a service class.
+            NotCallableError: The callback is not callable.
+            CallbackSignatureError: The callback does not take two arguments.
             InvalidHandleError: The node was destroyed.
         """
         handle = self._zbot_alive()
+        check_order(
+            "create_service", (srv_type, is_class), (srv_name, is_name), (callback, callable)
+        )
         check_is_valid_srv_type(srv_type)
+        check_callback("create_service", callback, "(request, response)", position=2)
         name = handle.resolve(srv_name, is_service=True)
         service: Service[Any, Any] = Service(
             handle.context,
@@ -202,11 +234,12 @@ class NodeEntities(PrivateAliases):
             callback,
             handle.endpoint(EntityKind.SERVICE, name, srv_type, as_profile(qos_profile)),
             ready_queue=handle.ready_queue,
-            callback_group=callback_group or self.default_callback_group,
+            callback_group=self._zbot_group(callback_group),
             logger_name=handle.logger_name,
         )
         service.srv_name = srv_name
         handle.services.append(service)
+        note_callback(handle.token.node, "create_service", callback)
         handle.add(service)
         return service
 
@@ -233,6 +266,7 @@ class NodeEntities(PrivateAliases):
             InvalidHandleError: The node was destroyed.
         """
         handle = self._zbot_alive()
+        check_order("create_client", (srv_type, is_class), (srv_name, is_name))
         check_is_valid_srv_type(srv_type)
         name = handle.resolve(srv_name, is_service=True)
         client: Client[Any, Any] = Client(
@@ -240,7 +274,7 @@ class NodeEntities(PrivateAliases):
             srv_type,
             handle.endpoint(EntityKind.CLIENT, name, srv_type, as_profile(qos_profile)),
             ready_queue=handle.ready_queue,
-            callback_group=callback_group or self.default_callback_group,
+            callback_group=self._zbot_group(callback_group),
             logger_name=handle.logger_name,
         )
         client.srv_name = srv_name
@@ -271,15 +305,33 @@ class NodeEntities(PrivateAliases):
 
         Raises:
             InvalidPeriodError: The period is negative, too large or not a number.
+            NotCallableError: The callback is not callable.
+            CallbackSignatureError: The callback does not take these arguments.
             InvalidHandleError: The node was destroyed.
         """
         handle = self._zbot_alive()
-        if not isinstance(timer_period_sec, (int, float)) or not 0 <= timer_period_sec < 2**33:
-            raise InvalidPeriodError("a timer's period", timer_period_sec)
+        check_order("create_timer", (timer_period_sec, is_number), (callback, callable))
+        period_s = seconds("a timer's period", timer_period_sec)
+        check_timer_callback("create_timer", callback)
+        if callback is not None:
+            note_callback(handle.token.node, "create_timer", callback)
+        return self._zbot_add_timer(period_s, callback, callback_group, clock, autostart)
+
+    def _zbot_add_timer(
+        self,
+        period_s: float,
+        callback: Callable[..., Any] | None,
+        callback_group: CallbackGroup | None,
+        clock: Clock | None,
+        autostart: bool,
+    ) -> Timer:
+        handle = self._zbot_state
+        if clock is not None:
+            check_object("clock", clock, "a clock, e.g. self.get_clock()", "now")
         timer = Timer(
             callback,
-            callback_group or self.default_callback_group,
-            int(float(timer_period_sec) * S_TO_NS),
+            self._zbot_group(callback_group),
+            int(period_s * S_TO_NS),
             clock or handle.clock,
             handle.ready_queue,
             autostart=autostart,
@@ -291,9 +343,16 @@ class NodeEntities(PrivateAliases):
     def create_guard_condition(
         self, callback: Callable[[], Any], callback_group: CallbackGroup | None = None
     ) -> GuardCondition:
-        """Create a guard condition. Its callback runs when any thread calls `trigger()`."""
+        """Create a guard condition. Its callback runs when any thread calls `trigger()`.
+
+        Raises:
+            NotCallableError: The callback is not callable.
+            CallbackSignatureError: The callback needs an argument.
+            InvalidHandleError: The node was destroyed.
+        """
         handle = self._zbot_alive()
-        group = callback_group or self.default_callback_group
+        check_callback("create_guard_condition", callback, "()", may_be_none=unless_called)
+        group = self._zbot_group(callback_group)
         guard = GuardCondition(callback, group, ready_queue=handle.ready_queue)
         handle.guards.append(guard)
         handle.add(guard)
@@ -320,11 +379,11 @@ class NodeEntities(PrivateAliases):
             InvalidPeriodError: The frequency is not greater than 0, or is greater than 1e9.
         """
         handle = self._zbot_alive()
-        if not isinstance(frequency, (int, float)):
+        if not is_number(frequency):
             raise ArgumentTypeError("a rate's frequency", "a number", frequency)
         if not 0 < frequency <= S_TO_NS:
             raise InvalidPeriodError("a rate's frequency", frequency)
-        timer = NodeEntities.create_timer(self, 1 / frequency, None, clock=clock)
+        timer = self._zbot_add_timer(1 / float(frequency), None, None, clock, autostart=True)
         rate = Rate(timer, handle.context)
         handle.rates.append(rate)
         return rate
@@ -386,6 +445,12 @@ class NodeEntities(PrivateAliases):
         from zbot.parameters.qos_overrides import overridden  # noqa: PLC0415 - few nodes have options
 
         return overridden(self._zbot_state.parameters, entity, topic, profile, options)
+
+    def _zbot_group(self, group: CallbackGroup | None) -> CallbackGroup:
+        if group is None:
+            return self.default_callback_group
+        check_object("callback_group", group, "a callback group", "add_entity")
+        return group
 
     def _zbot_alive(self) -> NodeState:
         handle = self._zbot_state

@@ -13,6 +13,16 @@ class AskedNameError(InvalidNameError):
         self.args = (f"{self.name_type} {self.name!r} is invalid: {self.error_msg}",)
 
 
+class ArgumentOrderError(ZbotError, TypeError):
+    """A function was given the right arguments in the wrong order."""
+
+    def __init__(self, call: str, arguments: str) -> None:
+        self.call, self.arguments = call, arguments
+        super().__init__(
+            f"the arguments of {call} are in the wrong order: write {call}({arguments})"
+        )
+
+
 class MessageTypeError(ZbotError, TypeError):
     """`publish` was called with a message that does not have the topic's type."""
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from zbot.executor.callback_check import always, check_callback
 from zbot.node.event_handlers import LOGGED_BY_DEFAULT, InactiveHandler, ignore, make_handler
 from zbot.node.qos_events import QoSPublisherEventType, QoSSubscriptionEventType
 
@@ -37,6 +38,13 @@ class _EventCallbacks:
     def _by_kind(self) -> dict[EventKind, Callable[[Any], Any] | None]:
         raise NotImplementedError
 
+    def _check(self) -> None:
+        for argument, callback in vars(self).items():
+            if argument != "use_default_callbacks":
+                call = f"{type(self).__name__}'s {argument}"
+                options = {"argument": argument, "position": None, "may_be_none": always}
+                check_callback(call, callback, "(info)", **options)
+
     def attach(self, endpoint: Any, ready_queue: ReadyQueue, graph: Graph) -> None:
         """Create the endpoint's event handlers. The endpoint's `destroy()` ends the handlers."""
         for kind, callback in self._by_kind().items():
@@ -61,6 +69,10 @@ class PublisherEventCallbacks(_EventCallbacks):
         matched: Called if a subscription of the topic was created or destroyed.
         use_default_callbacks: Whether `event_handlers` has handlers for default callbacks, as in
             rclpy. Different types of a topic are always logged.
+
+    Raises:
+        NotCallableError: A callback is not callable.
+        CallbackSignatureError: A callback does not take one argument.
     """
 
     def __init__(
@@ -79,6 +91,7 @@ class PublisherEventCallbacks(_EventCallbacks):
         self.incompatible_type = incompatible_type
         self.matched = matched
         self.use_default_callbacks = use_default_callbacks
+        self._check()
 
     def _by_kind(self) -> dict[EventKind, Callable[[Any], Any] | None]:
         return {
@@ -102,6 +115,10 @@ class SubscriptionEventCallbacks(_EventCallbacks):
         matched: Called if a publisher of the topic was created or destroyed.
         use_default_callbacks: Whether `event_handlers` has handlers for default callbacks, as in
             rclpy. Different types of a topic are always logged.
+
+    Raises:
+        NotCallableError: A callback is not callable.
+        CallbackSignatureError: A callback does not take one argument.
     """
 
     def __init__(
@@ -122,6 +139,7 @@ class SubscriptionEventCallbacks(_EventCallbacks):
         self.incompatible_type = incompatible_type
         self.matched = matched
         self.use_default_callbacks = use_default_callbacks
+        self._check()
 
     def _by_kind(self) -> dict[EventKind, Callable[[Any], Any] | None]:
         return {

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import inspect
 from typing import TYPE_CHECKING, Any, TypedDict
 
-from zbot.executor.errors import CallbackSignatureError
+from zbot.executor.callback_check import check_callback
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -32,19 +31,8 @@ def takes_info(callback: Callable[..., Any]) -> bool:
     """Return true if a callback takes a message and its info, or false if it takes a message only.
 
     Raises:
+        NotCallableError: The callback is not callable.
         CallbackSignatureError: The number of the callback's arguments is not 1 or 2.
     """
-    expected = "(message) or (message, info)"
-    if not callable(callback):
-        raise CallbackSignatureError("a subscription's callback", expected)
-    try:
-        signature = inspect.signature(callback)
-    except (TypeError, ValueError):
-        return False  # some builtins have no signature: they get only the message
-    for arguments in ((None,), (None, None)):
-        try:
-            signature.bind(*arguments)
-        except TypeError:
-            continue
-        return len(arguments) == 2
-    raise CallbackSignatureError("a subscription's callback", expected)
+    forms = ("(message)", "(message, info)")
+    return check_callback("create_subscription", callback, *forms, position=2) == 1

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from zbot.context import get_default_context
+from zbot.executor.set_by_init import SetByInit
 from zbot.log import get_logger
 from zbot.names import (
     fully_qualified,
@@ -64,6 +65,9 @@ class Node(GraphQueries, NodeEntities, NodeParameters):
         ParametersFileError: A parameter file cannot be read.
         InvalidParameterTypeException: An override has a wrong type, e.g. `use_sim_time: 1`.
     """
+
+    _zbot_state: Any = SetByInit("'my_node'")
+    _zbot_logger: Any = SetByInit("'my_node'")
 
     def __init__(
         self,

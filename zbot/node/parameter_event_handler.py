@@ -6,6 +6,7 @@ import threading
 from itertools import chain
 from typing import TYPE_CHECKING, Any
 
+from zbot.executor.callback_check import check_callback
 from zbot.names import fully_qualified
 from zbot.parameters.errors import UnknownCallbackError
 from zbot.qos import qos_profile_parameter_events
@@ -193,6 +194,7 @@ class ParameterEventHandler:
         Returns:
             The argument for `remove_parameter_callback`.
         """
+        check_callback("add_parameter_callback", callback, "(parameter)", position=2)
         name = self._resolve_path(node_name)
         return self._callbacks.add_parameter_callback(parameter_name, name, callback)
 
@@ -212,6 +214,7 @@ class ParameterEventHandler:
         Returns:
             The argument for `remove_parameter_event_callback`.
         """
+        check_callback("add_parameter_event_callback", callback, "(event)")
         return self._callbacks.add_parameter_event_callback(callback)
 
     def remove_parameter_event_callback(self, handle: ParameterEventCallbackHandle) -> None:

@@ -7,6 +7,7 @@ from copy import copy
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ArgumentTypeError
+from zbot.executor.callback_check import check_callback
 from zbot.parameters.errors import ParameterListError, UnknownCallbackError
 from zbot.parameters.parameter import Parameter, infer_parameter, parameter_value_to_python
 from zbot.parameters.store import Declaration, prefixes_of
@@ -268,7 +269,8 @@ class NodeParameters:
 
     def add_pre_set_parameters_callback(self, callback: PreSet) -> None:
         """Add a callback that gets new values before the checks, and returns the list to set."""
-        self._zbot_parameters.pre_set.insert(0, _checked_callback(callback))
+        check_callback("add_pre_set_parameters_callback", callback, "(parameters)")
+        self._zbot_parameters.pre_set.insert(0, callback)
 
     def add_on_set_parameters_callback(self, callback: OnSet) -> None:
         """Add a callback that runs before parameters are set, and can reject the new values.
@@ -276,11 +278,13 @@ class NodeParameters:
         The callback returns a `SetParametersResult`. It runs for declarations too. It must not
         change anything, because a later callback may reject the values.
         """
-        self._zbot_parameters.on_set.insert(0, _OnSetCallback(_checked_callback(callback)))
+        check_callback("add_on_set_parameters_callback", callback, "(parameters)")
+        self._zbot_parameters.on_set.insert(0, _OnSetCallback(callback))
 
     def add_post_set_parameters_callback(self, callback: PostSet) -> None:
         """Add a callback that runs after parameters were declared or set."""
-        self._zbot_parameters.post_set.insert(0, _checked_callback(callback))
+        check_callback("add_post_set_parameters_callback", callback, "(parameters)")
+        self._zbot_parameters.post_set.insert(0, callback)
 
     def remove_pre_set_parameters_callback(self, callback: PreSet) -> None:
         """Remove a callback.
@@ -382,12 +386,6 @@ def _checked_parameters(parameters: Iterable[Any]) -> Parameters:
         if not isinstance(one, Parameter):
             raise ParameterListError(index, one, "a Parameter")
     return checked
-
-
-def _checked_callback(callback: Any) -> Any:
-    if not callable(callback):
-        raise ArgumentTypeError("callback", "a function", callback)
-    return callback
 
 
 def _result(reason: str) -> SetParametersResult:

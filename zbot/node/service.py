@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 import zenoh
 
+from zbot.executor.forgotten_spin import Program
 from zbot.interfaces import type_name
 from zbot.log import get_logger
 from zbot.node.deduplication import RepeatedRequests
@@ -111,6 +112,7 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
         Raises:
             CodecError: The request cannot be decoded.
         """
+        Program.has_spun = True  # this program needs no executor
         taken = self.take()
         if taken is None:
             return None

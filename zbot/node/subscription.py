@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING, Any, Generic, Literal, TypeVar
 
 import zenoh
 
+from zbot.executor.forgotten_spin import Program
 from zbot.interfaces import has_sequences
 from zbot.log import get_logger, sinks_disabled
 from zbot.names import ROSOUT_TOPIC
@@ -290,6 +291,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         Raises:
             CodecError: The message cannot be decoded.
         """
+        Program.has_spun = True  # this program needs no executor
         while (sample := self.take()) is not None:
             payload = sample.payload.to_bytes()
             if not self._is_wanted(payload):

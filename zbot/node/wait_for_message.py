@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, Literal, TypeVar
 
 from zbot.executor.callback_group import ReentrantCallbackGroup
 from zbot.executor.ready_queue import ReadyQueue
+from zbot.node.argument_check import check_order, is_class, is_name, is_node
 from zbot.node.subscription import Subscription
 from zbot.qos import as_profile
 from zbot.transport.wakeup import LONGEST_WAIT_S, BinarySemaphore
@@ -43,6 +44,7 @@ def wait_for_message(
     Raises:
         InvalidTopicNameError: The name breaks ROS 2's grammar.
     """
+    check_order("wait_for_message", (msg_type, is_class), (node, is_node), (topic, is_name))
     arrived: list[MsgT] = []
     signal, ready_queue = BinarySemaphore(), ReadyQueue()
     ready_queue.attach(None, lambda _: signal.set())

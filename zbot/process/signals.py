@@ -108,6 +108,11 @@ def install(options: SignalHandlerOptions = SignalHandlerOptions.ALL) -> None:
         _replace(signal.SIGTERM, _on_sigterm)
 
 
+def was_received() -> bool:
+    """Return whether the process got a signal that `install()` handles."""
+    return _Process.count > 0
+
+
 def uninstall() -> None:
     """Restore the signal handlers that were installed before `install()`."""
     if threading.current_thread() is threading.main_thread():

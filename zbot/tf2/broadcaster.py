@@ -6,6 +6,7 @@ import copy
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
+from zbot.node.argument_check import check_object
 from zbot.qos import DurabilityPolicy, QoSProfile
 
 from tf2_msgs.msg import TFMessage
@@ -32,6 +33,7 @@ class TransformBroadcaster:
     """
 
     def __init__(self, node: Node, qos: QoSProfile | int | None = None) -> None:
+        check_object("node", node, "a node", "create_publisher")
         profile = QoSProfile(depth=_DEPTH) if qos is None else qos
         self.pub_tf: Any = node.create_publisher(TFMessage, TF_TOPIC, profile)
 
@@ -51,6 +53,7 @@ class StaticTransformBroadcaster:
     """
 
     def __init__(self, node: Node, qos: QoSProfile | int | None = None) -> None:
+        check_object("node", node, "a node", "create_publisher")
         kept = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
         profile = kept if qos is None else qos
         self.pub_tf: Any = node.create_publisher(TFMessage, TF_STATIC_TOPIC, profile)

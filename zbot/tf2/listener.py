@@ -9,6 +9,7 @@ from zbot.errors import ExternalShutdownException
 from zbot.executor.callback_group import ReentrantCallbackGroup
 from zbot.executor.clock import ClockChange, JumpThreshold, TimeJump
 from zbot.executor.single_threaded_executor import SingleThreadedExecutor
+from zbot.node.argument_check import check_object, check_order, is_node
 from zbot.node.node import Node
 from zbot.qos import DurabilityPolicy, QoSProfile
 from zbot.tf2.broadcaster import TF_STATIC_TOPIC, TF_TOPIC
@@ -20,6 +21,10 @@ if TYPE_CHECKING:
     from zbot.tf2.buffer import Buffer
 
 _DEPTH = 100
+
+
+def _is_buffer(value: object) -> bool:
+    return hasattr(value, "set_transform") and not isinstance(value, type)
 
 
 class TransformListener:
@@ -48,6 +53,10 @@ class TransformListener:
         tf_static_topic: str = TF_STATIC_TOPIC,
         static_only: bool = False,
     ) -> None:
+        if node is not None:
+            check_order("TransformListener", (buffer, _is_buffer), (node, is_node))
+            check_object("node", node, "a node", "create_subscription")
+        check_object("buffer", buffer, "a buffer", "set_transform")
         self.buffer = buffer
         self._own_node = Node("transform_listener") if node is None else None
         feeder: Any = node or self._own_node

@@ -233,7 +233,7 @@ def test_callbacks_can_be_replaced(pair: Pair) -> None:
     pair.server.register_handle_accepted_callback(None)
     pair.server.register_cancel_callback(None)
     assert pair.send().accepted
-    with pytest.raises(TypeError, match="not callable"):
+    with pytest.raises(TypeError, match="which is not a function"):
         pair.server.register_execute_callback(None)  # type: ignore[arg-type]
 
 

@@ -139,7 +139,7 @@ def test_wrong_arguments_are_refused(node: zbot.Node) -> None:
         node.set_parameters(["speed"])  # type: ignore[list-item]
     with pytest.raises(ParameterListError, match="must be a name, not 1"):
         node.get_parameters([1])  # type: ignore[list-item]
-    with pytest.raises(ArgumentTypeError, match="callback must be a function"):
+    with pytest.raises(TypeError, match="callback was given None"):
         node.add_on_set_parameters_callback(None)  # type: ignore[arg-type]
     with pytest.raises(ArgumentTypeError, match="prefixes must be a list"):
         node.list_parameters("drive", 0)  # type: ignore[arg-type]

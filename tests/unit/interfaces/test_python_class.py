@@ -155,8 +155,9 @@ def test_a_class_name_that_ros_rejects() -> None:
         (int, "it is not a message, service or action"),
         (Plain, "use an interface class or a dataclass"),
         (String(), "it is an instance; pass its class, String"),
-        ("std_msgs/msg/String", "get_interface"),
-        (sys, "it is not a class"),
+        ("std_msgs/msg/String", "write String without quotes"),
+        (sys, "it is a module; write one of its classes"),
+        (5, "it is not a class"),
     ],
 )
 def test_a_class_that_is_not_a_message_class_is_rejected(given: Any, reason: str) -> None:

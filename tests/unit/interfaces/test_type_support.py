@@ -29,9 +29,9 @@ def test_other_classes_are_refused_as_programs_expect(caught: type[Exception]) -
 
 @pytest.mark.parametrize("caught", [NotAMessageTypeError, RuntimeError])
 def test_other_kinds_are_refused(caught: type[Exception]) -> None:
-    with pytest.raises(caught, match=r"Trigger .* it is not a message"):
+    with pytest.raises(caught, match=r"Trigger .* it is a service, not a message"):
         check_is_valid_msg_type(Trigger)
-    with pytest.raises(caught, match=r"String .* it is not a service"):
+    with pytest.raises(caught, match=r"String .* it is a message, not a service"):
         check_is_valid_srv_type(String)
     with pytest.raises(InterfaceKindError):
         check_is_valid_srv_type(Fibonacci)

@@ -1,0 +1,88 @@
+"""Source of the call by which a program called zbot. An error quotes it."""
+
+from __future__ import annotations
+
+import ast
+import linecache
+import sys
+from functools import lru_cache
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from types import FrameType
+
+_PACKAGE = str(Path(__file__).parents[1])
+
+
+def argument_source(keyword: str, position: int | None) -> ast.expr | None:
+    """Return what the program wrote for an argument of its call, or `None` if that is unknown.
+
+    The first call for a line parses the program's file, which takes milliseconds.
+
+    Args:
+        keyword: Name of the argument.
+        position: Index of the argument if it is given without its name. `None` if it never is.
+    """
+    frame, function = _calling_frame()
+    if frame is None:
+        return None
+    return _source(frame.f_code.co_filename, frame.f_lineno, function, keyword, position)
+
+
+@lru_cache(maxsize=64)
+def _source(
+    file: str, line: int, function: str, keyword: str, position: int | None
+) -> ast.expr | None:
+    found = [
+        (call.lineno, call.col_offset, argument)
+        for call in _calls_at(file, line)
+        if function == "__init__" or _last_name(call.func) == function
+        if (argument := _argument(call, keyword, position)) is not None
+    ]
+    # The innermost call begins last.
+    return max(found, key=lambda one: one[:2])[2] if found else None
+
+
+def calling_line() -> str:
+    """Return the file and the line of the program's call, e.g. `talker.py:12`."""
+    frame, _ = _calling_frame()
+    return "" if frame is None else f"{frame.f_code.co_filename}:{frame.f_lineno}"
+
+
+def _calling_frame() -> tuple[FrameType | None, str]:
+    """Return the frame of the program that called zbot, and the name of the called function."""
+    frame: FrameType | None = sys._getframe(1)  # noqa: SLF001 - Python has no quick public way
+    function = ""
+    while frame is not None and frame.f_code.co_filename.startswith(_PACKAGE):
+        function, frame = frame.f_code.co_name, frame.f_back
+    return frame, function
+
+
+def _calls_at(file: str, line: int) -> Iterator[ast.Call]:
+    try:
+        tree = ast.parse("".join(linecache.getlines(file)))
+    except (SyntaxError, ValueError):
+        return
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Call) and node.lineno <= line <= (node.end_lineno or 0):
+            yield node
+
+
+def _last_name(function: ast.expr) -> str:
+    if isinstance(function, ast.Attribute):
+        return function.attr
+    return function.id if isinstance(function, ast.Name) else ""
+
+
+def _argument(call: ast.Call, keyword: str, position: int | None) -> ast.expr | None:
+    named = {one.arg: one.value for one in call.keywords}
+    if keyword in named:
+        return named[keyword]
+    if position is None:
+        return None
+    given = call.args[: position + 1]
+    if len(given) <= position or any(isinstance(one, ast.Starred) for one in given):
+        return None
+    return given[position]
