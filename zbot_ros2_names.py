@@ -30,8 +30,8 @@ NAMES = frozenset({
     "slam_toolbox", "std_srvs", "tf2_geometry_msgs", "tf2_py", "tf2_ros", "tf2_sensor_msgs",
     "tf_transformations", "turtlesim",
 })  # fmt: skip
-#: Ends of the names of packages with messages, also of students' own packages.
-_SUFFIXES = ("_msgs", "_interfaces", "_srvs")
+#: Ends of the names of packages with messages, also of students' own packages, and of wrong names.
+_SUFFIXES = ("_msgs", "_interfaces", "_srvs", "_msg", "_interface", "_srv")
 #: Modules that Python looks for at each start. Few machines have them.
 _OF_SITE = ("sitecustomize", "usercustomize")
 #: The last slash makes these paths different from the path that `zbot.compat` searches.
@@ -39,13 +39,26 @@ _TYPES = ("/zbot/stubs/", "/zbot/compat/packages/")
 
 
 class _Finder:
-    """Finder that loads zbot when a program imports a name of ROS 2 that is not installed."""
+    """Finder that loads zbot when a program imports a name of ROS 2 that is not installed.
+
+    At the first import of zbot or of such a name, it checks the names of the program's files.
+    """
+
+    watches_files = False
 
     @staticmethod
     def find_spec(fullname, path=None, target=None):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN205 - `typing` would be imported
         """Return the spec that zbot's own finders have for a top-level package."""
-        if path is not None or not (is_known(fullname) or _is_sourced(fullname)):
+        is_ours = is_known(fullname) or fullname == "zbot"
+        if path is not None or not (is_ours or _is_sourced(fullname)):
             return None
+        if is_ours and not _Finder.watches_files:
+            _Finder.watches_files = True
+            import zbot_name_clash  # noqa: PLC0415 - only for programs that use zbot
+
+            zbot_name_clash.watch(sys.path[:1])
+        if fullname == "zbot":
+            return _other_spec(fullname, target)  # type: ignore[no-untyped-call]
         installed = _other_spec(fullname, target)  # type: ignore[no-untyped-call]
         if installed is not None and installed.origin is not None:
             return installed

@@ -22,6 +22,8 @@ def shortened(value: object, limit: int = 80) -> str:
 
 def described(value: object) -> str:
     """Return the type and value of an argument, or what it is if it is a class or a function."""
+    if value is None:
+        return "None"
     name = getattr(value, "__name__", "")
     if name and isinstance(value, type):
         return f"the class {name}"

@@ -233,6 +233,11 @@ def _report_usage(error: Any) -> int:
         print(error.format_message())
         return Status.OK
     error.show(sys.stderr)
+    from zbot.terminal.typographic import advice_for_words  # noqa: PLC0415 - only for mistakes
+
+    hint = advice_for_words(sys.argv[1:])
+    if hint:
+        print(f"\nhint: {hint}", file=sys.stderr)
     return int(error.exit_code)
 
 

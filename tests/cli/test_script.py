@@ -99,7 +99,7 @@ def test_a_file_that_hides_a_module_of_python_is_named(tmp_path: Path) -> None:
     (tmp_path / "colorsys.py").write_text("COLOURS = 7\n")
     (tmp_path / "node.py").write_text("import colorsys\nprint(colorsys.COLOURS)\n")
     done = zbot("run", str(tmp_path / "node.py"))
-    hides = f"{tmp_path / 'colorsys.py'} hides Python's module colorsys: rename the file\n"
+    hides = f"the file {tmp_path / 'colorsys.py'} hides Python's module colorsys: rename it\n"
     assert (done.code, done.out, done.err) == (0, "7\n", hides)
 
 

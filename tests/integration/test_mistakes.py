@@ -64,7 +64,7 @@ def action_server(node: Any, execute: Any = None, **options: Any) -> Any:
         (lambda n: n.add_on_set_parameters_callback(n.hear(1)), "write n.hear without parenthes"),
         (lambda n: n.add_pre_set_parameters_callback("x"), "add_pre_set_parameters_callback was"),
         (lambda n: n.add_post_set_parameters_callback(5), "add_post_set_parameters_callback was"),
-        (lambda _: zbot.Future().add_done_callback(5), "add_done_callback was given 5"),
+        (lambda _: zbot.Future().add_done_callback(5), "add_done_callback was given 5"),  # type: ignore[arg-type]
         (action_server, "ActionServer's execute_callback was given None"),
         (lambda n: action_server(n, n.hear, goal_callback=5), "goal_callback was given 5"),
         (lambda n: action_server(n, n.hear, cancel_callback=""), "cancel_callback was given ''"),
@@ -96,7 +96,7 @@ def action_server(node: Any, execute: Any = None, **options: Any) -> Any:
         (lambda n: ActionClient[Any, Any, Any](Fibonacci, n, "f"), r"\(self, Fibonacci, 'f'\)"),  # type: ignore[arg-type]
         (lambda n: Subscriber(String, n, "t"), r"write Subscriber\(self, String, 't'\)"),  # type: ignore[arg-type]
         (lambda n: wait_for_message(n, String, "t"), r"\(String, self, 't'\)"),  # type: ignore[arg-type]
-        (lambda n: TransformListener(n, Buffer()), r"TransformListener\(buffer, self\)"),
+        (lambda n: TransformListener(n, Buffer()), r"TransformListener\(buffer, self\)"),  # type: ignore[arg-type]
         # an argument of a wrong kind
         (lambda n: n.create_publisher("String", "t", 10), "write String without quotes"),
         (lambda n: n.create_publisher(std_msgs.msg, "t", 10), "is a module; write one of its clas"),
@@ -119,8 +119,8 @@ def action_server(node: Any, execute: Any = None, **options: Any) -> Any:
         (lambda n: n.create_timer("0.5", n.tick), "must be a positive number of seconds"),
         # what is not a node
         (lambda _: zbot.spin(Robot), r"spin needs a node, .* write Robot\(\) with parentheses"),  # type: ignore[arg-type]
-        (lambda _: zbot.spin(None), "spin needs a node, but was given NoneType: None"),  # type: ignore[arg-type]
-        (lambda _: zbot.spin_once("robot"), "spin needs a node, but was given str: 'robot'"),  # type: ignore[arg-type]
+        (lambda _: zbot.spin(None), "spin needs a node, .* but was given None"),  # type: ignore[arg-type]
+        (lambda _: zbot.spin_once("robot"), "but was given str: 'robot'"),  # type: ignore[arg-type]
         (lambda n: SingleThreadedExecutor(context=n.context).add_node(Robot), "add_node needs a n"),  # type: ignore[arg-type]
         (lambda n: zbot.spin_until_future_complete(n, None), "future must be a future, e.g. the"),  # type: ignore[arg-type]
         (lambda n: zbot.spin_until_future_complete(n, zbot.Future(), 0.1), "timeout_sec=0.1"),  # type: ignore[arg-type]

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.action.errors import NotAnActionTypeError
 from zbot.action.generic import ActionGeneric, FeedbackT, GoalT, ResultT
-from zbot.executor.set_by_init import SetByInit
+from zbot.executor.set_by_init import set_by_init
 from zbot.executor.spinnable import check_node
 from zbot.node.argument_check import check_order, is_class, is_node
 
@@ -38,10 +38,10 @@ def check_arguments(call: str, node: Any, action_type: Any, *arguments: tuple[An
 class ActionEndpoint(ActionGeneric[GoalT, ResultT, FeedbackT]):
     """A client or a server of an action. The end of a `with` block destroys it."""
 
-    _node: Any = SetByInit("node, action_type, 'name'")
-    _action_type: type[Any] = SetByInit("node, action_type, 'name'")  # type: ignore[assignment]
+    _node: Any = set_by_init("node, action_type, 'name'")
+    _action_type: type[Any] = set_by_init("node, action_type, 'name'")
     _action_name: str
-    _services: Sequence[Any] = SetByInit("node, action_type, 'name'")  # type: ignore[assignment]
+    _services: Sequence[Any] = set_by_init("node, action_type, 'name'")
 
     @property
     def action_type(self) -> type[Any]:

@@ -13,6 +13,7 @@ from importlib.machinery import ModuleSpec, PathFinder
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from zbot.compat import missing_name
 from zbot.package import python_finder
 
 if TYPE_CHECKING:
@@ -59,6 +60,7 @@ def install_names(preferred: Iterable[str] = ()) -> None:
         # This finder must be the first: Python's own finder accepts any folder named `rclpy`.
         sys.meta_path.insert(0, _NameFinder)
     python_finder.install()
+    missing_name.install()
     started = sys.modules.get("zbot_ros2_names")
     if started is not None:
         started.remove()

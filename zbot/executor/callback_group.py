@@ -8,7 +8,7 @@ import weakref
 from collections import deque
 from typing import TYPE_CHECKING, Any
 
-from zbot.executor.set_by_init import SetByInit
+from zbot.executor.set_by_init import set_by_init
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -23,7 +23,7 @@ class CallbackGroup:
     release the group for an entity that has no work.
     """
 
-    _entities: weakref.WeakSet[Any] = SetByInit("")  # type: ignore[assignment]
+    _entities: weakref.WeakSet[Any] = set_by_init()
 
     def __init__(self) -> None:
         self._entities = weakref.WeakSet()

@@ -104,7 +104,7 @@ class NodeArgumentError(ZbotError, TypeError, AttributeError):
 
     def __init__(self, call: str, value: Any) -> None:
         self.call, self.value = call, value
-        text = f"{call} needs a node, but was given {described(value)}"
+        text = f"{call} needs a node, e.g. Node('talker'), but was given {described(value)}"
         if isinstance(value, type) and hasattr(value, "create_publisher"):
             text += f"; write {value.__name__}() with parentheses to make a node"
         AttributeError.__init__(self, text, name="")  # so that Python suggests nothing

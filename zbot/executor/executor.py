@@ -18,7 +18,7 @@ from zbot.executor.callback_stack import running_callbacks
 from zbot.executor.entity_queue import EntityQueue
 from zbot.executor.errors import ConditionReachedException, ExecutorBusyError, ShutdownError
 from zbot.executor.forgotten_spin import Program
-from zbot.executor.set_by_init import SetByInit
+from zbot.executor.set_by_init import set_by_init
 from zbot.executor.spinnable import check_node
 from zbot.executor.task import Future, Task
 from zbot.executor.task_step import TaskStep
@@ -58,9 +58,9 @@ class Executor(EntityQueue):
             used.
     """
 
-    _nodes: list[SpinnableNode] = SetByInit("")  # type: ignore[assignment]
-    _spinning_thread: int | None = SetByInit("")  # type: ignore[assignment]
-    _spin_lock: threading.Lock = SetByInit("")  # type: ignore[assignment]
+    _nodes: list[SpinnableNode] = set_by_init()
+    _spinning_thread: int | None = set_by_init()
+    _spin_lock: threading.Lock = set_by_init()
 
     def __init__(self, *, context: Context | None = None) -> None:
         super().__init__()

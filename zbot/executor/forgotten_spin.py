@@ -28,7 +28,7 @@ class Program:
 
 def note_callback(node: str, call: str, callback: Any) -> None:
     """Note that the program gave a node a callback, which needs an executor."""
-    if Program.has_spun or Program.first_callback or is_hidden(node):
+    if Program.has_spun or Program.first_callback or is_hidden(node) or not _is_program():
         return
     # An action client also subscribes.
     if (getattr(callback, "__module__", None) or "").startswith("zbot.action."):
@@ -40,7 +40,7 @@ def note_callback(node: str, call: str, callback: Any) -> None:
 
 def _warn(was_interrupted: bool) -> None:
     is_done = Program.has_spun or was_interrupted or Program.pid != os.getpid()
-    if is_done or signals.was_received() or _has_failed() or not _is_program():
+    if is_done or signals.was_received() or _has_failed():
         return
     print(
         f"{Program.first_callback}: the callback never ran, because the program ended without "
@@ -56,6 +56,7 @@ def _has_failed() -> bool:
 
 def _is_program() -> bool:
     """Return whether the process runs a file, and neither tests nor an interactive session."""
+    # At the end of the process, Python has already removed `__file__`.
     is_interactive = hasattr(sys, "ps1") or bool(sys.flags.interactive)
     has_file = hasattr(sys.modules.get("__main__"), "__file__")
     return has_file and not is_interactive and not any(map(sys.modules.get, _TEST_RUNNERS))

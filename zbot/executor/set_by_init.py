@@ -22,17 +22,23 @@ class MissingSuperInitError(ZbotError, AttributeError):
         )
 
 
-class SetByInit:
-    """Descriptor for an attribute of instances. The instance's own value replaces it.
-
-    Reading a value that exists takes about 30 ns more. So no attribute that is read for each
-    message has this descriptor.
+def set_by_init(arguments: str = "") -> Any:
+    """Return the value of a class attribute that `__init__` sets for each object.
 
     Args:
         arguments: The arguments of `super().__init__`, as the error shows them.
     """
+    return _SetByInit(arguments)
 
-    def __init__(self, arguments: str = "...") -> None:
+
+class _SetByInit:
+    """Descriptor for an attribute of instances. The instance's own value replaces it.
+
+    Reading a value that exists takes about 30 ns more. So no attribute that is read for each
+    message has this descriptor.
+    """
+
+    def __init__(self, arguments: str) -> None:
         self._arguments = arguments
 
     def __get__(self, owner: Any, cls: type[Any]) -> Any:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import astuple, dataclass
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
-from zbot.executor.set_by_init import SetByInit
+from zbot.executor.set_by_init import set_by_init
 from zbot.executor.wait_set import WaitSet
 
 if TYPE_CHECKING:
@@ -46,7 +46,7 @@ class Waitable(Generic[T]):
         callback_group: Decides which callbacks may run at the same time as `execute`.
     """
 
-    callback_group: CallbackGroup = SetByInit("callback_group")  # type: ignore[assignment]
+    callback_group: CallbackGroup = set_by_init("callback_group")
 
     def __init__(self, callback_group: CallbackGroup) -> None:
         self.callback_group = callback_group

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from zbot.errors import ZbotError, shortened
+import re
+
+from zbot.errors import ZbotError, described, shortened
 from zbot.suggestion import did_you_mean, question
 
 
@@ -48,9 +50,19 @@ class MissingPackageError(ZbotError, ModuleNotFoundError):
 
     def __init__(self, package: str, how_to_add: str, suggestions: tuple[str, ...] = ()) -> None:
         self.suggestions = suggestions
-        near = f"{question(suggestions, '; ')} To" if suggestions else ". To"
-        super().__init__(f"No module named {package!r}{near} add the package, {how_to_add}")
+        near = question(suggestions, "; ") or "."
+        way = f" To add the package, {how_to_add}" if how_to_add else ""
+        super().__init__(f"No module named {package!r}{near}{way}")
         self.name = package  # as in each ModuleNotFoundError
+
+
+class InterfaceImportError(ZbotError, ModuleNotFoundError):
+    """A program imports a module that a package of definitions does not have."""
+
+    def __init__(self, package: str, text: str) -> None:
+        super().__init__(text)
+        # With the module's full name, `from package import name` would drop this error.
+        self.name = package
 
 
 class UnknownInterfaceError(ZbotError, AttributeError, LookupError):
@@ -59,6 +71,25 @@ class UnknownInterfaceError(ZbotError, AttributeError, LookupError):
     def __init__(self, name: str, suggestions: tuple[str, ...] = ()) -> None:
         self.name, self.suggestions = name, suggestions
         super().__init__(f"Unknown interface {name!r}{question(suggestions, '; ')}")
+
+
+def _hint(expected: str, value: object) -> str:
+    """Return what to write in place of a value of a wrong type, if that is known."""
+    if hasattr(value, "to_msg") and expected.endswith(("/Time", "/Duration")):
+        return "; write .to_msg() after it"
+    if callable(value) and not isinstance(value, type):
+        return f"; write {getattr(value, '__name__', 'it')}() to call it"
+    type_name = expected.removeprefix("a ")
+    if not re.fullmatch(r"\w+/msg/\w+", type_name):
+        return ""
+    from zbot.interfaces import registry  # noqa: PLC0415 - it imports this module
+
+    try:
+        fields = getattr(registry.get_spec(type_name), "fields", ())
+    except LookupError:  # another library made the class
+        return ""
+    name = type_name.rpartition("/")[2]
+    return f"; write {name}({fields[0].name}=...)" if fields else ""
 
 
 class FieldTypeError(ZbotError, TypeError, AssertionError):
@@ -73,8 +104,10 @@ class FieldTypeError(ZbotError, TypeError, AssertionError):
 
     def __init__(self, type_name: str, field: str, expected: str, value: object) -> None:
         self.type_name, self.field, self.expected, self.value = type_name, field, expected, value
-        given = f"{type(value).__name__}: {shortened(value)}"
-        super().__init__(f"field {field!r} of {type_name} must be {expected}, not {given}")
+        hint = _hint(expected, value)
+        super().__init__(
+            f"field {field!r} of {type_name} must be {expected}, not {described(value)}{hint}"
+        )
 
 
 class FieldValueError(ZbotError, ValueError, AssertionError):

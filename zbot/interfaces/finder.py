@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 #: Packages whose modules named `action` are real modules.
 _PLAIN_PACKAGES = {"zbot", "zbot_cli"}
 #: Endings of names that ROS 2 gives to packages of definitions.
-_ENDINGS = ("_msgs", "_srvs", "_actions", "_interfaces")
+_ENDINGS = ("_msgs", "_srvs", "_actions", "_interfaces", "_msg", "_srv", "_interface")
 _JYTHONS = {"org", "java"}
 
 
@@ -68,21 +68,26 @@ class _PackageFinder:
         """Return a spec if the name belongs to known definitions.
 
         Raises:
+            InterfaceImportError: A package of definitions has no such module.
             MissingPackageError: A program imports a package that does not exist, and the name has
                 the form of a package of definitions, e.g. `my_msgs`.
         """
         package, _, inside = fullname.partition(".")
-        if inside.partition(".")[0] not in KINDS if inside else _is_pythons(package):
+        if _is_pythons(package):
             return None
         importer = _importer()
         if importer is None:
             return None
         spec: ModuleSpec | None
         if inside:
-            spec = importer.submodule_spec(fullname)
+            spec = importer.submodule_spec(fullname) if inside.partition(".")[0] in KINDS else None
+            if spec is None and is_import_statement():
+                error = importer.missing_module(package, inside)
+                if error is not None:
+                    raise error
             return spec
         spec = importer.package_spec(package)
-        if spec is None and package.endswith(_ENDINGS) and _is_import_statement():
+        if spec is None and package.endswith(_ENDINGS) and is_import_statement():
             later = sys.meta_path[sys.meta_path.index(self) + 1 :]
             if not any(finder.find_spec(fullname, path, target) for finder in later):
                 raise importer.missing_package(package)
@@ -96,7 +101,7 @@ def _importer() -> Any:
     return importer if hasattr(importer, "package_spec") else None
 
 
-def _is_import_statement() -> bool:
+def is_import_statement() -> bool:
     """Return whether Python imports a module. `importlib.util.find_spec` only asks for one."""
     # The callers: the finder's find_spec, importlib's _find_spec, and the function that called it.
     return sys._getframe(3).f_code.co_name == "_find_and_load_unlocked"  # noqa: SLF001 - documented

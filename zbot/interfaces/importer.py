@@ -11,12 +11,15 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.interfaces import registry
 from zbot.interfaces.classes import module_name
-from zbot.interfaces.errors import MissingPackageError, UnknownInterfaceError
+from zbot.interfaces.errors import (
+    InterfaceImportError,
+    MissingPackageError,
+    UnknownInterfaceError,
+)
 from zbot.interfaces.kinds import KINDS
-from zbot.interfaces.location import has_other_versions
 from zbot.interfaces.registry import has_package
 from zbot.interfaces.spec import ActionSpec, ServiceSpec
-from zbot.suggestion import did_you_mean, similar_names
+from zbot.suggestion import similar_names
 
 if TYPE_CHECKING:
     from importlib.abc import Loader
@@ -47,6 +50,19 @@ def submodule_spec(fullname: str) -> ModuleSpec | None:
     return module.find_submodule(fullname, last) if isinstance(module, _KindModule) else None
 
 
+def missing_module(package: str, inside: str) -> ModuleNotFoundError | None:
+    """Return the error for the import of e.g. `std_msgs.String`, if zbot made the package."""
+    module = sys.modules.get(package)
+    if not isinstance(getattr(module, "__loader__", None), _PackageLoader):
+        return None
+    kind = inside.partition(".")[0]
+    if kind in KINDS and _interfaces(package, kind):  # the kind is right
+        return None
+    from zbot.interfaces.missing_import import text_for_module  # noqa: PLC0415 - needed only after an error
+
+    return InterfaceImportError(package, text_for_module(package, inside))
+
+
 def missing_package(package: str) -> MissingPackageError:
     """Return the error for the import of a package that has no definitions here."""
     from zbot.interfaces.repositories import (  # noqa: PLC0415 - needed only after an error
@@ -56,6 +72,9 @@ def missing_package(package: str) -> MissingPackageError:
 
     if repository_of(package):  # the name is right
         return MissingPackageError(package, how_to_add(package))
+    if not package.endswith("s"):  # e.g. std_msg
+        near = similar_names(package, registry.packages())
+        return MissingPackageError(package, "" if near else how_to_add(package), near)
     # Many names have the same ending, so only their beginnings are compared.
     known = {name.rpartition("_")[0]: name for name in registry.packages()}
     near = similar_names(package.rpartition("_")[0], known)
@@ -83,7 +102,11 @@ def _kind_module(package: str, kind: str) -> ModuleType:
     """Return e.g. `std_msgs.msg`, and import it if necessary."""
     if kind in KINDS and _interfaces(package, kind):
         return import_module(f"{package}.{kind}")
-    raise AttributeError(f"module {package!r} has no attribute {kind!r}")
+    if kind.startswith("_"):  # Python's own look-ups
+        raise AttributeError(f"module {package!r} has no attribute {kind!r}")
+    from zbot.interfaces.missing_import import text_for_module  # noqa: PLC0415 - needed only after an error
+
+    raise AttributeError(text_for_module(package, kind), name="")  # Python suggests nothing
 
 
 class _KindLoader(Loader):
@@ -153,11 +176,12 @@ class _KindModule(ModuleType):
         return ModuleSpec(fullname, _ModuleLoader(defined[0])) if defined else None
 
     def _missing(self, attribute: str) -> str:
-        hint = did_you_mean(attribute, self._names, before="; ")
-        package = self.__name__.partition(".")[0]
-        if not hint and has_other_versions(package):
-            hint = f"; give your robot's version of {package} to `zbot interface add`"
-        return f"cannot import name {attribute!r} from {self.__name__!r}{hint}"
+        from zbot.interfaces import missing_import  # noqa: PLC0415 - needed only after an error
+
+        package, _, kind = self.__name__.partition(".")
+        if attribute in self._names:
+            return missing_import.text_for_class(package, kind, attribute)
+        return missing_import.text_for_name(package, kind, attribute)
 
 
 def _interfaces(package: str, kind: str) -> dict[str, str]:

@@ -1,8 +1,8 @@
-"""Advice for the assignment of a field that a message does not have: `twist.linear.vx = 1.0`.
+"""Advice for a field that a message does not have: `twist.linear.vx = 1.0`, `print(message.text)`.
 
-Python raises an AttributeError for this assignment. In Python 3.12 and earlier versions, the error
-suggests no similar field. Message classes have no `__setattr__` of their own, because such a method
-would make every assignment slower.
+Python raises an AttributeError, which does not say which fields there are. Message classes have no
+`__setattr__` and no `__getattr__` of their own, because such methods would make the use of all
+fields slower.
 """
 
 from __future__ import annotations
@@ -22,13 +22,14 @@ _TEXT = re.compile(
 
 def add_advice(error: BaseException) -> None:
     """Add the message's fields to the text of an error, if the error is about an unknown field."""
-    if not isinstance(error, AttributeError) or getattr(error, "obj", None) is not None:
-        return  # Python itself suggests a name
+    if not isinstance(error, AttributeError):
+        return
     match = _TEXT.match(str(error))
     fields = _fields_of(match[1]) if match else ()
     if match and fields:
         hint = did_you_mean(match[2], fields) or f"it has {', '.join(fields)}"
         error.args = (f"{error}; {hint}",)
+        error.obj = None  # Python would suggest a name too
 
 
 def _fields_of(name: str) -> tuple[str, ...]:

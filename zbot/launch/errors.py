@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from zbot.errors import ZbotError
 from zbot.launch.argument_names import question_about
 from zbot.suggestion import question, similar_names
+from zbot.terminal.typographic import advice
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -47,7 +48,9 @@ class LaunchFileError(InvalidLaunchFileError):
 
     def __init__(self, path: str, line: int, reason: str, hint: str = "") -> None:
         super().__init__(os.path.splitext(path)[1])  # noqa: PTH122 - "<text>" is not a path
-        self.path, self.line, self.reason, self.hint = path, line, reason, hint
+        self.path, self.line, self.reason = path, line, reason
+        typed = advice(reason)
+        self.hint = hint if not typed or typed in reason else typed
         self.args = (f"{path}:{line}: {reason}" if line else f"{path}: {reason}",)
 
     @classmethod

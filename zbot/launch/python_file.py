@@ -12,6 +12,7 @@ from zbot.launch.description import LaunchDescription
 from zbot.launch.errors import LaunchFileError, describe
 from zbot.launch.python_mistakes import FUNCTION, advice, missing_function
 from zbot.package import python_finder
+from zbot.terminal.typographic import advise_of_syntax
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -33,6 +34,7 @@ def load(path: Path) -> LaunchDescription:
         if callable(function):
             returned = function()
     except SyntaxError as error:
+        advise_of_syntax(error)
         place = error.filename or str(path)
         raise LaunchFileError(place, error.lineno or 0, f"SyntaxError: {error.msg}") from error
     except Exception as error:

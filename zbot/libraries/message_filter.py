@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 from zbot.executor.callback_check import check_callback
 from zbot.executor.clock import ROSClock
-from zbot.executor.set_by_init import SetByInit
+from zbot.executor.set_by_init import set_by_init
 from zbot.log import get_logger
 from zbot.node.argument_check import check_object, check_order, is_class, is_name, is_node
 from zbot.time import Duration, Time
@@ -36,7 +36,7 @@ class Filter(Protocol):
 class SimpleFilter:
     """Filter that calls all registered callbacks with its output."""
 
-    callbacks: dict[int, tuple[Callable[..., Any], tuple[Any, ...]]] = SetByInit("")  # type: ignore[assignment]
+    callbacks: dict[int, tuple[Callable[..., Any], tuple[Any, ...]]] = set_by_init()
 
     def __init__(self) -> None:
         self.callbacks = {}

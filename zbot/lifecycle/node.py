@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 from zbot.errors import ArgumentTypeError, ExternalShutdownException
-from zbot.executor.set_by_init import SetByInit
+from zbot.executor.set_by_init import set_by_init
 from zbot.lifecycle.errors import CallbackReturnError, NotAManagedEntityError, NotANodeError
 from zbot.lifecycle.managed_entity import ManagedEntity, SimpleManagedEntity
 from zbot.lifecycle.publisher import LifecyclePublisher
@@ -78,7 +78,7 @@ class LifecycleNodeMixin(ManagedEntity):
         ArgumentTypeError: `enable_communication_interface` is not a bool.
     """
 
-    _zbot_lifecycle: Any = SetByInit("'my_node'")
+    _zbot_lifecycle: _LifecycleData = set_by_init("'my_node'")
 
     def __init__(
         self,

@@ -42,8 +42,14 @@ class _EventCallbacks:
         for argument, callback in vars(self).items():
             if argument != "use_default_callbacks":
                 call = f"{type(self).__name__}'s {argument}"
-                options = {"argument": argument, "position": None, "may_be_none": always}
-                check_callback(call, callback, "(info)", **options)
+                check_callback(
+                    call,
+                    callback,
+                    "(info)",
+                    argument=argument,
+                    position=None,
+                    may_be_none=always,
+                )
 
     def attach(self, endpoint: Any, ready_queue: ReadyQueue, graph: Graph) -> None:
         """Create the endpoint's event handlers. The endpoint's `destroy()` ends the handlers."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from zbot.context import get_default_context
-from zbot.executor.set_by_init import SetByInit
+from zbot.executor.set_by_init import set_by_init
 from zbot.log import get_logger
 from zbot.names import (
     fully_qualified,
@@ -66,8 +66,8 @@ class Node(GraphQueries, NodeEntities, NodeParameters):
         InvalidParameterTypeException: An override has a wrong type, e.g. `use_sim_time: 1`.
     """
 
-    _zbot_state: Any = SetByInit("'my_node'")
-    _zbot_logger: Any = SetByInit("'my_node'")
+    _zbot_state: NodeState = set_by_init("'my_node'")
+    _zbot_logger: Logger = set_by_init("'my_node'")
 
     def __init__(
         self,
@@ -101,6 +101,8 @@ class Node(GraphQueries, NodeEntities, NodeParameters):
         context.add_node(self, handle.full_name)
         self._zbot_logger = get_logger(handle.logger_name)
         self._zbot_rosout = Rosout(self, as_profile(rosout_qos_profile)) if enable_rosout else None
+        for warning in arguments.warnings_for(handle.full_name):
+            self._zbot_logger.warning(warning)
         self._zbot_time = TimeSource()
         self._zbot_time.attach_clock(handle.clock)
         handle.parameters.overrides = overrides | {p.name: p for p in parameter_overrides or ()}

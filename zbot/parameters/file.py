@@ -20,6 +20,8 @@ from zbot.parameters.errors import (
     ParametersFileNotFoundError,
     ParameterValueError,
 )
+from zbot.suggestion import similar_names
+from zbot.terminal.typographic import advice
 from zbot.yaml_reader import YamlError, read_yaml
 
 if TYPE_CHECKING:
@@ -28,6 +30,8 @@ if TYPE_CHECKING:
 __all__ = ["load", "matches", "parse_value", "sections"]
 
 _KEY = "ros__parameters"
+#: Paths of the files that had parameters for a node of this process.
+_used_files: set[str] = set()
 # PyYAML matches these patterns at the start of a scalar. `\Z` lets them match only whole scalars.
 _FLOAT = re.compile(
     r"[-+]?(?:[0-9][0-9_]*\.[0-9_]*|\.[0-9]+|[0-9]+(?=[eE]))(?:[eE][-+]?[0-9]+)?\Z"
@@ -83,6 +87,23 @@ def sections(path: str) -> list[tuple[str, dict[str, Any]]]:
         raise ParametersFileError(path, "it is nested too deeply") from error
 
 
+def unused(path: str, node: str) -> list[str]:
+    """Return the nodes of a file that is probably meant for a node, but has another name for it.
+
+    A file often has parameters for many nodes, and is given to others too. So the result is empty
+    if the file has several nodes and no similar name, or if an earlier node of the process has
+    used the file.
+    """
+    patterns = [pattern for pattern, _ in sections(path)]
+    if any(matches(pattern, node) for pattern in patterns):
+        _used_files.add(path)
+    if path in _used_files:
+        return []
+    base_names = {pattern.rpartition("/")[2]: pattern for pattern in patterns}
+    is_meant = len(patterns) == 1 or similar_names(node.rpartition("/")[2], base_names)
+    return patterns if is_meant else []
+
+
 def matches(pattern: str, node: str) -> bool:
     """Return whether a node's full name matches a pattern such as `/**`, `/ns/*` or `lidar`."""
     parts = pattern.strip("/").split("/")
@@ -98,22 +119,24 @@ def _sections(path: str) -> Iterator[tuple[str, dict[Any, Any]]]:
         data = Path(path).read_bytes()
         # In Windows PowerShell, `zbot param dump /node > file` writes UTF-16.
         text = data.decode("utf-16" if data.startswith((BOM_UTF16_LE, BOM_UTF16_BE)) else "utf-8")
-        content = read_yaml(text, _loader())
     except FileNotFoundError as error:
         raise ParametersFileNotFoundError(path, error.strerror or str(error)) from error
     except OSError as error:
         raise ParametersFileError(path, error.strerror or str(error)) from error
     except ValueError as error:
         raise ParametersFileError(path, str(error)) from error
-    if content is not None:
-        yield from _nested_sections(path, "", content)
+    try:
+        content = read_yaml(text, _loader())
+        if content is not None:
+            yield from _nested_sections(path, "", content)
+    except (YamlError, ParametersFileError) as error:
+        reason = error.reason if isinstance(error, ParametersFileError) else str(error)
+        raise ParametersFileError(path, "; ".join(filter(None, (reason, advice(text))))) from error
 
 
 def _nested_sections(path: str, name: str, content: Any) -> Iterator[tuple[str, dict[Any, Any]]]:
     if not isinstance(content, dict):
-        where = f"under {name!r}" if name else "at the top"
-        reason = f"{where} write `name:` and indented lines below it, not {content!r}"
-        raise ParametersFileError(path, reason)
+        raise ParametersFileError(path, _missing_key(name, content))
     for key, value in content.items():
         if key == _KEY and name:
             if not isinstance(value, dict):
@@ -124,6 +147,20 @@ def _nested_sections(path: str, name: str, content: Any) -> Iterator[tuple[str, 
             raise ParametersFileError(path, f"write {_KEY} below a node's name, e.g. `/**:`")
         else:
             yield from _nested_sections(path, f"{name}/{str(key).strip('/')}", value)
+
+
+def _missing_key(name: str, content: Any) -> str:
+    """Return what to write, because a name has a value and is not below `ros__parameters`."""
+    parts = name.strip("/").split("/")
+    if not name:
+        return f"at the top write `name:` and indented lines below it, not {content!r}"
+    wrong = next((part for part in parts if similar_names(part, [_KEY, "parameters"])), "")
+    if not wrong and "parameters" in parts:
+        wrong = "parameters"
+    if wrong:
+        return f"write {_KEY} in place of {wrong}"
+    node = parts[0] if len(parts) > 1 else "/**"
+    return f"write the line `{_KEY}:` below `{node}:`, and indent the parameters below it"
 
 
 def _flat(path: str, prefix: str, values: dict[Any, Any]) -> dict[str, Any]:

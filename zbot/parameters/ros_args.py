@@ -17,6 +17,7 @@ from zbot.names import (
 )
 from zbot.parameters import file as parameter_file
 from zbot.parameters.errors import ArgumentsError, ParameterValueError
+from zbot.terminal.typographic import advice_for_words
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -90,6 +91,9 @@ class Arguments(NamedTuple):
             ArgumentsError: A word after `--ros-args` is unknown or not valid.
         """
         words, unparsed = _split(args)
+        for word in unparsed:
+            if word.endswith("ros-args") and advice_for_words([word]):
+                raise ArgumentsError(word, advice_for_words([word]))
         found, unknown = cls(unparsed=tuple(unparsed)), list[str]()
         while words:
             found = _flag(found, words, unknown)
@@ -146,6 +150,21 @@ class Arguments(NamedTuple):
             elif item.node in {"", base}:
                 values[item.name] = item.value
         return values
+
+    def warnings_for(self, node: str) -> list[str]:
+        """Return a warning for each parameter file that probably misspells the node's name.
+
+        Args:
+            node: The node's fully qualified name.
+        """
+        files = {item.path for item in self.parameters if isinstance(item, ParametersFile)}
+        unused = ((path, parameter_file.unused(path, node)) for path in sorted(files))
+        return [
+            f"the parameter file {path} has parameters for {' and '.join(nodes)}, but not for "
+            f"{node}: are the names misspelt?"
+            for path, nodes in unused
+            if nodes
+        ]
 
     def _special(self, source: str, node: str) -> str | None:
         for rule in self.remaps:

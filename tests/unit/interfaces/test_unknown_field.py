@@ -11,7 +11,6 @@ from std_msgs.msg import Int8
 def text_after_advice(message: object, field: str) -> str:
     with pytest.raises(AttributeError) as caught:
         setattr(message, field, 1.0)
-    caught.value.obj = None  # later versions of Python set it, and suggest a name themselves
     add_advice(caught.value)
     add_advice(caught.value)
     return str(caught.value)
@@ -26,6 +25,14 @@ def test_an_assignment_of_an_unknown_field_names_the_nearest() -> None:
 
 def test_an_assignment_of_an_unknown_field_names_all_if_none_is_near() -> None:
     assert text_after_advice(Vector3(), "speed").endswith("; it has x, y, z")
+
+
+def test_reading_an_unknown_field_names_the_fields_too() -> None:
+    with pytest.raises(AttributeError) as caught:
+        _ = Vector3().speed  # type: ignore[attr-defined]
+    add_advice(caught.value)
+    assert str(caught.value) == "'Vector3' object has no attribute 'speed'; it has x, y, z"
+    assert caught.value.obj is None  # Python suggests no second name
 
 
 def test_errors_of_other_objects_are_left_alone() -> None:

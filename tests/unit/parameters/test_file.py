@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 from zbot.parameters.errors import ParametersFileError, ParameterValueError
-from zbot.parameters.file import load, matches, parse_value, sections
+from zbot.parameters.file import load, matches, parse_value, sections, unused
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -121,12 +121,19 @@ def test_an_empty_file_has_no_parameters(tmp_path: Path) -> None:
     [
         ("a:\n  ros__parameters:\n    x:1\n", "with a space after ':'"),
         ("a:\n  ros__parameters: 5\n", "with a space after ':'"),
-        ("a:\n  x: 5\n", "under '/a/x' write `name:`"),
+        ("a:\n  x: 5\n", "write the line `ros__parameters:` below `a:`, and indent"),
+        ("x: 5\n", "write the line `ros__parameters:` below `/\\*\\*:`"),
+        ("a:\n  ros_parameters:\n    x: 5\n", "write ros__parameters in place of ros_parameters$"),
+        ("a:\n  ros__parameter:\n    x: 5\n", "in place of ros__parameter$"),
+        ("/b/a:\n  ROS__PARAMETERS:\n    x: 5\n", "in place of ROS__PARAMETERS$"),
+        ("a:\n  parameters:\n    x: 5\n", "in place of parameters$"),
+        ("a:\n\u00a0ros__parameters:\n\u00a0x: 5\n", "U\\+00A0 only looks like a space"),
+        ("a:\n  ros__parameters:\n    x： 5\n", "type : in place of ： "),  # noqa: RUF001
         ("just text", "at the top write `name:`"),
         ("ros__parameters:\n  x: 1\n", "write ros__parameters below a node's name"),
         ("a:\n  ros__parameters:\n    x:\n", "not a parameter's value: 'x'"),
         ("a:\n  ros__parameters:\n    x: [1, b]\n", "values of a list must have one type"),
-        ("a:\n\tros__parameters:\n", "line 2, column 1"),
+        ("a:\n\tros__parameters:\n", "line 2, column 1: found a tab: write spaces"),
         ("a:\n  ros__parameters: &a\n    x: *a\n", "inside its own value"),
     ],
 )
@@ -188,3 +195,31 @@ def test_a_missing_file_is_a_file_not_found_error(read: Callable[[str], object])
     with pytest.raises(ParametersFileError, match=reason) as caught:
         read("no/such.yaml")
     assert isinstance(caught.value, FileNotFoundError)
+
+
+@pytest.mark.parametrize(
+    ("text", "found"),
+    [
+        ("talkr:\n  ros__parameters:\n    x: 1\n", ["/talkr"]),
+        ("/arm/talker:\n  ros__parameters:\n    x: 1\n", ["/arm/talker"]),
+        (
+            "talkr:\n  ros__parameters:\n    x: 1\nb:\n  ros__parameters:\n    x: 1\n",
+            ["/talkr", "/b"],
+        ),
+        ("talker:\n  ros__parameters:\n    x: 1\n", []),
+        ("/**:\n  ros__parameters:\n    x: 1\n", []),
+        ("a:\n  ros__parameters:\n    x: 1\nb:\n  ros__parameters:\n    x: 1\n", []),
+        ("", []),
+    ],
+)
+def test_a_file_for_a_node_of_another_name_is_noticed(
+    tmp_path: Path, text: str, found: list[str]
+) -> None:
+    assert unused(str(written(tmp_path, text)), "/talker") == found
+
+
+def test_a_file_that_another_node_uses_is_not_noticed(tmp_path: Path) -> None:
+    path = str(written(tmp_path, "listener:\n  ros__parameters:\n    x: 1\n"))
+    assert unused(path, "/talker") == ["/listener"]
+    assert unused(path, "/listener") == []
+    assert unused(path, "/talker") == []

@@ -7,6 +7,7 @@ from xml.parsers import expat
 
 from zbot.launch.frontend.entity import Entity
 from zbot.launch.frontend.errors import InvalidFrontendLaunchFileError
+from zbot.terminal.typographic import advice
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -51,7 +52,9 @@ def parse(content: bytes | str, path: str) -> Entity:
     try:
         parser.Parse(content, True)
     except expat.ExpatError as error:
-        reason = expat.errors.messages[error.code]
+        text = content if isinstance(content, str) else content.decode(errors="replace")
+        hint = advice("".join(text.splitlines()[error.lineno - 1 :][:1]))
+        reason = f"{expat.errors.messages[error.code]}{': ' if hint else ''}{hint}"
         raise InvalidFrontendLaunchFileError(path, error.lineno, reason) from error
     except (LookupError, ValueError) as error:
         if isinstance(error, InvalidFrontendLaunchFileError):

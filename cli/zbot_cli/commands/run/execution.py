@@ -12,10 +12,10 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
+import zbot_name_clash
 from zbot.errors import ZbotError
 from zbot.package.ros_variables import set_ros_variables
 from zbot.package.workspace import set_workspace_variable
-from zbot_cli.commands.run.name_clash import NameClashWarner
 from zbot_cli.input import keyboard_interrupt
 from zbot_cli.packages.executables import is_file
 
@@ -104,7 +104,7 @@ def _set_path(executable: Executable) -> None:
     # removed, because a random.py in that folder would replace Python's `random`.
     has_own_entry = not getattr(sys.flags, "safe_path", False)
     sys.path[: int(has_own_entry)] = folders
-    sys.meta_path.insert(0, NameClashWarner(folders))
+    zbot_name_clash.watch(folders)
 
 
 def _function(executable: Executable) -> Any:

@@ -1,41 +1,17 @@
-"""Warnings about a program's own files that have the name of a module of Python.
+"""Warnings about a program's own files that Python does not import.
 
-Python searches the program's folder first. So a file `random.py` replaces the module `random`, also
-for other modules. These modules then fail in places that the student does not know.
+`zbot_name_clash` warns about files that Python imports in place of a module of Python.
 """
 
 from __future__ import annotations
 
 import re
 import sys
-from importlib.machinery import FrozenImporter
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
-
-
-class NameClashWarner:
-    """Finder for `sys.meta_path` that only warns if a file replaces a module of Python.
-
-    Args:
-        folders: The folders that Python searches first.
-    """
-
-    def __init__(self, folders: Sequence[str]) -> None:
-        self._folders = folders
-
-    def find_spec(self, name: str, path: Sequence[str] | None = None, _: object = None) -> None:
-        """Warn if a name is a module of Python and a file of the folders replaces it."""
-        if path is not None or name not in sys.stdlib_module_names:
-            return
-        # Python searches for these modules before it searches folders.
-        if name in sys.builtin_module_names or FrozenImporter.find_spec(name) is not None:
-            return
-        file = _file_of(name, self._folders)
-        if file is not None:
-            _warn(f"{file} hides Python's module {name}: rename the file")
 
 
 def warn_of_unused_files(source: bytes, folder: str) -> None:

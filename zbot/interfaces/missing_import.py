@@ -1,0 +1,72 @@
+"""Texts of the errors for wrong imports of message types, such as `from std_msgs import String`."""
+
+from __future__ import annotations
+
+from zbot.interfaces import registry
+from zbot.interfaces.kinds import KINDS
+from zbot.interfaces.location import has_other_versions
+from zbot.suggestion import question, similar_names
+
+_NOUNS = {"msg": "messages", "srv": "services", "action": "actions"}
+
+
+def text_for_module(package: str, inside: str) -> str:
+    """Return what to write in place of the module `package.inside`, which does not exist."""
+    first = inside.partition(".")[0]
+    modules = [f"{package}.{kind}" for kind in KINDS if _names(package, kind)]
+    if first in KINDS:
+        return _text_for_kind(package, first, modules)
+    right = _import_of(package, first)
+    if right:
+        return f"{first} is not in {package}, but in {package}.{right[0]}: write {right[1]}"
+    near = [kind for kind in KINDS if first in {_NOUNS[kind], _NOUNS[kind][:-1]}]
+    near = near or list(similar_names(first, KINDS))
+    suggestions = tuple(f"{package}.{kind}" for kind in near if f"{package}.{kind}" in modules)
+    has = "" if suggestions else f"; {package} has {' and '.join(modules)}"
+    return f"No module named '{package}.{first}'{question(suggestions, '; ')}{has}"
+
+
+def _text_for_kind(package: str, kind: str, modules: list[str]) -> str:
+    beginning = package.partition("_")[0]
+    others = [name for name in registry.packages() if name.startswith(f"{beginning}_")]
+    near = tuple(f"{name}.{kind}" for name in others if _names(name, kind))
+    return (
+        f"No module named '{package}.{kind}': {package} has no {_NOUNS[kind]}, only "
+        f"{' and '.join(modules)}{question(near, '; ')}"
+    )
+
+
+def text_for_name(package: str, kind: str, name: str) -> str:
+    """Return what to write in place of `from package.kind import name`."""
+    text = f"cannot import name {name!r} from '{package}.{kind}'"
+    near = similar_names(name, _names(package, kind))
+    if near:
+        return text + question(near, "; ")
+    for other in (package, *registry.packages()):
+        right = _import_of(other, name)
+        if right and (other, right[0]) != (package, kind):
+            return f"{text}; {name} is in {other}.{right[0]}: write {right[1]}"
+    if has_other_versions(package):
+        text += f"; give your robot's version of {package} to `zbot interface add`"
+    return text
+
+
+def text_for_class(package: str, kind: str, name: str) -> str:
+    """Return what to write in place of `import package.kind.Name`."""
+    return f"{name} is a class and not a module: write from {package}.{kind} import {name}"
+
+
+def _names(package: str, kind: str) -> list[str]:
+    return [
+        name.rpartition("/")[2]
+        for name in registry.interface_names(package)
+        if name.split("/")[1] == kind
+    ]
+
+
+def _import_of(package: str, name: str) -> tuple[str, str] | None:
+    """Return the kind and the import statement of an interface, if the package has it."""
+    for kind in KINDS:
+        if name in _names(package, kind):
+            return kind, f"from {package}.{kind} import {name}"
+    return None
