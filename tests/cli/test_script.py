@@ -82,6 +82,26 @@ def test_a_syntax_error_is_shown_as_python_shows_it(start: Start, tmp_path: Path
     assert program.lines[-1].startswith("SyntaxError: ")
 
 
+@pytest.mark.parametrize(
+    ("source", "text"),
+    [
+        ("print(“hi”)", 'type " in place of “ (U+201C)'),
+        ("zbot.Node()", "'node_name': write the node's name, e.g. super().__init__('my_node')"),
+        ("zbot.Node('a').create_publisher(String, 't')", "write the depth of the queue, e.g. 10"),
+        ("zbot.spin()", "missing 1 required positional argument: 'node': write the node"),
+        ("print(String().text)", "'String' object has no attribute 'text'; it has data"),
+    ],
+)
+def test_the_report_of_a_mistake_says_what_to_write(tmp_path: Path, source: str, text: str) -> None:
+    program = tmp_path / "mistake.py"
+    lines = f"import zbot\nfrom std_msgs.msg import String\nzbot.init()\n{source}\n"
+    program.write_text(lines, encoding="utf-8")
+    done = zbot("run", str(program))
+    assert done.code == 1
+    assert "line 4" in done.err
+    assert text in done.err.splitlines()[-1]
+
+
 def test_a_program_can_import_a_file_beside_it(tmp_path: Path) -> None:
     (tmp_path / "code").mkdir()
     (tmp_path / "code" / "a.py").write_text("import b\nprint(b.WORD)\n")

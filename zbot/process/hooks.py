@@ -54,13 +54,18 @@ def _excepthook_before(previous: Any) -> Any:
         if issubclass(kind, SetupError):
             print(value, file=sys.stderr)
         elif not issubclass(kind, (ExternalShutdownException, KeyboardInterrupt)):
-            _advise_of_argument(value)
             _remove_zbot_frames(value)
-            add_advice(value)
-            advise_of_syntax(value)
+            _advise(value)
             previous(kind, value, value.__traceback__ or trace)
 
     return excepthook
+
+
+def _advise(value: BaseException) -> None:
+    """Add to the text of a typical mistake what to write."""
+    _advise_of_argument(value)
+    add_advice(value)
+    advise_of_syntax(value)
 
 
 def _advise_of_argument(value: BaseException) -> None:
@@ -81,7 +86,7 @@ def _thread_hook_before(previous: Any) -> Any:
         if not issubclass(args.exc_type, (ExternalShutdownException, KeyboardInterrupt)):
             _remove_zbot_frames(args.exc_value)
             if args.exc_value is not None:
-                add_advice(args.exc_value)
+                _advise(args.exc_value)
             previous(args)
 
     return thread_hook

@@ -119,8 +119,21 @@ def test_star_imports_and_dir_show_the_interfaces() -> None:
     [
         ("from std_msgs.msg import Strng", "cannot import name 'Strng'.*did you mean 'String'"),
         ("from std_srvs.srv import SetBool_Nothing", "cannot import name 'SetBool_Nothing'"),
-        ("import std_msgs.mgs", "std_msgs.mgs"),
-        ("import std_msgs.srv", "std_msgs.srv"),
+        ("import std_msgs.mgs", "'std_msgs.mgs'; did you mean 'std_msgs.msg'"),
+        ("from std_msgs.msgs import String", "did you mean 'std_msgs.msg'"),
+        ("from std_msgs import messages", "did you mean 'std_msgs.msg'"),
+        ("from std_msgs import String", "write from std_msgs.msg import String$"),
+        ("import std_msgs.String", "write from std_msgs.msg import String$"),
+        ("import std_msgs.msg.String", "String is a class and not a module: write from std_msgs.m"),
+        ("from std_msgs.msg.String import String", "write from std_msgs.msg import String$"),
+        ("from example_interfaces import AddTwoInts", "write from example_interfaces.srv import A"),
+        ("from sensor_msgs.msg import Twist", "write from geometry_msgs.msg import Twist$"),
+        ("from std_msgs import Nothing", "'std_msgs.Nothing'; std_msgs has std_msgs.msg$"),
+        ("import std_msgs.srv", "has no services, only std_msgs.msg; did you mean 'std_srvs.srv'"),
+        ("import geometry_msgs.action", "has no actions, only geometry_msgs.msg$"),
+        ("import std_msg.msg", "^No module named 'std_msg'; did you mean 'std_msgs'.$"),
+        ("from geometry_msg.msg import Twist", "did you mean 'geometry_msgs'.$"),
+        ("from std_srv.srv import SetBool", "did you mean 'std_srvs'.$"),
         ("import std_msgs.msg._nothing", "_nothing"),
         ("import no_such_package_msgs", "no_such_package_msgs"),
     ],
@@ -135,6 +148,11 @@ def test_a_missing_attribute_is_an_attribute_error() -> None:
     assert not hasattr(module, "Strng")
     with pytest.raises(AttributeError, match="did you mean 'String'"):
         _ = module.Strng
+    package = importlib.import_module("std_msgs")
+    assert not hasattr(package, "String")
+    with pytest.raises(AttributeError, match=r"write from std_msgs\.msg import String"):
+        _ = package.String
+    assert importlib.util.find_spec("std_msgs.nothing") is None
 
 
 def test_installing_twice_changes_nothing() -> None:
