@@ -33,9 +33,11 @@ def note_callback(node: str, call: str, callback: Any) -> None:
     # An action client also subscribes.
     if (getattr(callback, "__module__", None) or "").startswith("zbot.action."):
         return
-    Program.first_callback = f"{calling_line()}: {call}"
-    Program.pid = os.getpid()
-    at_exit.when_closed.append(_warn)
+    line = calling_line()
+    if line:
+        Program.first_callback = f"{line}: {call}"
+        Program.pid = os.getpid()
+        at_exit.when_closed.append(_warn)
 
 
 def _warn(was_interrupted: bool) -> None:

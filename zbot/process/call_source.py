@@ -46,9 +46,14 @@ def _source(
 
 
 def calling_line() -> str:
-    """Return the file and the line of the program's call, e.g. `talker.py:12`."""
+    """Return the file and the line of the program's call, e.g. `talker.py:12`.
+
+    The result is empty for a call of the `zbot` command or of a bundled node.
+    """
     frame, _ = _calling_frame()
-    return "" if frame is None else f"{frame.f_code.co_filename}:{frame.f_lineno}"
+    if frame is None or str(frame.f_globals.get("__name__")).startswith("zbot_"):
+        return ""
+    return f"{frame.f_code.co_filename}:{frame.f_lineno}"
 
 
 def _calling_frame() -> tuple[FrameType | None, str]:
