@@ -21,7 +21,6 @@ from zbot.parameters.errors import (
     ParameterValueError,
 )
 from zbot.suggestion import similar_names
-from zbot.terminal.typographic import advice
 from zbot.yaml_reader import YamlError, read_yaml
 
 if TYPE_CHECKING:
@@ -130,6 +129,8 @@ def _sections(path: str) -> Iterator[tuple[str, dict[Any, Any]]]:
         if content is not None:
             yield from _nested_sections(path, "", content)
     except (YamlError, ParametersFileError) as error:
+        from zbot.terminal.typographic import advice  # noqa: PLC0415 - only for mistakes
+
         reason = error.reason if isinstance(error, ParametersFileError) else str(error)
         raise ParametersFileError(path, "; ".join(filter(None, (reason, advice(text))))) from error
 
@@ -159,7 +160,7 @@ def _missing_key(name: str, content: Any) -> str:
         wrong = "parameters"
     if wrong:
         return f"write {_KEY} in place of {wrong}"
-    node = parts[0] if len(parts) > 1 else "/**"
+    node = parts[0] if len(parts) > 1 or content is None else "/**"
     return f"write the line `{_KEY}:` below `{node}:`, and indent the parameters below it"
 
 

@@ -17,7 +17,6 @@ from zbot.names import (
 )
 from zbot.parameters import file as parameter_file
 from zbot.parameters.errors import ArgumentsError, ParameterValueError
-from zbot.terminal.typographic import advice_for_words
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -92,12 +91,13 @@ class Arguments(NamedTuple):
         """
         words, unparsed = _split(args)
         for word in unparsed:
-            if word.endswith("ros-args") and advice_for_words([word]):
-                raise ArgumentsError(word, advice_for_words([word]))
+            if word.endswith("ros-args"):  # e.g. with the dash of a word processor
+                _refuse_typographic(word)
         found, unknown = cls(unparsed=tuple(unparsed)), list[str]()
         while words:
             found = _flag(found, words, unknown)
         if unknown:
+            _refuse_typographic(unknown[0])
             reason = "unknown flag: use -r, -p, --params-file or --log-level, and end with --"
             raise ArgumentsError(unknown, reason)
         return found
@@ -180,6 +180,14 @@ class Arguments(NamedTuple):
                 if expand_topic_name(rule.source, node, namespace) == full_name:
                     return expand_topic_name(rule.target, node, namespace)
         return full_name
+
+
+def _refuse_typographic(word: str) -> None:
+    from zbot.terminal.typographic import advice_for_words  # noqa: PLC0415 - only for mistakes
+
+    advice = advice_for_words([word])
+    if advice:
+        raise ArgumentsError(word, advice)
 
 
 def remove_ros_args(args: Sequence[str] | None = None) -> list[str]:

@@ -165,3 +165,20 @@ def test_an_invalid_word_gets_a_hint(words: list[str], bad: str | list[str], rea
     assert caught.value.word == bad
     assert str(caught.value).startswith(f"Failed to parse ROS arguments: {bad!r}: ")
     assert reason in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("words", "right"),
+    [
+        (["–-ros-args", "-p", "a:=1"], "--ros-args"),  # noqa: RUF001 - the dash of a word processor
+        (["—ros-args", "-p", "a:=1"], "--ros-args"),
+        (["--ros-args", "–p", "a:=1"], "-p"),  # noqa: RUF001 - as above
+    ],
+)
+def test_the_dash_of_a_word_processor_is_named(words: list[str], right: str) -> None:
+    with pytest.raises(ArgumentsError, match=f": type {right} in place of "):
+        Arguments.parse(words)
+
+
+def test_other_words_with_such_a_dash_belong_to_the_program() -> None:
+    assert Arguments.parse(["–", "–v", "-ros-args"]).unparsed == ("–", "–v", "-ros-args")  # noqa: RUF001 - as above
