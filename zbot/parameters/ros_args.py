@@ -161,7 +161,7 @@ class Arguments(NamedTuple):
         unused = ((path, parameter_file.unused(path, node)) for path in sorted(files))
         return [
             f"the parameter file {path} has parameters for {' and '.join(nodes)}, but not for "
-            f"{node}: are the names misspelt?"
+            f"{node}: write {node} or /** as the name in the file"
             for path, nodes in unused
             if nodes
         ]
