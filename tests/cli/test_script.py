@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import signal
+import subprocess
 import sys
 from typing import TYPE_CHECKING
 
@@ -96,10 +97,11 @@ def test_the_report_of_a_mistake_says_what_to_write(tmp_path: Path, source: str,
     program = tmp_path / "mistake.py"
     lines = f"import zbot\nfrom std_msgs.msg import String\nzbot.init()\n{source}\n"
     program.write_text(lines, encoding="utf-8")
-    done = zbot("run", str(program))
-    assert done.code == 1
-    assert "line 4" in done.err
-    assert text in done.err.splitlines()[-1]
+    command = [sys.executable, "-m", "zbot_cli", "run", str(program)]
+    done = subprocess.run(command, capture_output=True, encoding="utf-8", timeout=60, check=False)
+    assert done.returncode == 1
+    assert "line 4" in done.stderr
+    assert text in done.stderr.splitlines()[-1]
 
 
 def test_a_program_can_import_a_file_beside_it(tmp_path: Path) -> None:
