@@ -9,14 +9,14 @@ from typing import TYPE_CHECKING, Any, Literal, Protocol
 
 import zenoh
 
-from zbot.errors import ArgumentTypeError, ContextInitializedError
+from zbot.errors import ArgumentTypeError, ContextInitializedError, ForkedProcessError
 from zbot.graph.snapshot import Graph
 from zbot.log import get_logger
 from zbot.log.teacher_notice import NOTICE_KEY, log_notice
 from zbot.parameters.lost_arguments import warning_about
 from zbot.parameters.ros_args import Arguments, configure_logging
-from zbot.process import at_exit, blocked_put, signals
-from zbot.transport import config, environment, membership, shared_memory
+from zbot.process import at_exit, blocked_put, fork, signals
+from zbot.transport import config, environment, membership, shared_memory, zenoh_session
 from zbot.transport.foreign_call import defers_signals, without_interruption
 from zbot.transport.handle import Handle
 from zbot.transport.peering import Peering
@@ -43,11 +43,19 @@ _PEERS_TIMEOUT_S = 0.5
 _JOIN_TIMEOUT_S = 2.0  # threads end within a millisecond after their session
 
 
+class NodeHandle(Protocol):
+    """The part of a node's state that a context uses."""
+
+    def leave_to_parent(self) -> None:
+        """In a forked child, leave all entities of the node to the parent process."""
+        ...
+
+
 class ContextNode(Protocol):
     """The part of a node that a context uses."""
 
     @property
-    def handle(self) -> object:
+    def handle(self) -> NodeHandle:
         """The internal state of the node."""
         ...
 
@@ -82,6 +90,7 @@ class Context:
         self._lock = threading.RLock()
         self._state: Literal["new", "valid", "shut down"] = "new"
         self._interrupted = False
+        self.is_inherited = False  #: whether the parent of this forked process opened the session
         self._session: zenoh.Session | None = None
         self._meeting: MeetingPoint | RmwMeeting | None = None
         self._peering: Peering | None = None
@@ -226,13 +235,45 @@ class Context:
         for waker in list(self._wakers):
             waker()
 
+    def leave_to_parent(self) -> None:
+        """In a forked child, leave the session and all entities to the parent process.
+
+        As in rclpy, `ok()` is still true, and `shutdown()` and `destroy_node()` have no effect on
+        the parent. All that needs the session raises a `ForkedProcessError`.
+        """
+        self.is_inherited = True
+        fork.keep(self, dict(vars(self)))
+        self._lock = threading.RLock()  # a thread of the parent may hold the old lock
+        for executor in self.executors:
+            executor.leave_to_parent()
+        for node in self._nodes:
+            fork.keep(node)
+            node.handle.leave_to_parent()
+        if self._registration is not None:
+            self._registration.leave_to_parent()
+        self._session = self._meeting = self._peering = self._graph = self._registration = None
+        self._wakers, self._threads, self._receivers = [], {}, WeakSet()
+
+    def undeclare(self, *declarations: Any) -> None:
+        """Undeclare Zenoh objects, or do nothing if the session is closed."""
+        if self.is_inherited:
+            fork.keep(*declarations)
+        elif not self.is_closed:
+            for declaration in declarations:
+                declaration.undeclare()
+
     def require_valid(self, what: str) -> None:
         """Check that the context is initialised and not shut down.
 
+        Args:
+            what: The subject of the error's sentence.
+
         Raises:
-            NotInitializedError: The context is not initialised, or it was shut down. `what` is the
-                subject of the error's sentence.
+            ForkedProcessError: The context belongs to the parent of this forked process.
+            NotInitializedError: The context is not initialised, or it was shut down.
         """
+        if self.is_inherited:
+            raise ForkedProcessError(what)
         if self._state != "valid":
             signals.raise_not_initialized(what)
 
@@ -359,6 +400,7 @@ class Context:
             self._peering.wait_for_answers(_PEERS_TIMEOUT_S)
 
     def _new_meeting(self) -> MeetingPoint | RmwMeeting:
+        zenoh_session.prepare()
         reach, facts = config.discovery_range(), process_facts(__version__)
         file = config.load()
         self.dialect = dialect_of_rmw(self._rmw, in_class=self._in_class, file=file)
@@ -399,6 +441,7 @@ class Context:
         self.dialect = meeting.dialect or self.dialect
         at_exit.open_contexts.add(self)
         at_exit.register()
+        fork.register()
         if watch:
             self._registration = Registration(self._domain, is_tool=self.is_tool)
             self._peering = Peering(session, meeting, self.receiver)
@@ -484,14 +527,25 @@ _default: Context | None = None
 _default_lock = threading.Lock()
 
 
-def get_default_context(*, shutting_down: bool = False) -> Context:
+def _renew_lock() -> None:
+    global _default_lock  # noqa: PLW0603 - there is one per process
+    _default_lock = threading.Lock()
+
+
+fork.in_child.append(_renew_lock)
+
+
+def get_default_context(*, shutting_down: bool = False, initialising: bool = False) -> Context:
     """Return the process's default context. If it was shut down, a new context replaces it.
 
     Args:
         shutting_down: Whether to return the last context even if it was shut down.
+        initialising: Whether a new context also replaces a context of the parent process, in a
+            forked child.
     """
     global _default  # noqa: PLW0603 - there is one per process
     with _default_lock:
-        if _default is None or (_default.is_over and not shutting_down):
+        is_foreign = _default is not None and _default.is_inherited and initialising
+        if _default is None or is_foreign or (_default.is_over and not shutting_down):
             _default = Context()
         return _default

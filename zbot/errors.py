@@ -152,7 +152,21 @@ class NotInitializedError(ZbotError, RuntimeError):
 
     def __init__(self, what: str = "this") -> None:
         self.what = what
-        super().__init__(f"{what} needs {library_name()}.init() first (and no shutdown() after it)")
+        super().__init__(self._sentence(f"{library_name()}.init()"))
+
+    def _sentence(self, init: str) -> str:
+        return f"{self.what} needs {init} first (and no shutdown() after it)"
+
+
+class ForkedProcessError(NotInitializedError):
+    """A forked child process uses a node or another object of its parent process."""
+
+    def _sentence(self, init: str) -> str:
+        return (
+            f"{self.what} cannot be used in this process, which is a fork of the process that has "
+            f"the node: call {init} here and create a node here, or start this process with "
+            "multiprocessing.get_context('spawn')"
+        )
 
 
 class InvalidHandleError(ZbotError, RuntimeError):

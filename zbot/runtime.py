@@ -65,7 +65,7 @@ def init(
         DomainIdError: The domain is out of range.
     """
     default = context is None
-    context = get_default_context() if context is None else context
+    context = get_default_context(initialising=True) if context is None else context
     if signal_handler_options is None:
         signal_handler_options = SignalHandlerOptions.ALL if default else SignalHandlerOptions.NO
     signals.install(signal_handler_options)
@@ -124,6 +124,8 @@ def get_global_executor(context: Context | None = None) -> Executor:
 def _spin(node: Node, executor: Executor | None, run: Callable[[Executor], None]) -> None:
     """Add the node to the executor, call a function with the executor, and remove the node."""
     check_node("spin", node)
+    if node.context.is_inherited:
+        node.context.require_valid(f"the node {node.get_fully_qualified_name()}")
     if executor is None:
         executor = _executor_of(node)
     elif not hasattr(executor, "spin_once"):

@@ -137,6 +137,4 @@ class FeedbackSubscription:
             return
         self._is_destroyed = True
         self._queue.clear()
-        if not self._context.is_closed:
-            self._liveliness.undeclare()
-            self._subscriber.undeclare()
+        self._context.undeclare(self._liveliness, self._subscriber)

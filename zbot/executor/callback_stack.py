@@ -5,6 +5,8 @@ from __future__ import annotations
 import threading
 from typing import TYPE_CHECKING
 
+from zbot.process import fork
+
 if TYPE_CHECKING:
     from collections.abc import Callable
 
@@ -19,9 +21,15 @@ class CallbackStack(threading.local):
         self.stack: list[tuple[Executor, Entity]] = []
         self._at_end: list[tuple[int, Callable[[], object]]] = []
 
+    def clear(self) -> None:
+        """In a forked child, forget the callbacks that the calling thread ran in the parent."""
+        self.stack.clear()
+        self._at_end.clear()
+
     def pop(self) -> None:
         """Remove the innermost callback, and call the functions that it gave to `at_end`."""
-        self.stack.pop()
+        if self.stack:  # it is empty in a forked child, in which a callback goes on
+            self.stack.pop()
         while self._at_end and self._at_end[-1][0] > len(self.stack):
             self._at_end.pop()[1]()
 
@@ -31,6 +39,7 @@ class CallbackStack(threading.local):
 
 
 running_callbacks = CallbackStack()
+fork.in_child.append(running_callbacks.clear)
 
 
 def current_executor() -> Executor | None:

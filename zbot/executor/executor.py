@@ -102,6 +102,7 @@ class Executor(EntityQueue):
         """
         check_node(f"{type(self).__name__}.add_node", node)
         nodes = self._nodes
+        self._require_own(node.handle.context)
         if self._is_shutdown:
             raise ShutdownError("this executor")
         if node in nodes:
@@ -116,6 +117,16 @@ class Executor(EntityQueue):
         if handle.ready_queue.executor is not self:
             handle.ready_queue.attach(self, self._post)
         return True
+
+    @staticmethod
+    def _require_own(context: Context) -> None:
+        """Raise an error if a context belongs to the parent of this forked process."""
+        if context.is_inherited:
+            context.require_valid("this executor")
+
+    def leave_to_parent(self) -> None:
+        """In a forked child, end all loops. From now on, `spin` raises an error."""
+        self._is_shutdown = True
 
     def pause_node(self, node: SpinnableNode) -> None:
         """Remove a node, but still queue the node's entities when they may have work.
@@ -379,6 +390,7 @@ class Executor(EntityQueue):
             signals.raise_shutdown(by_signal=self._context.is_interrupted)
 
     def _raise_interruption(self) -> None:
+        self._require_own(self._context)
         # Other code, such as a callback, may have caught the signal handler's exception.
         if self._context.is_interrupted:
             signals.raise_shutdown(by_signal=True)
@@ -392,6 +404,7 @@ class Executor(EntityQueue):
         Raises:
             ExecutorBusyError: Another thread spins this executor.
         """
+        self._require_own(self._context)
         self._spin_once(_deadline_ns(timeout_sec))
 
     def spin_until_future_complete(
@@ -427,6 +440,7 @@ class Executor(EntityQueue):
         raise NotImplementedError
 
     def _is_spun_by_other_thread(self) -> bool:
+        self._require_own(self._context)
         return self._spinning_thread not in (None, threading.get_ident())
 
     def _wait_for_future(self, future: Future[Any], deadline_ns: int | None) -> None:
@@ -446,6 +460,7 @@ class Executor(EntityQueue):
             self._context.remove_waker(wake.set)
 
     def _begin_spin(self) -> None:
+        self._require_own(self._context)
         if not self._spin_lock.acquire(blocking=False):
             if self._spinning_thread is not None:
                 raise ExecutorBusyError
@@ -471,6 +486,8 @@ class Executor(EntityQueue):
             Whether the callbacks ended within `timeout_sec` seconds (`None`: no limit).
         """
         self._is_shutdown = True
+        if self._context.is_inherited:
+            return True  # the threads and the nodes are the parent's
         self.wake()
         ended = self.wait_idle(-1 if timeout_sec is None or timeout_sec < 0 else timeout_sec)
         for node in list(self._nodes):

@@ -94,7 +94,7 @@ class MultiThreadedExecutor(Executor):
     def _is_spun_by_other_thread(self) -> bool:
         # A callback must not spin this executor. This is also true if no thread spins the executor
         # at the moment, e.g. between two calls of `spin_once`.
-        return threading.get_ident() in self._workers or super()._is_spun_by_other_thread()
+        return super()._is_spun_by_other_thread() or threading.get_ident() in self._workers
 
     def _must_stop(self, stop: Callable[[], bool] | None) -> bool:
         return bool(self._failures) or (stop is not None and stop())
@@ -145,6 +145,8 @@ class MultiThreadedExecutor(Executor):
     def shutdown(self, timeout_sec: float | None = None, *, wait_for_threads: bool = True) -> bool:
         """Stop spinning, wait for running callbacks, remove all nodes, and end the threads."""
         ended = super().shutdown(timeout_sec)
+        if self._context.is_inherited:
+            return ended  # the threads are the parent's
         own = threading.get_ident() in self._workers
         self._executor.shutdown(wait=wait_for_threads and ended and not own)
         return ended

@@ -10,6 +10,7 @@ from zbot.executor.set_by_init import MissingSuperInitError
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from zbot.context import Context
     from zbot.executor.executor import Executor
     from zbot.executor.ready_queue import ReadyQueue
     from zbot.executor.waitable import WaitableEntity
@@ -35,6 +36,7 @@ def check_node(call: str, value: Any) -> None:
 class SpinnableState(Protocol):
     """The part of a node's state that an executor uses."""
 
+    context: Context
     executor: Executor | None
 
     @property

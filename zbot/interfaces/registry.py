@@ -46,6 +46,13 @@ _classes: dict[str, type[Any]] = {}
 _in_progress: list[str] = []
 
 
+def renew_lock() -> None:
+    """In a forked child, replace the lock, which a thread of the parent may hold."""
+    global _lock  # noqa: PLW0603 - there is one per process
+    _lock = threading.RLock()
+    _in_progress.clear()
+
+
 def get_spec(name: str) -> InterfaceSpec:
     """Return the spec with a name. `std_msgs/String` is short for `std_msgs/msg/String`.
 

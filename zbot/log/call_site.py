@@ -19,6 +19,12 @@ if TYPE_CHECKING:
 _lock = threading.RLock()
 
 
+def renew_lock() -> None:
+    """In a forked child, replace the lock, which a thread of the parent may hold."""
+    global _lock  # noqa: PLW0603 - there is one per process
+    _lock = threading.RLock()
+
+
 class TimeProvider(Protocol):
     """Any object with a clock's `now()`."""
 

@@ -41,6 +41,10 @@ class LogFile:
         self._lock = threading.RLock()  # re-entrant, because a signal handler may log
         self.is_open = self._directory is not None  #: whether lines are written
 
+    def renew_lock(self) -> None:
+        """In a forked child, replace the lock, which a thread of the parent may hold."""
+        self._lock = threading.RLock()
+
     def write(self, line: str) -> None:
         """Append a line in one write.
 

@@ -70,6 +70,15 @@ class LogRegistry:
         self._file_prefix = ""
         self._outputs: _Outputs | None = None
 
+    def renew_locks(self) -> None:
+        """In a forked child, replace the locks, which threads of the parent may hold.
+
+        The child writes into the same log file as its parent.
+        """
+        self._lock = threading.RLock()
+        if self._outputs is not None:
+            self._outputs.file.renew_lock()
+
     def configure(
         self,
         levels: Mapping[str, int] | int | None = None,

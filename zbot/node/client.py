@@ -142,6 +142,8 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
             InvalidHandleError: The client or its node was destroyed.
             ArgumentTypeError: `timeout_sec` is neither a number nor a `Duration`.
         """
+        if self._context.is_inherited:
+            self._context.require_valid(f"the client of {self.service_name}")
         self._listen()
         # In a node, the diagnostics warn if a server has another definition of the service. A tool
         # has no diagnostics, so the warning is logged here.
@@ -244,6 +246,7 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
         if self._querier is None:
             raise InvalidHandleError(f"the client of {self.service_name}")
         if self._context.is_closed:
+            self._context.require_valid(f"the client of {self.service_name}")
             signals.raise_not_initialized("a service call")
         self._context.wait_for_peers()
         if not self.service_is_ready():
@@ -381,12 +384,8 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
         self._context.remove_waker(self._arrival.set)
         self._arrival.set()
         self.end_introspection()
-        if not self._context.is_closed:
-            if self._liveliness is not None:
-                self._liveliness.undeclare()
-            if self._listener is not None:
-                self._listener.undeclare()
-            querier.undeclare()
+        declared = (self._liveliness, self._listener, querier)
+        self._context.undeclare(*(one for one in declared if one is not None))
 
 
 class ResponseHeader(NamedTuple):

@@ -17,6 +17,7 @@ from zbot.errors import NotInitializedError
 from zbot.graph.snapshot import Snapshot
 from zbot.log import get_logger
 from zbot.names import ROSOUT_TOPIC, fully_qualified, is_hidden
+from zbot.process import fork
 from zbot.suggestion import nearest
 from zbot.transport import running_programs
 from zbot.wire.keys import SHARED_DOMAIN
@@ -41,6 +42,16 @@ _PAIRS = (
 
 _of_contexts: dict[Context, Diagnostics] = {}
 _lock = threading.Lock()
+
+
+def _leave_to_parent() -> None:
+    global _lock  # noqa: PLW0603 - there is one per process
+    fork.keep(dict(_of_contexts))
+    _lock = threading.Lock()
+    _of_contexts.clear()
+
+
+fork.in_child.append(_leave_to_parent)
 
 
 def diagnostics_of(context: Context) -> Diagnostics:

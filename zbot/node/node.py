@@ -202,6 +202,8 @@ class Node(GraphQueries, NodeEntities, NodeParameters):
         if handle.is_destroyed:
             return
         handle.is_destroyed = True
+        if handle.context.is_inherited:
+            return  # the node of the parent process stays in the graph
         # As in rclpy, remove_node() is called only if the executor is one of zbot's classes.
         if handle.executor is not None and handle.executor is handle.ready_queue.executor:
             handle.executor.remove_node(self)

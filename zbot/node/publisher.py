@@ -15,7 +15,7 @@ from zbot.interfaces import type_name
 from zbot.node.endpoint import TopicEndpoint
 from zbot.node.errors import MessageTypeError
 from zbot.node.zenoh_declaration import can_block, declare_publisher
-from zbot.process import blocked_put, signals
+from zbot.process import blocked_put, fork, signals
 from zbot.process.memory import LARGE_BYTES, keep_freed_memory
 from zbot.qos import DurabilityPolicy, ReliabilityPolicy
 from zbot.wire.attachment import GID_LENGTH, LAYOUT
@@ -208,14 +208,24 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
             return
         for handler in self.event_handlers:
             handler.destroy()
-        if self._liveliness is not None and not self._context.is_closed:
-            self._liveliness.undeclare()
+        if self._liveliness is not None:
+            self._context.undeclare(self._liveliness)
+        if self._context.is_inherited:
+            fork.keep(publisher)
         # Zenoh undeclares a publisher when no object refers to the publisher and no other thread is
         # sending with it. So `undeclare()` is not called here. `undeclare()` of a latched publisher
         # keeps the GIL and waits at most 10 s for a thread of Zenoh, which may need the GIL itself.
         del publisher
 
+    def leave_to_parent(self) -> None:
+        """In a forked child, let `publish` raise an error."""
+        fork.keep(self._publisher, self._put)
+        self._lock = threading.RLock()  # a thread of the parent may hold the old lock
+        self._put = self._refuse
+
     def _refuse(self, payload: Any, **_: Any) -> None:  # noqa: ARG002 - signature of Zenoh's put
+        if self._context.is_inherited:
+            self._context.require_valid(f"the publisher of {self.topic_name}")
         raise InvalidHandleError(f"the publisher of {self.topic_name}")
 
 

@@ -256,10 +256,9 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
             return
         self._is_destroyed = True
         self.end_introspection()
-        if not self._context.is_closed:
-            self._liveliness.undeclare()
-            self._queryable.undeclare()
-        self._drop_queries()
+        self._context.undeclare(self._liveliness, self._queryable)
+        if not self._context.is_inherited:
+            self._drop_queries()
 
     def _drop_queries(self) -> None:
         while (taken := self.take()) is not None:

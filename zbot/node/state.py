@@ -19,6 +19,7 @@ from zbot.names import (
 )
 from zbot.node.diagnostics import diagnostics_of
 from zbot.parameters.store import ParameterStore
+from zbot.process import fork
 from zbot.wire.tokens import EndpointToken, NodeToken
 
 if TYPE_CHECKING:
@@ -180,6 +181,12 @@ class NodeState:
                 )
             )
 
+    def leave_to_parent(self) -> None:
+        """In a forked child, leave all entities to the parent process."""
+        fork.keep(dict(vars(self)), self.ready_queue.entities)
+        for publisher in self.publishers:
+            publisher.leave_to_parent()
+
     def destroy(self) -> None:
         """Destroy all entities of the node.
 
@@ -200,8 +207,7 @@ class NodeState:
             endpoint.destroy()
         self._forget_all()
         self.diagnostics.remove(self.token)
-        if not self.context.is_closed:
-            self.liveliness.undeclare()
+        self.context.undeclare(self.liveliness)
 
     def _forget_all(self) -> None:
         lists: tuple[list[Any], ...] = (

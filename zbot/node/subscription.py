@@ -28,7 +28,7 @@ from zbot.node.content_filter_options import ContentFilterOptions, NoContentFilt
 from zbot.node.endpoint import TopicEndpoint
 from zbot.node.message_info import MessageInfo, PublisherGid, takes_info
 from zbot.node.zenoh_declaration import declare_subscriber
-from zbot.process import blocked_put
+from zbot.process import blocked_put, fork
 from zbot.process.memory import LARGE_BYTES, keep_freed_memory
 from zbot.qos import HistoryPolicy
 from zbot.transport.handle import Handle
@@ -473,8 +473,10 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         self._is_destroyed = True
         for handler in self.event_handlers:
             handler.destroy()
-        if self._liveliness is not None and not self._context.is_closed:
-            self._liveliness.undeclare()
+        if self._liveliness is not None:
+            self._context.undeclare(self._liveliness)
+        if self._context.is_inherited:
+            fork.keep(self._subscriber)
         self._subscriber = None  # so Zenoh undeclares it, as in `Publisher.destroy`
         if self._is_waiting:
             self._rearm()

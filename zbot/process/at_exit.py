@@ -55,6 +55,9 @@ class OpenContext(Protocol):
     def close(self) -> None:
         """Close the session. This also works after a signal has interrupted `shutdown()`."""
 
+    def leave_to_parent(self) -> None:
+        """In a forked child, leave the session and all entities to the parent process."""
+
 
 class Executor(Protocol):
     """The part of an executor that the exit function uses."""
@@ -62,6 +65,9 @@ class Executor(Protocol):
     def wait_idle(self, timeout_s: float, /) -> bool:
         """Wait until no thread spins the executor."""
         ...
+
+    def leave_to_parent(self) -> None:
+        """In a forked child, end all loops."""
 
 
 #: Every context that has a session.
@@ -103,6 +109,14 @@ def register() -> None:
         # If a signal comes while Python waits for threads, Python does not call `_end`. But it
         # still calls atexit functions.
         atexit.register(_close_contexts)
+
+
+def leave_to_parent() -> list[OpenContext]:
+    """In a forked child, forget the contexts of the parent process, and return them."""
+    _Process.is_ending = _Process.main_thread_has_ended = False
+    contexts = list(open_contexts)
+    open_contexts.clear()
+    return contexts
 
 
 def wait_for_threads() -> None:

@@ -95,6 +95,18 @@ def unwatch_signals() -> None:
         thread.join(_RETURN_TIMEOUT_S)
 
 
+def leave_to_parent() -> None:
+    """In a forked child, leave the watch and its socket to the parent process."""
+    writer, _SignalWatch.writer, _SignalWatch.thread = _SignalWatch.writer, None, None
+    publishers.clear()
+    local_queues.clear()
+    if writer is not None:
+        present = signal.set_wakeup_fd(-1)
+        if present not in {-1, writer.fileno()}:
+            signal.set_wakeup_fd(present)
+        writer.close()
+
+
 def _watch(reader: socket.socket) -> None:
     # A blocked put in the main thread delays the signal handler. A blocked put in another thread
     # delays the exit. So this thread cancels the puts.

@@ -121,6 +121,21 @@ def uninstall() -> None:
         _Process.previous.clear()
 
 
+def leave_to_parent() -> None:
+    """In a forked child, restore the handlers that the parent had before `install()`.
+
+    So a signal ends the child as if the parent had no node. rclpy's handlers do not work in a child
+    either: SIGTERM does nothing there.
+    """
+    for number, handler in _Process.previous.items():
+        if ends_program(number):
+            signal.signal(number, handler)
+    _Process.previous.clear()
+    _Process.received, _Process.count, _Process.ends_by = signal.SIGINT, 0, None
+    MainThread.spins = 0
+    guard_conditions.clear()
+
+
 def installed() -> SignalHandlerOptions:
     """Return the signals that are handled now."""
     own = (signal.SIGINT in _Process.previous) + 2 * (signal.SIGTERM in _Process.previous)
@@ -199,7 +214,7 @@ def _on_sigterm(number: int, frame: FrameType | None) -> None:
     if callable(previous):
         previous(number, frame)
         return
-    raise ShutdownBySignal(number) if MainThread.spins else SignalExit(number)
+    raise ShutdownBySignal(number) if MainThread.spins > 0 else SignalExit(number)
 
 
 def raise_shutdown(*, by_signal: bool) -> NoReturn:

@@ -48,6 +48,17 @@ class SessionError(SetupError, OSError):
         super().__init__(f"cannot open {what}: {_first_part(reason)}")
 
 
+class ForkedSessionError(SetupError, OSError):
+    """Zenoh cannot be loaded again in a forked process."""
+
+    def __init__(self, reason: str) -> None:
+        self.reason = reason
+        super().__init__(
+            "this process is a fork of a process with nodes, and cannot have nodes itself "
+            f"({reason}): start it with multiprocessing.get_context('spawn')"
+        )
+
+
 class RmwError(SetupError, ValueError):
     """A program chose a middleware that zbot does not support."""
 

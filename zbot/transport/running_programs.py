@@ -117,6 +117,11 @@ class Registration:
                 self._file.write(json.dumps(asdict(self._program)))
                 self._file.flush()
 
+    def leave_to_parent(self) -> None:
+        """In a forked child, let go of the file. Otherwise the child would keep it locked."""
+        if self._file is not None:
+            os.close(self._file.fileno())
+
     def close(self) -> None:
         """Remove the file."""
         file, self._file = self._file, None

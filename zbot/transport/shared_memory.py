@@ -35,6 +35,13 @@ def place(payload: bytes) -> Any:
     return zenoh.ZBytes(block)  # unlike a block, `ZBytes` can be sent several times
 
 
+def leave_to_parent() -> ShmProvider | None:
+    """In a forked child, forget the pool of the parent process, and return it."""
+    pool = _pool() if _pool.cache_info().currsize else None
+    _pool.cache_clear()
+    return pool
+
+
 def _block(pool: ShmProvider, size: int) -> ZShmMut | None:
     try:
         return pool.alloc(size)

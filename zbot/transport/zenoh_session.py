@@ -8,9 +8,53 @@ import sys
 
 import zenoh
 
-from zbot.transport.errors import FileLimitError, SessionError
+from zbot.transport.errors import FileLimitError, ForkedSessionError, SessionError
 
 _FILES = 40  # a session opens 19, and links and imported modules need more
+
+
+class _Library:
+    user: int | None = None  #: id of the process that opens sessions with the loaded library
+
+
+def prepare() -> None:
+    """Load Zenoh's library again if this process is a fork of a process that had a session.
+
+    The library's threads do not exist in a forked child, and the library does not start them again,
+    so `zenoh.open()` would wait for ever. A copy of the library has its own state. The module
+    `zenoh` stays the same object, and has the classes of the copy from now on. This takes 20 ms.
+
+    Raises:
+        ForkedSessionError: The library cannot be copied or loaded.
+    """
+    if _Library.user not in {None, os.getpid()}:
+        try:
+            _load_copy()
+        except (OSError, ImportError) as exc:
+            raise ForkedSessionError(str(exc)) from exc
+    _Library.user = os.getpid()
+
+
+def _load_copy() -> None:
+    import importlib.machinery  # noqa: PLC0415 - only forked processes need it
+    import importlib.util  # noqa: PLC0415 - as above
+    import shutil  # noqa: PLC0415 - as above
+    import tempfile  # noqa: PLC0415 - as above
+
+    name = "zenoh.zenoh"
+    original = str(sys.modules[name].__file__)
+    with tempfile.TemporaryDirectory() as folder:
+        # The system loads a file only once, so it must be another file.
+        path = shutil.copy(original, folder)
+        loader = importlib.machinery.ExtensionFileLoader(name, path)
+        spec = importlib.machinery.ModuleSpec(name, loader, origin=path)
+        module = importlib.util.module_from_spec(spec)
+        loader.exec_module(module)
+    module.__file__ = original  # a child of this process copies it too
+    sys.modules[name] = module
+    for package in (zenoh, sys.modules.get("zenoh.ext")):
+        if package is not None:
+            importlib.reload(package)
 
 
 def open_session(what: str, config: zenoh.Config) -> zenoh.Session:
@@ -20,6 +64,7 @@ def open_session(what: str, config: zenoh.Config) -> zenoh.Session:
         SessionError: Zenoh cannot open the session.
         FileLimitError: The process may open too few files.
     """
+    prepare()
     if "RUST_LOG" in os.environ:
         zenoh.try_init_log_from_env()
     _check_file_limit()
