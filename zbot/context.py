@@ -147,9 +147,22 @@ class Context:
             if lost := warning_about(self.arguments.unparsed):
                 get_logger("zbot").warning(lost)
             self._state = "valid"
+            signals.contexts.add(self)
 
     def ok(self) -> bool:
-        """Return whether the context is initialised, not shut down, and not interrupted."""
+        """Return whether the context is initialised, not shut down, and not interrupted.
+
+        If SIGTERM interrupted the context and the main thread calls this, the program is expected
+        to end on its own. Otherwise the signal ends it after 3 s.
+        """
+        if self._state == "valid" and not self._interrupted:
+            return True
+        signals.note_look()
+        return False
+
+    @property
+    def is_running(self) -> bool:
+        """Whether `ok()` is true. zbot reads this, because a call of `ok()` has an effect."""
         return self._state == "valid" and not self._interrupted
 
     def get_domain_id(self) -> int:
@@ -518,6 +531,7 @@ class Context:
             self._peering.join()
         if self._meeting is not None:
             self._meeting.close()
+        signals.contexts.discard(self)
         at_exit.open_contexts.discard(self)
         if not at_exit.open_contexts:
             blocked_put.unwatch_signals()

@@ -195,7 +195,7 @@ class ActionServer(ActionEndpoint[GoalT, ResultT, FeedbackT]):
     @property
     def is_over(self) -> bool:
         """Whether the node was destroyed or the context was shut down."""
-        return self._node.handle.is_destroyed or not self._node.context.ok()
+        return self._node.handle.is_destroyed or not self._node.context.is_running
 
     def register_execute_callback(
         self, execute_callback: Callable[[ServerGoalHandle[GoalT, ResultT, FeedbackT]], Any]

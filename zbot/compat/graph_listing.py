@@ -173,7 +173,7 @@ def get_msg_class(
     found = _type_in(node.get_topic_names_and_types(), name)
     if found is None:
         print(f"WARNING: topic [{topic}] does not appear to be published yet", file=sys.stderr)
-    while blocking and found is None and node.context.ok():
+    while blocking and found is None and node.context.is_running:
         node.context.graph.wait_for(lambda now: name in dict(now.topics()), _STEP_S)
         found = _type_in(node.get_topic_names_and_types(), name)
     return None if found is None else get_message(found)
@@ -189,7 +189,7 @@ def get_service_class(
     found = _type_in(node.get_service_names_and_types(), name)
     if found is None:
         print(f"WARNING: service [{service}] does not appear to be available yet", file=sys.stderr)
-    while blocking and found is None and node.context.ok():
+    while blocking and found is None and node.context.is_running:
         node.context.graph.wait_for(lambda now: name in dict(now.services()), _STEP_S)
         found = _type_in(node.get_service_names_and_types(), name)
     return None if found is None else get_service(found)

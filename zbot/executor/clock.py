@@ -40,12 +40,13 @@ _LONGEST_WAIT_S = 0.1 if sys.platform == "win32" else 0.5
 class SleepContext(Protocol):
     """The part of a context that a sleep uses."""
 
-    def ok(self) -> bool:
-        """Return whether the context is initialised and not shut down."""
+    @property
+    def is_running(self) -> bool:
+        """Whether the context is initialised and not shut down."""
         ...
 
     def add_waker(self, waker: Callable[[], None]) -> None:
-        """Call a function whenever `ok()` may have changed."""
+        """Call a function whenever `is_running` may have changed."""
         ...
 
     def remove_waker(self, waker: Callable[[], None]) -> None:
@@ -289,7 +290,7 @@ class Clock:
         if not isinstance(until, Time):
             raise ArgumentTypeError("until", "a Time", until)
         context = _default_context() if context is None else context
-        if not context.ok():
+        if not context.is_running:
             signals.raise_not_initialized("a clock's sleep")
         if until.clock_type is not self._clock_type:
             raise ClockTypeError(self._clock_type.name, until.clock_type.name)
@@ -311,7 +312,7 @@ class Clock:
         context.add_waker(wake)
         handle = self.on_time_change(wake)
         try:
-            while context.ok() and self._source_changes == source_changes:
+            while context.is_running and self._source_changes == source_changes:
                 left_ns = until_ns - self._now_ns()
                 if left_ns <= 0:
                     return True

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import threading
 import time
 from collections import deque
@@ -12,7 +13,10 @@ from zbot.executor.timer_queue import TimerQueue
 from zbot.transport.wakeup import BinarySemaphore
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from zbot.executor.ready_queue import Entity, ReadyQueue
+    from zbot.executor.task import Future
 
 
 class EntityQueue:
@@ -31,6 +35,12 @@ class EntityQueue:
         # Whether the running entity goes back to the queue after its present callback. Otherwise
         # the entity's next callback runs immediately.
         self._must_requeue = True
+        self._turns: deque[Future[None]] = deque()  # each is done when a callback has ended
+
+    def _pop_turns(self) -> Iterator[Future[None]]:
+        with contextlib.suppress(IndexError):
+            while True:
+                yield self._turns.popleft()
 
     def _post(self, entity: Entity) -> None:
         self._queue(entity)
@@ -91,6 +101,9 @@ class EntityQueue:
                 self._ready.appendleft(waiting)
                 self._must_requeue = True
         self._queue(entity)  # it may have more work
+        if self._turns:
+            for turn in self._pop_turns():
+                turn.set_result(None)
 
     def _discard(self, entities: list[Entity]) -> None:
         """Remove entities from the queue and from the timers."""

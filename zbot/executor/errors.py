@@ -6,6 +6,7 @@ from types import CoroutineType
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError, described, shortened
+from zbot.process.signals import SignalExit
 
 if TYPE_CHECKING:
     import inspect
@@ -43,8 +44,8 @@ class ExecutorBusyError(ZbotError, RuntimeError):
 
     def __init__(self) -> None:
         super().__init__(
-            "this executor is already spinning: a callback cannot spin its own executor, "
-            "use `await` in an `async def` callback instead"
+            "this executor is already spinning: another thread, or the callback that calls this, "
+            "runs in its spin(); use one executor for each thread, and `await` in a callback"
         )
 
 
@@ -125,6 +126,10 @@ class RateInterruptedError(ZbotError):
 
     def __init__(self) -> None:
         super().__init__("interrupted by shutdown()")
+
+
+class RateInterruptedBySignalError(SignalExit, RateInterruptedError):
+    """`RateInterruptedError` for which Python prints no traceback."""
 
 
 class TimerCancelledError(ZbotError, RuntimeError):

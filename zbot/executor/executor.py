@@ -8,6 +8,7 @@ a timer is due.
 
 from __future__ import annotations
 
+import contextlib
 import threading
 import time
 from typing import TYPE_CHECKING, Any
@@ -34,6 +35,11 @@ if TYPE_CHECKING:
     from zbot.context import Context
     from zbot.executor.ready_queue import Entity, ReadyQueue
     from zbot.executor.spinnable import SpinnableNode
+
+
+# A thread that begins to spin takes the lock a moment before it becomes the spinning thread, and
+# `wait_idle` holds the lock only for a moment.
+_LOCK_TIMEOUT_S = 0.001
 
 
 def _deadline_ns(timeout_sec: float | None) -> int | None:
@@ -204,7 +210,7 @@ class Executor(EntityQueue):
                 if work is not None:
                     return work
                 continue
-            if not self._context.ok():
+            if not self._context.is_running:
                 self._raise_shutdown()
                 return None
             if not self._sleep(deadline_ns):
@@ -289,7 +295,7 @@ class Executor(EntityQueue):
                 if taken is None:
                     break
         except NotInitializedError:
-            if self._context.ok():
+            if self._context.is_running:
                 raise
             # The callback used something that another thread or the program's end has just closed.
             signals.raise_shutdown(by_signal=self._context.is_interrupted)
@@ -351,7 +357,7 @@ class Executor(EntityQueue):
             if entity is not None:
                 if self._serve_entity(entity):
                     return
-            elif not self._context.ok():
+            elif not self._context.is_running:
                 self._raise_shutdown()
                 return
             elif not self._sleep(deadline_ns):
@@ -380,7 +386,7 @@ class Executor(EntityQueue):
         Raises:
             ExternalShutdownException: The context was shut down while no callback was running.
         """
-        while self._context.ok() and not self._is_shutdown:
+        while self._context.is_running and not self._is_shutdown:
             self.spin_once()
         self._raise_interruption()
 
@@ -399,10 +405,11 @@ class Executor(EntityQueue):
         """Wait for one callback, at most `timeout_sec` seconds (`None`: no limit), and run it.
 
         A callback may spin the executor that runs it. Other callbacks then run inside the callback,
-        also callbacks of the same group. A callback never runs inside itself.
+        also callbacks of the same group. A callback never runs inside itself. If another thread
+        spins the executor, the call waits until that thread has run a callback.
 
         Raises:
-            ExecutorBusyError: Another thread spins this executor.
+            ExternalShutdownException: A signal came, or the context was shut down during a wait.
         """
         self._require_own(self._context)
         self._spin_once(_deadline_ns(timeout_sec))
@@ -420,7 +427,7 @@ class Executor(EntityQueue):
             self._wait_for_future(future, deadline)
             return
         future.add_waker(self._wakeup.set)
-        while not future.is_over and self._context.ok() and not self._is_shutdown:
+        while not future.is_over and self._context.is_running and not self._is_shutdown:
             self._spin_once(deadline, lambda: future.is_over)
             if deadline is not None and time.monotonic_ns() >= deadline:
                 return
@@ -449,7 +456,7 @@ class Executor(EntityQueue):
         future.add_waker(wake.set)
         self._context.add_waker(wake.set)
         try:
-            while not future.is_over and self._context.ok() and not self._is_shutdown:
+            while not future.is_over and self._context.is_running and not self._is_shutdown:
                 if deadline_ns is None:
                     wake.wait(threading.TIMEOUT_MAX)
                 elif (left := deadline_ns - time.monotonic_ns()) > 0:
@@ -460,20 +467,54 @@ class Executor(EntityQueue):
             self._context.remove_waker(wake.set)
 
     def _begin_spin(self) -> None:
+        """Begin to spin.
+
+        Raises:
+            ExecutorBusyError: This executor is already spinning.
+        """
+        if not self._try_to_spin():
+            raise ExecutorBusyError
+
+    def _begin_turn(self, deadline_ns: int | None) -> bool:
+        """Begin to spin. If another thread spins, wait for its next callback and return `False`."""
+        while not self._try_to_spin():
+            if self._wait_for_turn(deadline_ns):
+                return False
+        return True
+
+    def _wait_for_turn(self, deadline_ns: int | None) -> bool:
+        """Wait until another thread has run a callback or stops spinning.
+
+        Returns:
+            `False` if the other thread stopped spinning and the wait has to go on.
+        """
+        turn: Future[None] = Future()
+        self._turns.append(turn)
+        self._must_requeue = True  # the running entity's callbacks end after the present one
+        self._wait_for_future(turn, deadline_ns)
+        with contextlib.suppress(ValueError):
+            self._turns.remove(turn)
+        if not self._context.is_running:
+            self._raise_shutdown()
+        return not turn.cancelled()
+
+    def _try_to_spin(self) -> bool:
         self._require_own(self._context)
-        if not self._spin_lock.acquire(blocking=False):
+        while not self._spin_lock.acquire(timeout=_LOCK_TIMEOUT_S):
             if self._spinning_thread is not None:
-                raise ExecutorBusyError
-            self._spin_lock.acquire()  # `wait_idle` holds the lock only for a short time
+                return False
         Program.has_spun = True
         self._spinning_thread = threading.get_ident()
         self._spins_in_main = self._spinning_thread == threading.main_thread().ident
         signals.MainThread.spins += self._spins_in_main
         if self._paused is not None:
             self._drop_paused()
+        return True
 
     def _end_spin(self) -> None:
         self._spinning_thread = None
+        for turn in self._pop_turns():
+            turn.cancel()
         signals.MainThread.spins -= self._spins_in_main
         self._spin_lock.release()
 

@@ -6,7 +6,6 @@ import contextlib
 import os
 import sys
 import threading
-import time
 import warnings
 from collections import deque
 from concurrent.futures import ThreadPoolExecutor
@@ -60,7 +59,7 @@ class MultiThreadedExecutor(Executor):
         """
         self._begin_spin()
         try:
-            while self._context.ok() and not self._is_shutdown:
+            while self._context.is_running and not self._is_shutdown:
                 self._run_next(None, None)
         finally:
             self._end_spin()
@@ -68,9 +67,10 @@ class MultiThreadedExecutor(Executor):
 
     def _spin_once(self, deadline_ns: int | None, stop: Callable[[], bool] | None = None) -> None:
         if threading.get_ident() in self._workers:
-            self._wait_for_callback_end(deadline_ns)
+            self._wait_for_turn(deadline_ns)
             return
-        self._begin_spin()
+        if not self._begin_turn(deadline_ns):
+            return
         try:
             self._run_next(deadline_ns, stop)
         finally:
@@ -84,12 +84,6 @@ class MultiThreadedExecutor(Executor):
                 self._submit(*work)
         if self._failures:
             raise self._failures.popleft()
-
-    def _wait_for_callback_end(self, deadline_ns: int | None) -> None:
-        """Wait until another callback ends. A callback that calls `spin_once` waits here."""
-        left = None if deadline_ns is None else (deadline_ns - time.monotonic_ns()) / 1e9
-        with self._idle:
-            self._idle.wait(left)
 
     def _is_spun_by_other_thread(self) -> bool:
         # A callback must not spin this executor. This is also true if no thread spins the executor

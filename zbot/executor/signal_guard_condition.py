@@ -25,7 +25,7 @@ class SignalHandlerGuardCondition(GuardCondition):
     """
 
     def __init__(self, context: Context | None = None) -> None:
-        if not (context or get_default_context()).ok():
+        if not (context or get_default_context()).is_running:
             raise NotInitializedError("a guard condition")
         super().__init__()
         signals.guard_conditions.add(self)

@@ -22,7 +22,7 @@ class SingleThreadedExecutor(Executor):
         """
         self._begin_spin()
         try:
-            while self._context.ok() and not self._is_shutdown:
+            while self._context.is_running and not self._is_shutdown:
                 self._must_requeue = False
                 work = self._next_work(None)
                 if work is not None:
@@ -37,7 +37,8 @@ class SingleThreadedExecutor(Executor):
         if self._spinning_thread == threading.get_ident():
             self._serve_next(deadline_ns, stop)
             return
-        self._begin_spin()
+        if not self._begin_turn(deadline_ns):
+            return
         try:
             work = self._next_work(deadline_ns, stop)
             self._must_requeue = True  # run one callback only

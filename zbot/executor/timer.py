@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import contextlib
+import threading
 import time
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NoReturn
 
 from zbot.errors import InvalidHandleError, NotInitializedError
 from zbot.executor.callback_check import check_callback, if_written
 from zbot.executor.clock import ROSClock
-from zbot.executor.errors import RateInterruptedError
+from zbot.executor.errors import RateInterruptedBySignalError, RateInterruptedError
+from zbot.process import signals
 from zbot.time import ClockType, Duration, Time
 from zbot.transport.handle import Handle
 
@@ -235,6 +237,10 @@ class TimerHandle(Handle[Timer]):
         """Take the call that is due, if any, without running the callback."""
         self.entity.take()
 
+    def call_timer_with_info(self) -> TimerInfo | None:
+        """Take the call that is due, and return its times. Return `None` if no call is due."""
+        return self.entity.take()
+
 
 def check_timer_callback(call: str, callback: Callable[..., Any] | None) -> bool:
     """Return whether a timer's callback takes a `TimerInfo`.
@@ -256,8 +262,9 @@ class _RateContext:
         self._wakers: list[Callable[[], None]] = []
         self.is_destroyed = False
 
-    def ok(self) -> bool:
-        return not self.is_destroyed and self._context.ok()
+    @property
+    def is_running(self) -> bool:
+        return not self.is_destroyed and self._context.is_running
 
     def add_waker(self, waker: Callable[[], None]) -> None:
         self._wakers.append(waker)
@@ -298,7 +305,8 @@ class Rate:
         If the time to wake up is past, the call ends immediately.
 
         Raises:
-            RateInterruptedError: The context was shut down.
+            RateInterruptedError: The context was shut down, or a signal came. After a signal,
+                Python prints no traceback if the program does not catch the exception.
             InvalidHandleError: The rate was destroyed before this call.
         """
         if self._sleep_context.is_destroyed:
@@ -309,8 +317,13 @@ class Rate:
         with contextlib.suppress(NotInitializedError):  # another thread shut down the context
             self._clock.sleep_until(self._next, self._sleep_context)
         self._next += self._period
-        if not self._context.ok():
-            raise RateInterruptedError
+        if not self._context.is_running:
+            self._raise_interruption()
+
+    def _raise_interruption(self) -> NoReturn:
+        if self._context.is_interrupted and threading.current_thread() is threading.main_thread():
+            raise RateInterruptedBySignalError(signals.last_signal())
+        raise RateInterruptedError
 
     def destroy(self) -> None:
         """End the `sleep` of another thread. Every later `sleep` raises an error."""

@@ -119,10 +119,10 @@ class Diagnostics:
     def _watch_graph(self) -> None:
         while True:
             with self._signal:
-                while self._context.ok() and not self._news and not self._is_check_due():
+                while self._context.is_running and not self._news and not self._is_check_due():
                     due = self._checks[0][0] - time.monotonic() if self._checks else None
                     self._signal.wait(due)
-                if not self._context.ok():
+                if not self._context.is_running:
                     return
                 news, self._news = list(self._news), deque()
                 checks = []
@@ -133,7 +133,7 @@ class Diagnostics:
                 for _, token, logger_name in checks:
                     self._check_silence(token, logger_name)
             except (zenoh.ZError, NotInitializedError):
-                if self._context.ok():
+                if self._context.is_running:
                     raise
                 return  # the session was closed during a query
 

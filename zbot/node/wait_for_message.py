@@ -64,7 +64,7 @@ def wait_for_message(
     deadline = time.monotonic() + time_to_wait
     with subscription:
         subscription.start()
-        while not arrived and context.ok():
+        while not arrived and context.is_running:
             sample = subscription.take()
             if sample is not None:
                 subscription.execute(sample)

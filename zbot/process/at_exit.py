@@ -46,9 +46,6 @@ class OpenContext(Protocol):
         """The executors of the context's nodes."""
         ...
 
-    def interrupt(self) -> None:
-        """Let all executors stop spinning."""
-
     def shutdown(self) -> None:
         """Close the session and all its entities. A second call does nothing."""
 
@@ -126,6 +123,7 @@ def wait_for_threads() -> None:
     impossible while Python 3.12 or later waits for threads. A signal's exception ends this function
     immediately.
     """
+    _Process.main_thread_has_ended = True
     for thread in _program_threads():
         thread.join()
 
@@ -146,7 +144,6 @@ def _program_threads() -> list[threading.Thread]:
 
 
 def _end() -> None:
-    _Process.main_thread_has_ended = True
     # If a signal ends this wait, the signal also ends the threads that spin. Python itself waits
     # for the other threads.
     was_interrupted = True

@@ -1,9 +1,13 @@
 """Signal handlers of `init()`, so that a process closes its Zenoh sessions when it ends.
 
 Python cannot end while a session with a subscriber is open. Ctrl-C raises `KeyboardInterrupt` as
-usual. SIGTERM raises `ExternalShutdownException` if the main thread spins, else `SystemExit`. The
-handlers raise subclasses of these exceptions that also inherit from `SystemExit`. So Python prints
-no traceback if the program does not catch them, and the process needs no exception hook.
+usual. SIGTERM raises `ExternalShutdownException` if the main thread spins. Otherwise SIGTERM makes
+`ok()` false, so that a loop `while ok():` ends and the program does the rest of its work. If the
+main thread does not call `ok()` within 3 s, SIGTERM raises `SystemExit`. A second SIGTERM raises it
+immediately.
+
+The handlers raise subclasses of these exceptions that also inherit from `SystemExit`. So Python
+prints no traceback if the program does not catch them, and the process needs no exception hook.
 """
 
 from __future__ import annotations
@@ -27,6 +31,9 @@ if TYPE_CHECKING:
 #: A signal that cannot raise its exception now is sent again after this time. A callback of Zenoh
 #: takes less time, and so does the start of a thread.
 RETRY_S = 0.005
+# A loop usually calls `ok()` at least once a second. The time is shorter than the 5 s after which
+# `launch` kills a program that SIGTERM does not end.
+_LOOK_TIMEOUT_S = 3.0
 # After a signal, the main thread usually ends within 0.1 s, even on a busy machine.
 _END_TIMEOUT_S = 0.3
 
@@ -47,6 +54,15 @@ class GuardCondition(Protocol):
         """Wake the threads that wait for the guard condition. Any thread may call this."""
 
 
+class SignalledContext(Protocol):
+    """The part of a context that a signal uses."""
+
+    def interrupt(self) -> None:
+        """Make `ok()` false, and let all executors stop spinning."""
+
+
+#: Every context that is initialised.
+contexts: WeakSet[SignalledContext] = WeakSet()
 #: The guard conditions that Ctrl-C and SIGTERM trigger.
 guard_conditions: WeakSet[GuardCondition] = WeakSet()
 
@@ -57,6 +73,9 @@ class _Process:
     previous: dict[int, Any] = {}  # noqa: RUF012 - one per process
     received: int = signal.SIGINT  #: the last signal
     count = 0  #: number of signals so far
+    installed_by = 0  #: id of the process that called `install()`
+    is_terminated = False  #: whether SIGTERM has come since `install()`
+    must_look = False  #: whether SIGTERM has come, and `ok()` was not called since then
     ends_by: int | None = None
     ends_visibly = False  #: whether `_end_by_signal` is registered
 
@@ -71,6 +90,7 @@ class SignalExit(SystemExit):
     def __init__(self, number: int) -> None:
         super().__init__()
         self.number = number
+        _Process.must_look = False  # the main thread gets this exception
 
     @property
     def code(self) -> int:  # type: ignore[override]
@@ -96,6 +116,7 @@ class MainThread:
 def install(options: SignalHandlerOptions = SignalHandlerOptions.ALL) -> None:
     """Install the signal handlers. Python allows this in the main thread only."""
     at_exit.register()
+    _Process.installed_by, _Process.is_terminated = os.getpid(), False
     if threading.current_thread() is not threading.main_thread():
         return
     if not _Process.ends_visibly:
@@ -119,6 +140,7 @@ def uninstall() -> None:
         for number, handler in _Process.previous.items():
             signal.signal(number, handler)
         _Process.previous.clear()
+        _Process.must_look = False
 
 
 def leave_to_parent() -> None:
@@ -157,12 +179,12 @@ def _replace(number: int, handler: Any) -> None:
 def _interrupt_contexts(number: int) -> None:
     _Process.received = number
     _Process.count += 1
-    for context in at_exit.open_contexts:
+    for context in contexts:
         context.interrupt()
     if guard_conditions:
         # A new thread triggers the guard conditions, because the interrupted thread may hold the
         # lock of a guard condition.
-        threading.Thread(target=_trigger_guards, daemon=True).start()
+        _start(threading.Thread(target=_trigger_guards))
 
 
 def _trigger_guards() -> None:
@@ -180,9 +202,18 @@ def _is_postponed(number: int, frame: FrameType | None) -> bool:
 
 def send_again(number: int) -> None:
     """Send the main thread a signal again after 5 ms."""
-    retry = threading.Timer(RETRY_S, _signal_main_thread, [number])
-    retry.daemon = True
-    retry.start()
+    if not _start(threading.Timer(RETRY_S, _signal_main_thread, [number])):
+        _Process.ends_by = number
+
+
+def _start(thread: threading.Thread) -> bool:
+    """Start a daemon thread. Return `False` if Python already ends and starts no threads."""
+    thread.daemon = True
+    try:
+        thread.start()
+    except RuntimeError:
+        return False
+    return True
 
 
 def _signal_main_thread(number: int) -> None:
@@ -209,20 +240,51 @@ def _on_sigint(number: int, frame: FrameType | None) -> None:
 def _on_sigterm(number: int, frame: FrameType | None) -> None:
     if at_exit.is_ending() or _is_postponed(number, frame):
         return
+    is_second, _Process.is_terminated = _Process.is_terminated, True
     _interrupt_contexts(number)
     previous = _Process.previous.get(number)
     if callable(previous):
         previous(number, frame)
         return
-    raise ShutdownBySignal(number) if MainThread.spins > 0 else SignalExit(number)
+    if MainThread.spins > 0:
+        raise ShutdownBySignal(number)
+    if is_second or not (_may_look() and _start(threading.Timer(_LOOK_TIMEOUT_S, _end_unlooked))):
+        raise SignalExit(number)
+    _Process.must_look = True
+
+
+def _may_look() -> bool:
+    """Return whether the program may still call `ok()`. A forked child may do other work."""
+    uses_zbot = bool(at_exit.open_contexts) or os.getpid() == _Process.installed_by
+    return uses_zbot and not at_exit.wait_for_end(0)
+
+
+def _end_unlooked() -> None:
+    if _Process.must_look:
+        _signal_main_thread(signal.SIGTERM)
+
+
+def note_look() -> None:
+    """Note that the program has called `ok()` and got `False`.
+
+    If the main thread has called it, the program has noticed SIGTERM, and ends on its own.
+    """
+    if threading.current_thread() is threading.main_thread():
+        _Process.must_look = False
+
+
+def last_signal() -> int:
+    """Return the last signal that `install()`'s handlers got, or SIGINT if there was none."""
+    return _Process.received
 
 
 def raise_shutdown(*, by_signal: bool) -> NoReturn:
     """Raise `ExternalShutdownException`.
 
-    After a signal, a daemon thread first waits at most 0.3 s for the end of the main thread. If the
-    main thread ends in this time, the daemon thread ends without output. Otherwise the exception is
-    raised.
+    After a signal, a daemon thread first waits for the end of the main thread: at most 0.3 s, or
+    0.3 s more than SIGTERM gives the main thread. If the main thread ends in this time, the daemon
+    thread ends without output. Otherwise the exception is raised. At the end of the process, all
+    threads end without output.
 
     Args:
         by_signal: Whether a signal has interrupted the context.
@@ -230,15 +292,28 @@ def raise_shutdown(*, by_signal: bool) -> NoReturn:
     thread = threading.current_thread()
     if by_signal and thread is threading.main_thread():
         raise ShutdownBySignal(_Process.received)
-    if by_signal and thread.daemon and at_exit.wait_for_end(_END_TIMEOUT_S):
-        raise SystemExit  # Python would print the traceback of another exception
+    # Python would print the traceback of an exception that is not a `SystemExit`.
+    if thread is not threading.main_thread() and (
+        at_exit.is_ending() or (by_signal and thread.daemon and _main_thread_ends())
+    ):
+        raise SystemExit
     raise ExternalShutdownException
+
+
+def _main_thread_ends() -> bool:
+    while _Process.must_look:
+        if at_exit.wait_for_end(_END_TIMEOUT_S):
+            return True
+    return at_exit.wait_for_end(_END_TIMEOUT_S)
 
 
 def raise_not_initialized(what: str) -> NoReturn:
     """Raise `NotInitializedError`. When the process ends, end the calling thread without output."""
-    if at_exit.is_ending() and threading.current_thread() is not threading.main_thread():
+    is_main = threading.current_thread() is threading.main_thread()
+    if at_exit.is_ending() and not is_main:
         raise SystemExit
+    if _Process.must_look and is_main:
+        raise ShutdownBySignal(_Process.received)  # the context is interrupted by SIGTERM
     raise NotInitializedError(what) from None
 
 

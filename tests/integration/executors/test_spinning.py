@@ -17,6 +17,8 @@ from zbot.executor.errors import ExecutorBusyError
 from std_msgs.msg import Int64
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from tests.conftest import Spin
 
 
@@ -92,6 +94,102 @@ def test_spinning_until_a_cancelled_future_ends(executor: zbot.Executor) -> None
     executor.spin_until_future_complete(future, timeout_sec=5)
     assert future.cancelled()
     assert not future.done()
+
+
+# -- several threads -------------------------------------------------------------------------------
+
+
+def in_thread(function: Callable[[], object]) -> threading.Thread:
+    thread = threading.Thread(target=function, daemon=True)
+    thread.start()
+    return thread
+
+
+def test_spin_once_of_a_second_thread_waits_for_a_callback(
+    node: zbot.Node, executor: zbot.Executor, spin: Spin
+) -> None:
+    spin(executor=executor)
+    assert wait_until(lambda: executor.is_spinning)
+    calls: list[str] = []
+    guard = node.create_guard_condition(lambda: calls.append(threading.current_thread().name))
+    once = in_thread(partial(zbot.spin_once, node, timeout_sec=30))
+    while once.is_alive():
+        guard.trigger()
+        once.join(0.01)
+    assert calls
+    assert once.name not in calls
+    assert node.executor is executor
+    before = len(calls)
+    guard.trigger()
+    assert wait_until(lambda: len(calls) > before)
+
+
+@pytest.mark.parametrize("timeout", [0, 0.05])
+def test_spin_once_of_a_second_thread_returns_at_its_timeout(
+    node: zbot.Node, executor: zbot.Executor, spin: Spin, timeout: float
+) -> None:
+    spin(executor=executor)
+    assert wait_until(lambda: executor.is_spinning)
+    begin = time.monotonic()
+    zbot.spin_once(node, timeout_sec=timeout)
+    assert timeout <= time.monotonic() - begin < timeout + allowed(0.5)
+    assert node.executor is executor
+
+
+def test_two_threads_take_turns_in_spin_once(node: zbot.Node, executor: zbot.Executor) -> None:
+    calls: list[int] = []
+    guards = [node.create_guard_condition(lambda k=k: calls.append(k)) for k in range(40)]  # type: ignore[misc]
+    for guard in guards:
+        guard.trigger()
+    errors: list[BaseException] = []
+
+    def work() -> None:
+        try:
+            while len(calls) < len(guards):
+                executor.spin_once(timeout_sec=0.01)
+        except BaseException as error:  # noqa: BLE001 - checked by the test
+            errors.append(error)
+
+    threads = [in_thread(work) for _ in range(3)]
+    for thread in threads:
+        thread.join(30)
+    assert sorted(calls) == list(range(40))
+    assert not errors
+
+
+def test_a_second_thread_goes_on_spinning_when_the_first_one_stops(
+    node: zbot.Node, executor: zbot.Executor
+) -> None:
+    calls: list[int] = []
+    guard = node.create_guard_condition(lambda: calls.append(1))
+    first = in_thread(partial(executor.spin_once, 0.05))
+    assert wait_until(lambda: executor.is_spinning)
+    second = in_thread(partial(executor.spin_once, 30))
+    first.join(30)
+    guard.trigger()
+    second.join(30)
+    assert not second.is_alive()
+    assert calls == [1]
+
+
+def test_spin_once_of_a_second_thread_ends_with_the_context(
+    context: zbot.Context, node: zbot.Node, single: zbot.Executor, spin: Spin
+) -> None:
+    spin(executor=single)
+    assert wait_until(lambda: single.is_spinning)
+    ended: list[BaseException] = []
+
+    def once() -> None:
+        try:
+            zbot.spin_once(node)
+        except zbot.ExternalShutdownException as error:
+            ended.append(error)
+
+    second = in_thread(once)
+    assert wait_until(lambda: bool(single._turns))
+    context.shutdown()
+    second.join(30)
+    assert len(ended) == 1
 
 
 def test_a_callback_cannot_spin_its_executor_for_ever(

@@ -164,6 +164,18 @@ def test_a_program_ends_after_its_last_line(start: Start, way: str, code: int) -
     assert ("Traceback" in program.output) == ("mine" in way)
 
 
+def test_a_thread_that_spins_at_the_end_of_plain_python_ends_without_output(start: Start) -> None:
+    # In one of five such ends, the thread got the exception before Python ended it.
+    source = f"""{HEAD}
+robot = Robot()
+threading.Thread(target=zbot.spin, args=[robot], daemon=True).start()
+"""
+    for turn in range(6):
+        program = start(source=f"{source}time.sleep(0.02 * {turn})\n")
+        assert program.wait() == 0
+        assert program.output == "up"
+
+
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM], ids=["SIGINT", "SIGTERM"])
 def test_a_thread_makes_a_node_and_spins_after_the_programs_last_line(
     start: Start, tmp_path: Path, number: int

@@ -26,6 +26,7 @@ from rclpy.node import Node
 from std_msgs.msg import String
 
 warnings.simplefilter("ignore", DeprecationWarning)  # of fork() in a process with threads
+signal.signal(signal.SIGINT, signal.default_int_handler)  # it is ignored in jobs of a shell script
 rclpy.init()
 node = Node("parent")
 publisher = node.create_publisher(String, "chatter", 10)

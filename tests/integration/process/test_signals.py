@@ -210,11 +210,11 @@ def test_a_signal_at_any_moment_ends_the_program_without_output(
         program = start(source=PROGRAMS[kind])
         program.wait_for("up")
         threading.Event().wait(delay_s)
-        # A loop that calls ok() may end before the exception is raised.
-        assert stop_without_errors(program, number) in {
-            -number,
-            0 if "ok()" in PROGRAMS[kind] else -number,
-        }
+        # SIGTERM waits 3 s for a call of ok(). A loop that calls ok() ends normally.
+        looks = "ok()" in PROGRAMS[kind]
+        waits = number == signal.SIGTERM and kind in {"publish", "threads"}
+        code = stop_without_errors(program, number, LIMIT_S + 3 * waits)
+        assert code in {-number, 0 if looks else -number}
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM], ids=["SIGINT", "SIGTERM"])
@@ -350,10 +350,154 @@ def test_a_second_signal_ends_a_program_whose_threads_go_on(start: Start, number
     assert "Traceback" not in program.output
 
 
-def test_sigterm_during_a_sleep_is_visible_in_the_exit_status(start: Start) -> None:
-    program = start(source=HEAD + "Robot()\nprint('asleep', flush=True)\ntime.sleep(60)\n")
-    program.wait_for("asleep")
+#: Programs whose loop ends when SIGTERM has made `ok()` false, as in rclpy.
+LOOPS = {
+    "sleep": "while zbot.ok(): time.sleep(0.05)",
+    "no node": "while zbot.ok(): time.sleep(0.05)",
+    "context": "while robot.context.ok(): time.sleep(0.05)",
+    "thread": """
+def loop():
+    while zbot.ok():
+        time.sleep(0.05)
+worker = threading.Thread(target=loop)
+worker.start()
+worker.join()""",
+    "service": """
+from std_srvs.srv import Trigger
+client = robot.create_client(Trigger, "nobody")
+while not client.wait_for_service(timeout_sec=0.05) and zbot.ok(): pass""",
+    "asyncio": """
+import asyncio
+async def loop():
+    while zbot.ok():
+        await asyncio.sleep(0.05)
+asyncio.run(loop())""",
+}
+
+
+@pytest.mark.parametrize("by_zbot", [False, True], ids=["python", "zbot run"])
+@pytest.mark.parametrize("kind", LOOPS)
+def test_the_code_after_a_loop_runs_after_sigterm(start: Start, kind: str, by_zbot: bool) -> None:
+    node = "" if kind == "no node" else "robot = Robot()"
+    program = start(
+        source=f"""{HEAD}
+{node}
+print("ready", flush=True)
+{LOOPS[kind]}
+print("motors stopped", flush=True)
+""",
+        by_zbot=by_zbot,
+    )
+    program.wait_for("ready")
+    assert stop_without_errors(program, signal.SIGTERM) == 0
+    assert program.lines[-1] == "motors stopped"
+
+
+def test_a_program_that_has_noticed_sigterm_may_take_its_time(start: Start) -> None:
+    program = start(
+        source=f"""{HEAD}
+from zbot.process import signals
+signals._LOOK_TIMEOUT_S = 0.2
+robot = Robot()
+print("ready", flush=True)
+while zbot.ok(): time.sleep(0.02)
+robot.tick()
+time.sleep(1)  # longer than SIGTERM waits
+print("motors stopped", flush=True)
+"""
+    )
+    program.wait_for("ready")
+    assert stop_without_errors(program, signal.SIGTERM, 2 * LIMIT_S) == 0
+    assert program.lines[-1] == "motors stopped"
+
+
+def test_a_program_that_got_the_exception_of_sigterm_may_take_its_time(start: Start) -> None:
+    program = start(
+        source=f"""{HEAD}
+from zbot.process import signals
+signals._LOOK_TIMEOUT_S = 0.2
+robot = Robot()
+context = zbot.get_default_context()
+print("ready", flush=True)
+while not context.is_interrupted: time.sleep(0.02)
+try:
+    zbot.spin(robot)
+except zbot.ExternalShutdownException:
+    time.sleep(1)  # longer than SIGTERM waits
+    print("motors stopped", flush=True)
+"""
+    )
+    program.wait_for("ready")
+    assert stop_without_errors(program, signal.SIGTERM, 2 * LIMIT_S) == 0
+    assert program.lines[-1] == "motors stopped"
+
+
+#: Programs that never call `ok()`.
+BLIND = {
+    "sleep": "time.sleep(60)",
+    "finally": """try: time.sleep(60)
+finally: print("cleaned up")""",
+    "compute": "while True: pass",
+    "input": "sys.stdin = open(os.pipe()[0]); input()",
+    "socket": "pair = socket.socketpair(); pair[0].recv(1)",
+    "process": "subprocess.run(['sleep', '60'], stdout=subprocess.DEVNULL)",
+    "lock": "threading.Event().wait()",
+    "service": """from std_srvs.srv import Trigger
+while not robot.create_client(Trigger, "nobody").wait_for_service(timeout_sec=0.05): pass""",
+    "clock": "while True: robot.get_clock().sleep_for(zbot.Duration(seconds=0.05))",
+    "thread": """threading.Thread(target=zbot.spin, args=[robot], daemon=True).start()
+time.sleep(60)""",
+}
+
+
+@pytest.mark.parametrize("kind", BLIND)
+def test_sigterm_ends_a_program_that_does_not_call_ok_later(start: Start, kind: str) -> None:
+    program = start(
+        source=f"""import os, socket, subprocess
+{HEAD}
+robot = Robot()
+print("ready", flush=True)
+{BLIND[kind]}
+"""
+    )
+    program.wait_for("ready")
+    begin = time.monotonic()
+    assert stop_without_errors(program, signal.SIGTERM, LIMIT_S + 3) == -signal.SIGTERM
+    assert kind == "clock" or time.monotonic() - begin > 2  # a second sleep_for() raises at once
+    assert (program.lines[-1] == "cleaned up") == (kind == "finally")
+
+
+def test_a_second_sigterm_ends_a_program_immediately(start: Start) -> None:
+    program = start(
+        source=f"""{HEAD}
+robot = Robot()
+print("ready", flush=True)
+while robot.executor is None and not zbot.get_default_context().is_interrupted: time.sleep(0.02)
+print("interrupted", flush=True)
+time.sleep(60)
+"""
+    )
+    program.wait_for("ready")
+    program.process.send_signal(signal.SIGTERM)
+    program.wait_for("interrupted")
     assert stop_without_errors(program, signal.SIGTERM) == -signal.SIGTERM
+
+
+def test_sigterm_during_a_rates_sleep_ends_the_program_without_output(start: Start) -> None:
+    program = start(
+        source=f"""{HEAD}
+robot = Robot()
+rate = robot.create_rate(0.01)
+print("ready", flush=True)
+try:
+    rate.sleep()
+finally:
+    print("motors stopped", flush=True)
+"""
+    )
+    program.wait_for("ready")
+    assert stop_without_errors(program, signal.SIGTERM) == -signal.SIGTERM
+    assert program.lines[-1] == "motors stopped"
 
 
 LOCAL_CALLS = """

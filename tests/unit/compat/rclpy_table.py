@@ -41,8 +41,13 @@ library, and zbot does not use it.
 
 zbot differs from rclpy on purpose in these points:
 
-* A call of a service without a server fails immediately with a `ServiceError`. A call also
-  fails if its server ends. In rclpy, the futures of these calls stay pending for ever.
+* `call()` without a server fails immediately with a `ServiceError`. In rclpy it waits for ever. The
+  future of `call_async()` without a server is never done, as in rclpy, and zbot logs a warning.
+* Both calls fail if their server ends. In rclpy, they wait for ever.
+* After SIGTERM, a program that does not call `ok()` ends after 3 s. In rclpy, it goes on.
+* `spin_once` in a second thread waits for the next callback of the thread that spins the node. In
+  rclpy, the node leaves the executor of that thread.
+* A forked child process may call `init()` after its parent did. In rclpy, it needs a new context.
 * When a node is destroyed, all its entities disappear from the graph at the same time. This is
   also true for action servers. In rclpy an action server stays until its own `destroy()`.
 * `Rate.sleep()` works even if no executor spins in another thread.

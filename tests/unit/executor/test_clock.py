@@ -33,7 +33,8 @@ class FakeContext:
         self.wakers: list[Callable[[], None]] = []
         self.is_sleeping = threading.Event()
 
-    def ok(self) -> bool:
+    @property
+    def is_running(self) -> bool:
         return self.is_ok
 
     def add_waker(self, waker: Callable[[], None]) -> None:
