@@ -21,7 +21,15 @@ from zbot.errors import (
 )
 from zbot.graph.endpoint_info import TopicEndpointTypeEnum
 from zbot.node.errors import NodeNameError, UnknownNodeError
-from zbot.qos import DurabilityPolicy, QoSProfile
+from zbot.qos import (
+    DurabilityPolicy,
+    HistoryPolicy,
+    LivelinessPolicy,
+    QoSPresetProfiles,
+    QoSProfile,
+    as_profile,
+)
+from zbot.time import Duration
 from zbot.wire.tokens import EndpointToken, NodeToken
 
 from std_msgs.msg import Float32, String
@@ -300,6 +308,46 @@ def test_endpoint_infos_have_node_type_and_quality_of_service(
     (info,) = observer.get_subscriptions_info_by_topic("/map")
     assert (info.qos_profile.depth, info.endpoint_type) == (3, TopicEndpointTypeEnum.SUBSCRIPTION)
     assert observer.get_publishers_info_by_topic("/nothing") == []
+
+
+PROFILES = {
+    "depth": 10,
+    "system default": QoSPresetProfiles.SYSTEM_DEFAULT.value,
+    "sensor data": QoSPresetProfiles.SENSOR_DATA.value,
+    "best available": QoSPresetProfiles.BEST_AVAILABLE.value,
+    "keep all": QoSProfile(history=HistoryPolicy.KEEP_ALL),
+    "all policies": QoSProfile(
+        depth=3,
+        durability=DurabilityPolicy.TRANSIENT_LOCAL,
+        lifespan=Duration(seconds=2),
+        deadline=Duration(seconds=1),
+        liveliness=LivelinessPolicy.MANUAL_BY_TOPIC,
+        liveliness_lease_duration=Duration(seconds=3),
+    ),
+}
+
+
+@pytest.mark.parametrize("profile", PROFILES.values(), ids=PROFILES)
+def test_a_node_sees_its_own_profiles_as_others_see_them(
+    make_node: MakeNode, observer: zbot.Node, profile: QoSProfile | int
+) -> None:
+    node = make_node("robot")
+    publisher = node.create_publisher(String, "/map", profile)
+    subscription = node.create_subscription(String, "/map", print, profile)
+    own = [
+        *node.get_publishers_info_by_topic("/map"),
+        *node.get_subscriptions_info_by_topic("/map"),
+    ]
+    assert wait_until(
+        lambda: (observer.count_publishers("/map"), observer.count_subscribers("/map")) == (1, 1)
+    )
+    seen = [
+        *observer.get_publishers_info_by_topic("/map"),
+        *observer.get_subscriptions_info_by_topic("/map"),
+    ]
+    assert own == seen
+    assert all("SYSTEM_DEFAULT" not in str(one) for one in own)
+    assert publisher.qos_profile == subscription.qos_profile == as_profile(profile)
 
 
 def test_the_graph_is_sorted_again_only_after_a_change(make_node: MakeNode) -> None:

@@ -224,8 +224,12 @@ class Graph:
         return self.snapshot() if self._watching else Snapshot(tuple(self._query_tokens()))
 
     def announce(self, token: Token) -> Announcement:
-        """Declare a token of this context. This graph contains the token immediately."""
-        return Announcement(self, self._session, token)
+        """Declare a token of this context. This graph contains the token immediately.
+
+        The graph contains it as other sessions read it, e.g. with the policies that the profile's
+        `SYSTEM_DEFAULT` stands for.
+        """
+        return Announcement(self, self._session, self._parse(token.key) or token)
 
     def note(self, token: Token, *, appeared: bool) -> None:
         """Add or remove a token, and call the listeners if the graph has changed."""
