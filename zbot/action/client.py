@@ -50,7 +50,7 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 
 qos_profile_action_feedback = QoSProfile(depth=10)
-_SERVER_TIMEOUT_S = 3.0  # a goal waits this long for a server that starts (in rclpy: for ever)
+_SERVER_TIMEOUT_S = 3.0  # a goal waits this long for a server that starts
 # Time between two attempts to send a goal. A wait for the graph also consists of waits of this
 # length, because a shutdown does not end a wait.
 _STEP_S = 0.5
@@ -133,6 +133,7 @@ class ActionClient(ActionEndpoint[GoalT, ResultT, FeedbackT]):
         self._action_type = action_type
         self._action_name = node.resolve_service_name(action_name)
         self._lock = threading.RLock()  # re-entrant: a signal handler may take it
+        self._has_warned = False  #: whether a missing server was logged
         self._goals: dict[bytes, _Goal] = {}
         impl, name = action_type.Impl, f"{self._action_name}/_action"
         # The subscription is made before the clients. So no feedback of the first goal is lost.
@@ -213,7 +214,7 @@ class ActionClient(ActionEndpoint[GoalT, ResultT, FeedbackT]):
         for client in (self._cancel_client, self._result_client, self._goal_client):
             if not client.wait_for_service(left()):
                 return False
-        while context.ok() and not self._has_publishers():
+        while context.is_running and not self._has_publishers():
             remaining = left()
             step = _STEP_S if remaining is None else min(remaining, _STEP_S)
             if not step:
@@ -237,8 +238,9 @@ class ActionClient(ActionEndpoint[GoalT, ResultT, FeedbackT]):
 
         Returns:
             A future of the goal's handle. The future is done when the server has accepted or
-            rejected the goal. The future fails with `ServiceError` if there is no server within
-            3 s, or if the server ends before it answers.
+            rejected the goal. The future fails with `ServiceError` if the server ends before it
+            answers. If there is no server within 3 s, the goal is lost: as in rclpy, the future is
+            never done, and the client's first such goal logs a warning.
 
         Raises:
             ActionMessageError: `goal` is not of the action's `Goal` class.
@@ -266,7 +268,7 @@ class ActionClient(ActionEndpoint[GoalT, ResultT, FeedbackT]):
         future: _ActionFuture[ClientGoalHandle[GoalT, ResultT, FeedbackT]],
         until: float,
     ) -> None:
-        response = self._goal_client.call_async(request)
+        response = self._goal_client.call_server_async(request)
         self._then(response, partial(self._on_goal_response, request, future, response, until))
 
     def _send_later(self, *arguments: Any) -> None:
@@ -340,7 +342,18 @@ class ActionClient(ActionEndpoint[GoalT, ResultT, FeedbackT]):
             self._send_later(request, future, until)
         else:
             self._forget(bytes(request.goal_id.uuid))
-            future.set_exception(error)
+            if _is_server_missing(error):
+                self._warn_of_lost_goal()
+            else:
+                future.set_exception(error)
+
+    def _warn_of_lost_goal(self) -> None:
+        if not self._has_warned:
+            self._has_warned = True
+            self._node.get_logger().warning(
+                f"this goal gets no response: {self._action_name}: no server is running; start it, "
+                "or wait for it with wait_for_server()"
+            )
 
     def _handle(self, goal_id: UUID, response: Any) -> ClientGoalHandle[GoalT, ResultT, FeedbackT]:
         handle = ClientGoalHandle(self, goal_id, response)
@@ -390,7 +403,7 @@ class ActionClient(ActionEndpoint[GoalT, ResultT, FeedbackT]):
     ) -> Future[Any]:
         """Return a future of a goal's result (see `ClientGoalHandle`)."""
         future: _ActionFuture[Any] = _ActionFuture(self._node)
-        response = self._result_client.call_async(self._result_request(goal_handle))
+        response = self._result_client.call_server_async(self._result_request(goal_handle))
         self._then(response, partial(self._on_result, goal_handle, future, response))
         return future
 
@@ -429,7 +442,7 @@ class ActionClient(ActionEndpoint[GoalT, ResultT, FeedbackT]):
         self, goal_handle: ClientGoalHandle[GoalT, ResultT, FeedbackT]
     ) -> Future[CancelGoal.Response]:
         """Ask the server to cancel a goal (see `ClientGoalHandle`)."""
-        return self._cancel_client.call_async(_cancel_request(goal_handle))
+        return self._cancel_client.call_server_async(_cancel_request(goal_handle))
 
     def cancel_goal(
         self, goal_handle: ClientGoalHandle[GoalT, ResultT, FeedbackT]

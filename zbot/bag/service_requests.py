@@ -61,7 +61,7 @@ class RequestPublisher:
             self._send(event.request[0])
 
     def _send(self, request: Any) -> None:
-        self._client.call_async(request)
+        self._client.call_server_async(request)
 
     def _warn(self, text: str) -> None:
         if not self._is_warned:
@@ -99,7 +99,7 @@ class GoalPublisher(RequestPublisher):
         recorded = bytes(goal_id.uuid)
         if self._sends_goals:
             goal_id.uuid = list(uuid.uuid4().bytes)
-            self._goals[recorded] = bytes(goal_id.uuid), self._client.call_async(request)
+            self._goals[recorded] = bytes(goal_id.uuid), self._client.call_server_async(request)
         elif recorded in self._goals:
             new, response = self._goals[recorded]
             goal_id.uuid = list(new)

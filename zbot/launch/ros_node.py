@@ -98,7 +98,7 @@ class LaunchNode:
         if not client.wait_for_service(_SERVER_TIMEOUT_S):
             on_answer(False)
             return
-        future = client.call_async(request)
+        future = client.call_server_async(request)
         future.add_done_callback(lambda done: on_answer(_success(done)))
 
     def shutdown(self) -> None:

@@ -98,6 +98,7 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
         self._completed: deque[ResponseFuture[ResponseT]] = deque()
         self._arrival = BinarySemaphore()
         self.busy_wait = BusyWait()  #: for the threads that wait in `call`
+        self._has_warned = False  #: whether a missing server was logged
         self._listener: Any = None
         self._target = (
             zenoh.QueryTarget.ALL_COMPLETE
@@ -152,7 +153,7 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
         timeout_s = as_seconds("timeout_sec", timeout_sec)
         endless = timeout_s is None or timeout_s < 0
         deadline = time.monotonic() + (0 if endless or timeout_s is None else timeout_s)
-        while not self.service_is_ready() and self._context.ok():
+        while not self.service_is_ready() and self._context.is_running:
             left = threading.TIMEOUT_MAX if endless else deadline - time.monotonic()
             if left <= 0:
                 return False
@@ -179,9 +180,12 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
         The first call waits until the session has discovered the servers that are already running.
         This takes at most 0.5 s and usually 2 ms.
 
+        As in rclpy, a request without a server is lost, also if a server starts later: its future
+        is never done. The client's first such request logs a warning.
+
         Returns:
-            A future of the response. Its exception is a `ServiceError` if there is no server, if
-            the server ends before it responds, or if the server's callback raised an exception.
+            A future of the response. Its exception is a `ServiceError` if the server ends before it
+            responds, or if the server's callback raised an exception.
 
         Raises:
             RequestTypeError: The argument is not a request of this service.
@@ -189,19 +193,43 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
             InvalidHandleError: The client or its node was destroyed.
             NotInitializedError: The context was shut down.
         """
+        response, error = self._try_to_send(request)
+        if error is not None:
+            with self._lock:
+                self._pending[response] = response.number
+            if not self._has_warned:
+                self._has_warned = True
+                get_logger(self._logger_name).warning(f"this call gets no response: {error}")
+        return response
+
+    def call_server_async(self, request: RequestT) -> Future[ResponseT]:
+        """Send a request as in `call_async`. If there is no server, the future fails immediately.
+
+        Returns:
+            A future as that of `call_async`. Its exception is a `ServiceError` with the kind
+            `no_server` if there is no server.
+        """
+        response, error = self._try_to_send(request)
+        if error is not None:
+            response.set_exception(error)
+        return response
+
+    def _try_to_send(
+        self, request: RequestT
+    ) -> tuple[ResponseFuture[ResponseT], ServiceError | None]:
+        """Send a request. Return its future, and an error if there is no server."""
         prepared = self._prepare(request)
         response: ResponseFuture[ResponseT] = ResponseFuture(self, prepared)
         try:
             self._check_server()
         except ServiceError as error:
-            response.set_exception(error)
-            return response
+            return response, error
         with self._lock:
             self._pending[response] = self._sent_count
         if self._introspection is not None:
             self._introspection.report(Step.REQUEST_SENT, prepared.attachment, request=request)
         response.send()
-        return response
+        return response, None
 
     def call(self, request: RequestT, timeout_sec: float | None = None) -> ResponseT:
         """Send a request and wait for the response.
@@ -216,7 +244,8 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
                 limit, the call still fails if the server ends.
 
         Raises:
-            ServiceError: See `call_async`.
+            ServiceError: There is no server, it ended before it responded, or its callback raised
+                an exception.
             TimeoutError: No response came within `timeout_sec`.
             NotInitializedError: The context was shut down during the wait.
         """
@@ -411,8 +440,10 @@ class ClientHandle(Handle[Client[Any, Any]]):
     ) -> tuple[ResponseHeader, Any] | tuple[None, None]:
         """Take the oldest response. If there is no response, return `(None, None)`.
 
+        A request that was sent without a server gets no response.
+
         Raises:
-            ServiceError: The call failed, or there was no server.
+            ServiceError: The server ended before it responded, or its callback raised an exception.
         """
         response = self.entity.take()
         if response is None:

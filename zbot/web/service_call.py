@@ -60,7 +60,7 @@ async def call(
     reference = await run_in_thread(connect, name, type_name)
     with reference:
         try:
-            return await await_future(reference.entity.call_async(request), timeout_s)
+            return await await_future(reference.entity.call_server_async(request), timeout_s)
         except asyncio.TimeoutError:
             raise NoAnswerError(name, timeout_s) from None
 

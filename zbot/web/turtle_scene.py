@@ -77,7 +77,7 @@ class SceneView:
             return
         if asked is not None:
             self._show(asked.result())
-        self._asked = self._client.entity.call_async(self._request)
+        self._asked = self._client.entity.call_server_async(self._request)
 
     def _show(self, scene: Any) -> None:
         self._request.run, self._request.until = scene.run, scene.until

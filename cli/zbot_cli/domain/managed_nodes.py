@@ -129,7 +129,7 @@ class ManagedNodes:
         for name in nodes:
             try:
                 client = self._client(name, GetState, "get_state")
-                pending[name] = client.call_async(GetState.Request())
+                pending[name] = client.call_server_async(GetState.Request())
             except NodeSilentError as error:
                 states[name] = error
         for name, future in pending.items():

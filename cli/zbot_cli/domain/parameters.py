@@ -142,7 +142,7 @@ class RemoteParameters:
         is_offered = any(name == one for one, _ in self.graph().services())
         if not is_offered or not client.wait_for_service(self._answer_timeout_s):
             raise NoParameterServicesError(node, f"{node} has no {name}")
-        return client.call_async(request)
+        return client.call_server_async(request)
 
     def ask(self, node: str, service: str, **fields: Any) -> Any:
         """Return the response of one node.

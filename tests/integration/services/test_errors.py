@@ -19,6 +19,7 @@ from std_srvs.srv import Trigger
 
 if TYPE_CHECKING:
     from tests.conftest import MakeContext, Spin
+    from zbot.log.record import Record
 
 
 def test_the_message_of_an_exception_reaches_the_caller(
@@ -49,13 +50,34 @@ def test_a_missing_response_is_reported_on_both_sides(
     assert isinstance(spinner.error, ResponseTypeError)
 
 
-def test_a_call_without_a_server_fails_at_once(caller: zbot.Node) -> None:
+def test_a_blocking_call_without_a_server_fails_at_once(caller: zbot.Node) -> None:
     client = caller.create_client(AddTwoInts, "add")
     with pytest.raises(ServiceError, match="no server is running"):
         client.call(Request())
-    future = client.call_async(Request())
-    assert isinstance(future.exception(), ServiceError)
+    failed = client.call_server_async(Request())
+    assert isinstance(failed.exception(), ServiceError)
     assert not client.wait_for_service(0.05)
+
+
+def test_a_future_of_a_call_without_a_server_is_never_done(
+    make_context: MakeContext, caller: zbot.Node, spin: Spin, logged: list[Record]
+) -> None:
+    client = caller.create_client(AddTwoInts, "add")
+    lost = [client.call_async(Request(a=1, b=2)) for _ in range(2)]
+    assert not any(future.done() for future in lost)
+    warnings = [one.message for one in logged if "no server is running" in one.message]
+    assert len(warnings) == 1
+    server = zbot.Node("server", context=make_context())
+    server.create_service(AddTwoInts, "add", add)
+    spin(server, caller)
+    assert client.wait_for_service(10)
+    retry = client.call_async(Request(a=3, b=4))
+    assert wait_until(retry.done)
+    answer = retry.result()
+    assert answer is not None
+    assert answer.sum == 7
+    assert not any(future.done() for future in lost)
+    client.remove_pending_request(lost[0])
 
 
 def test_a_timeout_can_be_a_duration(server: zbot.Node, caller: zbot.Node) -> None:

@@ -291,7 +291,7 @@ def _get_param_names(bridge: Bridge, _args: dict[str, Any]) -> dict[str, Any]:
     found: list[str] = []
     with contextlib.ExitStack() as stack:
         clients = [stack.enter_context(_client(bridge, one, _LIST)).entity for one in services]
-        futures = [client.call_async(client.srv_type.Request()) for client in clients]
+        futures = [client.call_server_async(client.srv_type.Request()) for client in clients]
         _wait(futures)
         for service, future in zip(services, futures, strict=True):
             if future.done() and future.exception() is None:

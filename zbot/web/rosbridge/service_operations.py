@@ -146,7 +146,7 @@ class _Call:
         if timeout_s > 0:
             text = f"{name} did not answer within {timeout_s:g} s"
             self._session.call_later(timeout_s, partial(self.fail, text))
-        self._client.entity.call_async(request).add_done_callback(self._finish)
+        self._client.entity.call_server_async(request).add_done_callback(self._finish)
 
     def _run(self, procedure: rosapi.Procedure, args: Any) -> None:
         try:
