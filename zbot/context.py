@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import os
 import sys
 import threading
 from typing import TYPE_CHECKING, Any, Literal, Protocol
@@ -91,6 +92,7 @@ class Context:
         self._state: Literal["new", "valid", "shut down"] = "new"
         self._interrupted = False
         self.is_inherited = False  #: whether the parent of this forked process opened the session
+        self._process: int | None = None  # id of the process that called `init`
         self._session: zenoh.Session | None = None
         self._meeting: MeetingPoint | RmwMeeting | None = None
         self._peering: Peering | None = None
@@ -146,7 +148,7 @@ class Context:
                 configure_logging(self.arguments)
             if lost := warning_about(self.arguments.unparsed):
                 get_logger("zbot").warning(lost)
-            self._state = "valid"
+            self._state, self._process = "valid", os.getpid()
             signals.contexts.add(self)
 
     def ok(self) -> bool:
@@ -189,6 +191,11 @@ class Context:
     def is_over(self) -> bool:
         """Whether the context was shut down. Such a context cannot be initialised again."""
         return self._state == "shut down"
+
+    @property
+    def is_of_parent(self) -> bool:
+        """Whether the parent of this forked process has initialised the context."""
+        return self._state == "valid" and self._process != os.getpid()
 
     @property
     def is_interrupted(self) -> bool:
@@ -559,7 +566,10 @@ def get_default_context(*, shutting_down: bool = False, initialising: bool = Fal
     """
     global _default  # noqa: PLW0603 - there is one per process
     with _default_lock:
-        is_foreign = _default is not None and _default.is_inherited and initialising
-        if _default is None or is_foreign or (_default.is_over and not shutting_down):
+        if (
+            _default is None
+            or (_default.is_over and not shutting_down)
+            or (_default.is_of_parent and initialising)
+        ):
             _default = Context()
         return _default

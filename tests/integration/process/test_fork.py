@@ -294,6 +294,28 @@ def test_a_program_with_a_node_may_start_processes_in_every_way(start: Start, wa
     assert "'parent'" in program.lines[1]
 
 
+@pytest.mark.parametrize("begin", ["pass", "zbot.init()"])
+def test_the_fork_of_a_program_without_a_node_may_have_nodes(start: Start, begin: str) -> None:
+    program = start(
+        source=f"""
+import multiprocessing
+import zbot
+
+def work():
+    {begin}
+    print(zbot.Node("child").get_node_names())
+
+zbot.init()
+child = multiprocessing.get_context("fork").Process(target=work)
+child.start()
+child.join()
+print(child.exitcode, zbot.Node("parent").get_name())
+"""
+    )
+    assert program.wait() == 0
+    assert program.lines == ["['child']", "0 parent"]
+
+
 def test_the_fork_of_a_program_without_a_session_uses_the_same_library(start: Start) -> None:
     program = start(
         source="""
