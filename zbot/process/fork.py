@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import atexit
 import os
+import sys
 from typing import TYPE_CHECKING, Any
 
 from zbot.interfaces import registry
@@ -33,7 +34,7 @@ class _Process:
 
 def register() -> None:
     """Let a forked child leave all open contexts to this process. A second call does nothing."""
-    if not _Process.is_registered and hasattr(os, "register_at_fork"):  # not on Windows
+    if not _Process.is_registered and sys.platform != "win32":  # Windows has no fork
         _Process.is_registered = True
         os.register_at_fork(after_in_child=_leave_to_parent)
 
