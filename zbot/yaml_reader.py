@@ -7,9 +7,12 @@ memory holds (aliases of aliases). So the events of a text are checked before an
 from __future__ import annotations
 
 import re
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
 
 _MAX_CHARACTERS = 10_000_000
 _MAX_LEVELS = 100
@@ -36,31 +39,18 @@ class YamlError(ZbotError, ValueError):
         super().__init__(f"{where}{problem}")
 
 
-def read_yaml(text: str, loader: Any = None) -> Any:
+def read_yaml(text: str, *, as_strings: bool = False) -> Any:
     """Return the value of the only document in a text. Return None if the text is empty.
 
     Args:
         text: The YAML.
-        loader: PyYAML's loader class. Without it, the safe loader is used.
+        as_strings: Whether every scalar is a string, as it is written.
 
     Raises:
         YamlError: The text is not YAML, contains several documents, is nested deeper than 100
             levels or is too large, or a value does not fit its tag.
     """
-    import yaml  # noqa: PLC0415 - takes 15 ms, and most commands read no YAML
-
-    try:
-        _check(text, _fast_loader())
-    except YamlError:
-        _check(text, yaml.SafeLoader)  # its errors are clearer, and `loader` may accept more
-    try:
-        return yaml.load(text, Loader=loader or yaml.SafeLoader)  # noqa: S506 - a safe loader
-    except yaml.YAMLError as error:
-        raise _yaml_error(error) from error
-    except RecursionError:
-        raise YamlError(f"it is nested deeper than {_MAX_LEVELS} levels") from None
-    except _SCALAR_ERRORS as error:
-        raise YamlError(f"a value does not fit its type: {error}") from error
+    return construct_yaml(compose_yaml(text), as_strings=as_strings)
 
 
 def compose_yaml(text: str) -> Any:
@@ -69,34 +59,84 @@ def compose_yaml(text: str) -> Any:
     Raises:
         YamlError: As for `read_yaml`.
     """
-    import yaml  # noqa: PLC0415 - as above
-
-    _check(text, _fast_loader())
-    try:
-        return yaml.compose(text, Loader=_fast_loader())
-    except yaml.YAMLError as error:
-        raise _yaml_error(error) from error
+    found = _compose(text, _loaders())
+    if len(found) > 1:
+        mark = found[1].start_mark
+        raise YamlError("but found another document", mark.line, mark.column)
+    return found[0] if found else None
 
 
-def construct_yaml(node: Any) -> Any:
-    """Return the value of a node of `compose_yaml`.
+def compose_untagged(text: str) -> list[Any]:
+    """Return PyYAML's nodes of all documents in a text.
+
+    The tag of a scalar or collection is empty if the text does not contain a tag. So the caller
+    decides by rules of its own whether `1e3`, `yes` or `null` is a number, a bool or a string.
+
+    Raises:
+        YamlError: As for `read_yaml`, but a text may contain several documents.
+    """
+    return _compose(text, [_untagged(loader) for loader in _loaders()])
+
+
+def construct_yaml(node: Any, *, as_strings: bool = False) -> Any:
+    """Return the value of a node of `compose_yaml`. The value of None is None.
+
+    Args:
+        node: The node.
+        as_strings: Whether every scalar is a string, as it is written.
 
     Raises:
         YamlError: The tag is unknown, or the value does not fit its tag.
     """
-    from yaml import YAMLError  # noqa: PLC0415 - as above
-    from yaml.constructor import SafeConstructor  # noqa: PLC0415 - as above
+    from yaml import YAMLError  # noqa: PLC0415 - takes 15 ms, and most commands read no YAML
+    from yaml.constructor import BaseConstructor, SafeConstructor  # noqa: PLC0415 - as above
 
+    if node is None:
+        return None
+    constructor = BaseConstructor() if as_strings else SafeConstructor()
     try:
-        return SafeConstructor().construct_document(node)
+        return constructor.construct_document(node)
     except YAMLError as error:
         raise _yaml_error(error) from error
+    except RecursionError:
+        raise YamlError(f"it is nested deeper than {_MAX_LEVELS} levels") from None
     except _SCALAR_ERRORS as error:
         raise YamlError(f"a value does not fit its type: {error}") from error
 
 
+def _compose(text: str, loaders: Sequence[Any]) -> list[Any]:
+    """Return the nodes of a text. The first of PyYAML's loaders that accepts the text is used."""
+    import yaml  # noqa: PLC0415 - as above
+
+    for loader in loaders:
+        try:
+            _check(text, loader)
+            return list(yaml.compose_all(text, Loader=loader))
+        except yaml.YAMLError as error:
+            found = _yaml_error(error)
+    raise found
+
+
+def _loaders() -> list[Any]:
+    """Return PyYAML's loaders. Each accepts texts that the other does not accept.
+
+    libyaml is ten times faster, and accepts tabs between words. PyYAML's own parser accepts
+    `{header:{frame_id: x}}`, and its errors are clearer. A PyYAML that was built without libyaml
+    has only the second one.
+    """
+    import yaml  # noqa: PLC0415 - as above
+
+    fast = getattr(yaml, "CSafeLoader", None)
+    return [yaml.SafeLoader] if fast is None else [fast, yaml.SafeLoader]
+
+
+def _untagged(loader: Any) -> Any:
+    """Return a loader that does not guess the tag of a node."""
+    return type("_Untagged", (loader,), {"resolve": lambda *_: ""})
+
+
 def _check(text: str, loader: Any) -> None:
-    """Check the limits of a text, before values are made."""
+    """Check the limits of a text, before values are made. PyYAML's own errors pass through."""
     import yaml  # noqa: PLC0415 - as above
 
     if len(text) > _MAX_CHARACTERS:
@@ -105,8 +145,6 @@ def _check(text: str, loader: Any) -> None:
     try:
         for event in yaml.parse(text, Loader=loader):
             sizes.add(event)
-    except yaml.YAMLError as error:
-        raise _yaml_error(error) from error
     except UnicodeEncodeError:
         raise YamlError("it has characters that UTF-8 cannot hold") from None
 
@@ -147,13 +185,6 @@ class _Sizes:
         if before + size > _MAX_NODES:
             raise _error_at(event, f"it has more than {_MAX_NODES} values")
         self._open[-1] = (anchor, before + size)
-
-
-def _fast_loader() -> Any:
-    import yaml  # noqa: PLC0415 - as above
-
-    # libyaml is ten times faster. A PyYAML that was built without libyaml does not have it.
-    return getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
 
 def _error_at(event: Any, problem: str) -> YamlError:

@@ -4,7 +4,6 @@ import time
 from typing import TYPE_CHECKING, Any
 
 import pytest
-import yaml
 
 import zbot  # noqa: F401 - makes the messages importable
 from tests.conftest import allowed
@@ -20,14 +19,20 @@ from zbot.launch.typed_value import coerce_to_type
 from zbot.parameters.errors import ParametersFileError, ParameterValueError
 from zbot.parameters.file import parse_value, sections
 from zbot.web.form_value import DURATION, EntryError, read
-from zbot.yaml_reader import YamlError, compose_yaml, construct_yaml, read_yaml
+from zbot.yaml_reader import (
+    YamlError,
+    compose_untagged,
+    compose_yaml,
+    construct_yaml,
+    read_yaml,
+)
 from zbot_cli.input.message_values import PopulateError, Template, ValuesError
 
 from geometry_msgs.msg import Twist
 from std_msgs.msg import Float64, Int64
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Callable, Iterator
     from pathlib import Path
 
 DEEP = {
@@ -78,10 +83,31 @@ def test_yaml_that_cannot_be_read_is_one_error(name: str) -> None:
         construct_yaml(compose_yaml(BAD[name]))
 
 
-def test_a_loader_is_safe_from_deep_text_too() -> None:
+@pytest.mark.parametrize("read", [compose_untagged, lambda text: read_yaml(text, as_strings=True)])
+def test_other_ways_to_read_are_safe_from_deep_text_too(read: Callable[[str], object]) -> None:
     for text in DEEP.values():
         with pytest.raises(YamlError, match=r"line \d+, column \d+: it is nested deeper than 100"):
-            read_yaml(text, yaml.BaseLoader)
+            read(text)
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("{header:{frame_id: x}, axes:[0.0]}", {"header": {"frame_id": "x"}, "axes": [0.0]}),
+        ('{"a":1,"b":[1,2]}', {"a": 1, "b": [1, 2]}),
+        ("a:\t1\t# comment", {"a": 1}),
+        ("[1,\t2]", [1, 2]),
+        ("a\tb", "a\tb"),
+        ("\ufeffa: 1", {"a": 1}),
+    ],
+)
+def test_what_one_of_the_two_parsers_accepts_is_read(text: str, expected: object) -> None:
+    assert read_yaml(text) == expected
+
+
+def test_every_scalar_can_stay_a_string() -> None:
+    found = read_yaml("[no, 1e3, ~, 2020-01-01, {on: [1]}]", as_strings=True)
+    assert found == ["no", "1e3", "~", "2020-01-01", {"on": ["1"]}]
 
 
 def test_the_error_has_the_place() -> None:

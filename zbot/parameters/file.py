@@ -11,17 +11,19 @@ from __future__ import annotations
 
 import re
 from codecs import BOM_UTF16_BE, BOM_UTF16_LE
-from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from zbot.errors import InvalidNameError
+from zbot.names import validate_node_name
 from zbot.parameters.errors import (
     ParametersFileError,
     ParametersFileNotFoundError,
     ParameterValueError,
 )
+from zbot.parameters.scalar import scalar_value
 from zbot.suggestion import similar_names
-from zbot.yaml_reader import YamlError, read_yaml
+from zbot.yaml_reader import YamlError, compose_untagged
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -29,14 +31,9 @@ if TYPE_CHECKING:
 __all__ = ["load", "matches", "parse_value", "sections"]
 
 _KEY = "ros__parameters"
+_STRING_TAG = "tag:yaml.org,2002:str"
 #: Paths of the files that had parameters for a node of this process.
 _used_files: set[str] = set()
-# PyYAML matches these patterns at the start of a scalar. `\Z` lets them match only whole scalars.
-_FLOAT = re.compile(
-    r"[-+]?(?:[0-9][0-9_]*\.[0-9_]*|\.[0-9]+|[0-9]+(?=[eE]))(?:[eE][-+]?[0-9]+)?\Z"
-    r"|[-+]?\.(?:inf|Inf|INF)\Z|\.(?:nan|NaN|NAN)\Z"
-)
-_INTEGER = re.compile(r"[-+]?(?:0x[0-9a-fA-F]+|0b[01]+|0o?[0-7]*|[1-9][0-9_]*)\Z")
 
 
 def parse_value(text: str, *, of_one_kind: bool = False) -> Any:
@@ -50,9 +47,12 @@ def parse_value(text: str, *, of_one_kind: bool = False) -> Any:
         ParameterValueError: The text is not YAML, or not a value that a parameter can have.
     """
     try:
-        value = read_yaml(text, _loader())
+        nodes = compose_untagged(text)
     except YamlError as error:
         raise ParameterValueError(text, str(error)) from error
+    if len(nodes) > 1:
+        raise ParameterValueError(text, "it has several values, separated by `---`")
+    value = _value(nodes[0]) if nodes else None
     _check(text, value, of_one_kind=of_one_kind)
     return value
 
@@ -77,13 +77,20 @@ def load(path: str, node: str) -> dict[str, Any]:
 def sections(path: str) -> list[tuple[str, dict[str, Any]]]:
     """Return a file's node patterns with their parameters. Dots join the parts of nested names.
 
+    A pattern begins with a slash. The same pattern may occur several times.
+
     Raises:
         ParametersFileError: The file cannot be read, or does not have ROS 2's format.
     """
+    text = _text(path)
     try:
-        return [(pattern, _flat(path, "", parameters)) for pattern, parameters in _sections(path)]
-    except RecursionError as error:
-        raise ParametersFileError(path, "it is nested too deeply") from error
+        documents = [one for one in compose_untagged(text) if not _is_empty(one)]
+        return [found for one in documents for found in _sections(path, "", one)]
+    except (YamlError, ParametersFileError) as error:
+        from zbot.terminal.typographic import advice  # noqa: PLC0415 - only for mistakes
+
+        reason = error.reason if isinstance(error, ParametersFileError) else str(error)
+        raise ParametersFileError(path, "; ".join(filter(None, (reason, advice(text))))) from error
 
 
 def unused(path: str, node: str) -> list[str]:
@@ -112,42 +119,32 @@ def matches(pattern: str, node: str) -> bool:
     return re.fullmatch(expression, node) is not None
 
 
-def _sections(path: str) -> Iterator[tuple[str, dict[Any, Any]]]:
-    """Yield each node pattern of a file with its parameters. Nested parameters stay nested."""
+def _text(path: str) -> str:
     try:
         data = Path(path).read_bytes()
         # In Windows PowerShell, `zbot param dump /node > file` writes UTF-16.
-        text = data.decode("utf-16" if data.startswith((BOM_UTF16_LE, BOM_UTF16_BE)) else "utf-8")
+        return data.decode("utf-16" if data.startswith((BOM_UTF16_LE, BOM_UTF16_BE)) else "utf-8")
     except FileNotFoundError as error:
         raise ParametersFileNotFoundError(path, error.strerror or str(error)) from error
     except OSError as error:
         raise ParametersFileError(path, error.strerror or str(error)) from error
-    except ValueError as error:
-        raise ParametersFileError(path, str(error)) from error
-    try:
-        content = read_yaml(text, _loader())
-        if content is not None:
-            yield from _nested_sections(path, "", content)
-    except (YamlError, ParametersFileError) as error:
-        from zbot.terminal.typographic import advice  # noqa: PLC0415 - only for mistakes
-
-        reason = error.reason if isinstance(error, ParametersFileError) else str(error)
-        raise ParametersFileError(path, "; ".join(filter(None, (reason, advice(text))))) from error
+    except UnicodeDecodeError as error:
+        raise ParametersFileError(path, f"it is not UTF-8 text: save it as UTF-8 ({error})") from error
 
 
-def _nested_sections(path: str, name: str, content: Any) -> Iterator[tuple[str, dict[Any, Any]]]:
-    if not isinstance(content, dict):
-        raise ParametersFileError(path, _missing_key(name, content))
-    for key, value in content.items():
+def _sections(path: str, name: str, node: Any) -> Iterator[tuple[str, dict[str, Any]]]:
+    """Yield the node patterns below a name with their parameters."""
+    if node.id != "mapping":
+        raise ParametersFileError(path, _missing_key(name, _value(node)))
+    for key, value in _pairs(node):
         if key == _KEY and name:
-            if not isinstance(value, dict):
-                reason = f"{_KEY} of {name!r} needs lines `name: value` with a space after ':'"
-                raise ParametersFileError(path, reason)
-            yield name, value
+            _validate_pattern(path, name)
+            yield _absolute(name), _Collector(path, _absolute(name), value).values
         elif key == _KEY:
             raise ParametersFileError(path, f"write {_KEY} below a node's name, e.g. `/**:`")
         else:
-            yield from _nested_sections(path, f"{name}/{str(key).strip('/')}", value)
+            separator = "" if not name or name.endswith("/") else "/"
+            yield from _sections(path, f"{name}{separator}{key}", value)
 
 
 def _missing_key(name: str, content: Any) -> str:
@@ -164,19 +161,110 @@ def _missing_key(name: str, content: Any) -> str:
     return f"write the line `{_KEY}:` below `{node}:`, and indent the parameters below it"
 
 
-def _flat(path: str, prefix: str, values: dict[Any, Any]) -> dict[str, Any]:
-    flat: dict[str, Any] = {}
-    for key, value in values.items():
-        name = f"{prefix}{key}"
-        if isinstance(value, dict):
-            flat.update(_flat(path, f"{name}.", value))
-            continue
+def _absolute(name: str) -> str:
+    return f"/{name.removeprefix('/')}"
+
+
+def _validate_pattern(path: str, name: str) -> None:
+    for part in _absolute(name)[1:].split("/"):
         try:
-            _check(name, value, of_one_kind=True)
-        except ParameterValueError as error:
-            raise ParametersFileError(path, str(error)) from error
-        flat[name] = value
-    return flat
+            if part not in {"*", "**"}:
+                validate_node_name(part)
+        except InvalidNameError as error:
+            raise ParametersFileError(path, f"{name!r} is not a node's name: {error}") from error
+
+
+class _Collector:
+    """Reader of one node's parameters, in which dots join the parts of nested names.
+
+    ROS 2 reads a map in a list as a group: `front: [{pins: [a, b]}]` is `front.pins`. It does not
+    read all such lists. Lists of which it would lose a part are refused.
+
+    Attributes:
+        values: The values by name.
+    """
+
+    def __init__(self, path: str, node_name: str, node: Any) -> None:
+        self.values: dict[str, Any] = {}
+        self._path = path
+        self._name = ""  #: of the parameter that was begun last
+        self._is_in_list = False
+        if node.id == "scalar":
+            reason = f"{_KEY} of {node_name!r} needs lines `name: value` with a space after ':'"
+            raise ParametersFileError(path, reason)
+        self._read(node)
+        for name, value in self.values.items():
+            try:
+                _check(name, value, of_one_kind=True)
+            except ParameterValueError as error:
+                raise ParametersFileError(path, str(error)) from error
+
+    def _read(self, node: Any) -> None:
+        if node.id == "mapping":
+            self._read_mapping(node)
+        elif node.id == "sequence":
+            self._read_list(node)
+        elif _is_empty(node):
+            raise self._error(node, f"{self._name!r} has no value: write one, or remove the name")
+        elif self._is_in_list:
+            self.values[self._name].append(_value(node))
+        else:
+            self.values[self._name] = _value(node)
+
+    def _read_mapping(self, node: Any) -> None:
+        group = self._name
+        for index, (key, value) in enumerate(_pairs(node)):
+            if not key:
+                raise self._error(value, "a parameter's name is empty")
+            if self._is_in_list and index:
+                raise self._error(value, f"{self._name!r} is in a list, so {key!r} cannot follow it")
+            self._name = f"{group}.{key}" if group else key
+            if group in self.values:
+                self.values[self._name] = self.values.pop(group)
+            self._read(value)
+
+    def _read_list(self, node: Any) -> None:
+        self._is_in_list = True
+        self.values[self._name] = []
+        for item in node.value:
+            if item.id == "sequence":
+                raise self._error(item, f"{self._name!r} is a list, so it cannot contain a list")
+            if item.id == "scalar" and not self._is_in_list:
+                raise self._error(item, f"a value cannot follow the list {self._name!r}")
+            self._read(item)
+        self._is_in_list = False
+
+    def _error(self, node: Any, reason: str) -> ParametersFileError:
+        return ParametersFileError(self._path, f"line {node.start_mark.line + 1}: {reason}")
+
+
+def _pairs(node: Any) -> Iterator[tuple[str, Any]]:
+    """Yield the names and values of a mapping. The values of YAML's merge key `<<` come first."""
+    own = []
+    for key, value in node.value:
+        name = key.value if key.id == "scalar" else str(_value(key))
+        merged = value.value if value.id == "sequence" else [value]
+        if name == "<<" and all(one.id == "mapping" for one in merged):
+            for one in reversed(merged):
+                yield from _pairs(one)
+        else:
+            own.append((name, value))
+    yield from own
+
+
+def _value(node: Any) -> Any:
+    """Return the value of a node, or None if it is empty."""
+    if node.id == "mapping":
+        return {key: _value(value) for key, value in _pairs(node)}
+    if node.id == "sequence":
+        return [_value(one) for one in node.value]
+    if node.style in {"'", '"'} or node.tag == _STRING_TAG:
+        return node.value
+    return None if _is_empty(node) else scalar_value(node.value)
+
+
+def _is_empty(node: Any) -> bool:
+    return node.id == "scalar" and not node.value and not node.style and not node.tag
 
 
 def _check(text: str, value: Any, *, of_one_kind: bool) -> None:
@@ -188,52 +276,3 @@ def _check(text: str, value: Any, *, of_one_kind: bool) -> None:
         raise ParameterValueError(text, f"the values of a list must have one type, not {value!r}")
     if any(isinstance(item, int) and not -(2**63) <= item < 2**63 for item in items):
         raise ParameterValueError(text, "an integer must fit in 64 bits")
-
-
-def _yaml() -> Any:
-    # PyYAML is imported here: the import takes 15 ms, and most command lines have no parameters.
-    import yaml  # noqa: PLC0415
-
-    return yaml
-
-
-@lru_cache(maxsize=1)
-def _loader() -> Any:
-    """Return YAML's safe loader with ROS 2's rules for scalars.
-
-    Dates, `null` and `~` are strings. `1e3` is a number. Only an empty value is None. If a key
-    occurs twice and both values are mappings, the loader merges them. PyYAML's own loader keeps
-    only the second mapping.
-    """
-    base = _yaml().SafeLoader
-
-    def construct_mapping(self: Any, node: Any, deep: bool = False) -> Any:
-        joined = _yaml().MappingNode(node.tag, _joined(node.value), node.start_mark, node.end_mark)
-        return base.construct_mapping(self, joined, deep)
-
-    members = {"yaml_implicit_resolvers": {}, "construct_mapping": construct_mapping}
-    loader: Any = type("_Loader", (base,), members)
-    for first, resolvers in base.yaml_implicit_resolvers.items():
-        kept = {"bool", "merge"} if first else {"null"}
-        loader.yaml_implicit_resolvers[first] = [
-            r for r in resolvers if r[0].split(":")[-1] in kept
-        ]
-    loader.add_implicit_resolver("tag:yaml.org,2002:float", _FLOAT, list("-+.0123456789"))
-    loader.add_implicit_resolver("tag:yaml.org,2002:int", _INTEGER, list("-+0123456789"))
-    return loader
-
-
-def _joined(pairs: list[tuple[Any, Any]]) -> list[tuple[Any, Any]]:
-    """Return a mapping's pairs. The mappings of a repeated key are merged into one mapping."""
-    yaml = _yaml()
-    found: dict[Any, tuple[Any, Any]] = {}
-    for key, value in pairs:
-        # Pairs whose key is YAML's merge key `<<`, or is not a scalar, stay as they are.
-        is_word = isinstance(key, yaml.ScalarNode) and not key.tag.endswith(":merge")
-        identity = (key.tag, key.value) if is_word else id(key)
-        _, before = found.get(identity, (None, None))
-        if isinstance(before, yaml.MappingNode) and isinstance(value, yaml.MappingNode):
-            lines = [*before.value, *value.value]
-            value = yaml.MappingNode(value.tag, lines, before.start_mark, value.end_mark)  # noqa: PLW2901
-        found[identity] = (key, value)
-    return list(found.values())

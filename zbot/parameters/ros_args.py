@@ -35,6 +35,7 @@ _BEGIN, _END = "--ros-args", "--"
 _ASSIGN = ":="
 _LEVELS = ("unset", "debug", "info", "warn", "error", "fatal")
 _NODE = re.compile(r"(?:(?P<node>[A-Za-z0-9_]+):(?!/))?(?P<rest>.*)", re.DOTALL)
+_NO_PARAMETER_NAME = re.compile(r"^/|[*\s]")
 _SCHEME = re.compile(r"(?:ros(?P<kind>topic|service)://)?(?P<name>.*)", re.DOTALL)
 
 
@@ -248,6 +249,9 @@ def _validate_remap(source: str, target: str) -> None:
 
 def _parameter(found: Arguments, word: str) -> Arguments:
     node, name, text = _assignment(word, "-p", "speed:=1.5")
+    if _NO_PARAMETER_NAME.search(name):
+        reason = f"{name!r} is not a parameter's name: write it as in `-p speed:=1.5`"
+        raise ArgumentsError(word, reason)
     try:
         value = parameter_file.parse_value(text, of_one_kind=True)
     except ParameterValueError as error:

@@ -159,8 +159,8 @@ def _list(kind: FieldType, text: str, path: str) -> list[Any]:
     # Users may leave out the brackets: `1, 2, 3`.
     bare = text if text.startswith("[") else f"[{text}]"
     try:
-        # The base loader returns all values as strings, so that `no` stays a string in a string[].
-        values = read_yaml(bare, yaml.BaseLoader)
+        # `no` stays a string in a string[].
+        values = read_yaml(bare, as_strings=True)
     except YamlError:
         raise EntryError(path, "write a list: [1, 2, 3]") from None
     return _elements(kind, values, path)
