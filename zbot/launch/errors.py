@@ -7,7 +7,7 @@ import os
 import re
 from typing import TYPE_CHECKING
 
-from zbot.errors import ZbotError
+from zbot.errors import ZbotError, shortened
 from zbot.launch.argument_names import question_about
 from zbot.suggestion import question, similar_names
 from zbot.terminal.typographic import advice
@@ -163,9 +163,10 @@ class EntityTypeError(LaunchError, TypeError, ValueError):
     This error is both a TypeError and a ValueError, because ROS 2's launch raises one of the two.
     """
 
-    def __init__(self, where: str, expected: str, value: object) -> None:
-        self.where, self.expected, self.value = where, expected, value
-        super().__init__(f"{where} must be {expected}, not {type(value).__name__}: {value!r}")
+    def __init__(self, where: str, expected: str, value: object, hint: str = "") -> None:
+        self.where, self.expected, self.value, self.hint = where, expected, value, hint
+        given = f"{type(value).__name__}: {shortened(value, 200)}"
+        super().__init__(f"{where} must be {expected}, not {given}")
 
 
 class UnknownArgumentError(LaunchError, TypeError):

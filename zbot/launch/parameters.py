@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
-import json
+import math
 import os
+import re
 import tempfile
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from pathlib import Path, PurePath
 from typing import TYPE_CHECKING, Any, Final, TypeAlias
 
-from zbot.errors import ZbotError
 from zbot.launch.errors import EntityTypeError
 from zbot.launch.substitution import Substitution, describe, normalize, perform, to_bool
+from zbot.launch.typed_value import coerce_to_type, extract_type, type_name
+from zbot.parameters.errors import ParameterValueError
 from zbot.parameters.file import parse_value
+from zbot.parameters.value_text import value_text, with_quotes
+from zbot.yaml_reader import YamlError, read_yaml
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -25,6 +30,12 @@ if TYPE_CHECKING:
 _MAX_WORD: Final = 10_000
 _ITEM_TYPES: Final = (bool, int, float, str)
 _VALUES: Final = "a bool, a number, a text or a list of one of these"
+_TEXT_HINT: Final = (
+    "for a text that is not YAML write ParameterValue(..., value_type=str), or type='str' in an XML"
+    " or YAML file"
+)
+# Other names are written to a file: on a command line, `a:b` is the parameter `b` of the node `a`.
+_PLAIN_NAME: Final = re.compile(r"[A-Za-z_][A-Za-z0-9_.]*")
 
 
 class ParameterValue:
@@ -45,12 +56,9 @@ class ParameterValue:
         Raises:
             EntityTypeError: The value cannot have this type.
         """
-        value = evaluate(context, self.value)
         if self.value_type is None:
-            return value
-        if self.value_type is str and isinstance(self.value, (str, Substitution, list, tuple)):
-            return perform(context, self.value)
-        return _converted(value, self.value_type)
+            return evaluate(context, self.value)
+        return _typed(context, self.value, self.value_type)
 
     def describe(self) -> str:
         """Return the name of the class and the value."""
@@ -233,24 +241,11 @@ def _file(context: LaunchContext, item: Any) -> list[str]:
 
 def _word(context: LaunchContext, name: str, value: Any) -> list[str]:
     value = list(value) if isinstance(value, bytes) else value
-    text = json.dumps(value, ensure_ascii=False) if not isinstance(value, float) else repr(value)
-    text = {"inf": ".inf", "-inf": "-.inf", "nan": ".nan"}.get(text, text)
-    if isinstance(value, str) and _is_plain(value):
-        text = value
-    if len(text) <= _MAX_WORD:
+    text = value_text(value)
+    if len(text) <= _MAX_WORD and _PLAIN_NAME.fullmatch(name):
         return ["-p", f"{name}:={text}"]
-    content = json.dumps({"/**": {"ros__parameters": {name: value}}}, ensure_ascii=False)
+    content = value_text({"/**": {"ros__parameters": {name: with_quotes(value)}}})
     return ["--params-file", str(temporary_file(context, content))]
-
-
-def _is_plain(text: str) -> bool:
-    """Return whether YAML reads a text without quotes as the same string."""
-    if not text or text != text.strip():
-        return False
-    try:
-        return bool(parse_value(text) == text)
-    except ZbotError:
-        return False
 
 
 def flatten(
@@ -278,18 +273,22 @@ def evaluate(context: LaunchContext, value: Any) -> Any:
     if isinstance(value, Substitution) or _is_text_of_parts(value):
         text = perform(context, value)
         return _read(text)
+    value = _without_numpy(value)
     if isinstance(value, _ITEM_TYPES):
         return value
     if isinstance(value, (bytes, bytearray)):
         return bytes(value)
-    tolist = getattr(value, "tolist", None)  # numpy
-    if callable(tolist):
-        return tolist()
     if isinstance(value, Sequence):
         return _same_kind([evaluate(context, item) for item in value])
     if isinstance(value, PurePath):
         return str(value)
     raise EntityTypeError("a parameter", _VALUES, value)
+
+
+def _without_numpy(value: Any) -> Any:
+    """Return the Python value of a numpy scalar or array. Other values stay unchanged."""
+    tolist = getattr(value, "tolist", None)
+    return tolist() if callable(tolist) and not isinstance(value, memoryview) else value
 
 
 def _is_text_of_parts(value: Any) -> bool:
@@ -310,28 +309,49 @@ def _same_kind(items: list[Any]) -> list[Any]:
 
 
 def _read(text: str) -> Any:
-    """Return the value that YAML reads from a text."""
+    """Return the value of a text without a type.
+
+    launch reads the text by YAML's rules, and then the node reads the result by ROS 2's rules. So
+    `1_000` and `1:30` are integers, and `1e3` and `nan` are floats.
+    """
+    if not text.strip():
+        return text
     try:
-        value = parse_value(text) if text.strip() else text
-        return _same_kind(value) if isinstance(value, list) else value
-    except ZbotError as error:
-        raise EntityTypeError("a parameter", _VALUES, text) from error
+        value = parse_value(text)
+    except ParameterValueError as error:
+        raise EntityTypeError("a parameter", f"{_VALUES} in YAML", text, _TEXT_HINT) from error
+    with suppress(YamlError):  # e.g. for `=`
+        value = _with_numbers(value, read_yaml(text))
+    return _same_kind(value) if isinstance(value, list) else value
+
+
+def _with_numbers(value: Any, by_yaml: Any) -> Any:
+    """Return a value that ROS 2's rules read, with the numbers that YAML's rules read."""
+    if isinstance(value, list):
+        return [_with_numbers(*pair) for pair in zip(value, by_yaml, strict=True)]
+    return by_yaml if isinstance(by_yaml, (bool, int, float)) else value
+
+
+def _typed(context: LaunchContext, value: Any, kind: Any) -> Any:
+    """Return a value of a type. The type decides how the text of substitutions is read."""
+    value = _without_numpy(value)
+    if isinstance(value, Substitution) or _is_text_of_parts(value):
+        return coerce_to_type(perform(context, value), kind)
+    item_kind, is_list = extract_type(kind)
+    if is_list and isinstance(value, Sequence) and not isinstance(value, (str, bytes)):
+        return [_typed(context, one, item_kind) for one in value]
+    return _converted(evaluate(context, value), kind)
 
 
 def _converted(value: Any, kind: Any) -> Any:
-    origin, arguments = getattr(kind, "__origin__", kind), getattr(kind, "__args__", ())
-    if origin in {list, Sequence} and isinstance(value, list):
-        return [_converted(item, arguments[0]) for item in value] if arguments else value
     if kind is bool and isinstance(value, bool):
         return value
     if kind is str:
-        return value if isinstance(value, str) else json.dumps(value)
-    if kind in {int, float} and type(value) in {int, float}:
-        converted = kind(value)
-        if converted == value:
-            return converted
-    expected = getattr(kind, "__name__", str(kind))
-    raise EntityTypeError("a parameter", expected, value)
+        return value if isinstance(value, str) else value_text(value)
+    is_number = type(value) in {int, float}
+    if is_number and (kind is float or (kind is int and math.isfinite(value) and value % 1 == 0)):
+        return kind(value)
+    raise EntityTypeError("a parameter", type_name(kind), value)
 
 
 def temporary_file(context: LaunchContext, text: str, folder: str | None = None) -> Path:

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, Final, TypeAlias, get_args, get_origin
 
+from zbot.errors import shortened
 from zbot.launch.errors import CoercionError, EntityTypeError
 from zbot.launch.substitution import Substitution, normalize, perform
-from zbot.yaml_reader import read_yaml
+from zbot.yaml_reader import YamlError, read_yaml
 
 if TYPE_CHECKING:
     from zbot.launch.context import LaunchContext
@@ -118,19 +119,54 @@ def coerce_to_type(value: str, data_type: Any = None, can_be_str: bool = False) 
     """
     if not isinstance(value, str):
         raise EntityTypeError("the value", "a str", value)
-    if data_type is not None and extract_type(data_type) == (str, False):
+    if data_type is None:
+        return _by_yaml(value, None, can_be_str)
+    kind, is_list = extract_type(data_type)
+    if is_list:
+        return _list_of(value, kind, can_be_str)
+    if kind is str:
         return value
-    read: Any = data_type if data_type in {int, float} else read_yaml
     try:
-        found = read(value)
+        if kind is not bool:
+            return kind(value)
     except (ValueError, OverflowError):
-        found = value if can_be_str else None
-    if not is_instance_of(found, data_type, can_be_str):
-        raise CoercionError(f"'{value}' is not a value of type {_type_name(data_type)}")
-    return found
+        if kind is int:
+            return _without_type(value, kind, can_be_str)
+    return _by_yaml({"1": "true", "0": "false"}.get(value, value), kind, can_be_str)
 
 
-def _type_name(data_type: Any) -> str:
+def _by_yaml(value: str, kind: Any, can_be_str: bool) -> Any:
+    """Return the value that YAML reads from a text, e.g. the float of `.inf`."""
+    try:
+        found = read_yaml(value) if value else value
+    except YamlError:
+        found = None
+    if kind is float and type(found) is int:
+        return float(found)
+    if is_instance_of(found, kind, can_be_str and not isinstance(found, str)):
+        return found
+    return _without_type(value, kind, can_be_str)
+
+
+def _without_type(value: str, kind: Any, can_be_str: bool) -> str:
+    if not can_be_str:
+        raise CoercionError(f"{shortened(value)} is not a value of type {type_name(kind)}")
+    return value
+
+
+def _list_of(value: str, kind: Any, can_be_str: bool) -> list[Any]:
+    """Return the items of a list in YAML. The type decides how the text of each item is read."""
+    try:
+        items = read_yaml(value, as_strings=True)
+        if isinstance(items, list) and all(isinstance(one, str) for one in items):
+            return [coerce_to_type(one, kind, can_be_str) for one in items]
+    except (YamlError, CoercionError):
+        pass
+    raise CoercionError(f"{shortened(value)} is not a value of type {type_name(list[kind])}")
+
+
+def type_name(data_type: Any) -> str:
+    """Return a type for `coerce_to_type` as the text of an error."""
     if data_type is None:
         return "bool, number, text or a list of one of these"
     return str(data_type) if is_typing_list(data_type) else str(data_type.__name__)
@@ -168,7 +204,7 @@ def get_typed_value(value: str | list[str], data_type: Any = None, can_be_str: b
         return coerce_to_type(value, data_type, can_be_str)
     kind, is_list = (None, True) if data_type is None else extract_type(data_type)
     if not is_list:
-        raise EntityTypeError("the value", _type_name(data_type), value)
+        raise EntityTypeError("the value", type_name(data_type), value)
     return coerce_list(value, kind, can_be_str)
 
 
@@ -206,7 +242,7 @@ def normalize_typed_substitution(value: SomeValueType, data_type: Any = None) ->
 
 def _checked(value: Any, data_type: Any) -> Any:
     if not is_instance_of(value, data_type):
-        raise EntityTypeError("the value", _type_name(data_type), value)
+        raise EntityTypeError("the value", type_name(data_type), value)
     return value
 
 
@@ -234,5 +270,5 @@ def perform_typed_substitution(
         for one in value
     ]
     if not is_instance_of(found, data_type):
-        raise CoercionError(f"{found} is not a value of type {_type_name(data_type)}")
+        raise CoercionError(f"{found} is not a value of type {type_name(data_type)}")
     return found

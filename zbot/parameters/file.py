@@ -21,7 +21,7 @@ from zbot.parameters.errors import (
     ParametersFileNotFoundError,
     ParameterValueError,
 )
-from zbot.parameters.scalar import scalar_value
+from zbot.parameters.scalar import LETTERS, scalar_value
 from zbot.suggestion import similar_names
 from zbot.yaml_reader import YamlError, compose_untagged
 
@@ -129,7 +129,9 @@ def _text(path: str) -> str:
     except OSError as error:
         raise ParametersFileError(path, error.strerror or str(error)) from error
     except UnicodeDecodeError as error:
-        raise ParametersFileError(path, f"it is not UTF-8 text: save it as UTF-8 ({error})") from error
+        raise ParametersFileError(
+            path, f"it is not UTF-8 text: save it as UTF-8 ({error})"
+        ) from error
 
 
 def _sections(path: str, name: str, node: Any) -> Iterator[tuple[str, dict[str, Any]]]:
@@ -189,10 +191,10 @@ class _Collector:
         self._path = path
         self._name = ""  #: of the parameter that was begun last
         self._is_in_list = False
-        if node.id == "scalar":
+        self._read(node)
+        if "" in self.values:
             reason = f"{_KEY} of {node_name!r} needs lines `name: value` with a space after ':'"
             raise ParametersFileError(path, reason)
-        self._read(node)
         for name, value in self.values.items():
             try:
                 _check(name, value, of_one_kind=True)
@@ -204,7 +206,7 @@ class _Collector:
             self._read_mapping(node)
         elif node.id == "sequence":
             self._read_list(node)
-        elif _is_empty(node):
+        elif _is_empty(node) and self._name:
             raise self._error(node, f"{self._name!r} has no value: write one, or remove the name")
         elif self._is_in_list:
             self.values[self._name].append(_value(node))
@@ -215,15 +217,21 @@ class _Collector:
         group = self._name
         for index, (key, value) in enumerate(_pairs(node)):
             if not key:
-                raise self._error(value, "a parameter's name is empty")
+                raise self._error(value, "a parameter's name is missing: write `name: value`")
             if self._is_in_list and index:
-                raise self._error(value, f"{self._name!r} is in a list, so {key!r} cannot follow it")
+                raise self._error(
+                    value, f"{self._name!r} is in a list, so {key!r} cannot follow it"
+                )
             self._name = f"{group}.{key}" if group else key
             if group in self.values:
                 self.values[self._name] = self.values.pop(group)
             self._read(value)
 
     def _read_list(self, node: Any) -> None:
+        if all(item.id == "scalar" for item in node.value):
+            self.values[self._name] = _items(node.value)
+            self._is_in_list = False
+            return
         self._is_in_list = True
         self.values[self._name] = []
         for item in node.value:
@@ -239,16 +247,21 @@ class _Collector:
 
 
 def _pairs(node: Any) -> Iterator[tuple[str, Any]]:
-    """Yield the names and values of a mapping. The values of YAML's merge key `<<` come first."""
-    own = []
+    """Yield the names and values of a mapping, also those of YAML's merge key `<<`."""
+    own: list[tuple[str, Any]] = []
+    merged: list[Any] = []
     for key, value in node.value:
-        name = key.value if key.id == "scalar" else str(_value(key))
-        merged = value.value if value.id == "sequence" else [value]
-        if name == "<<" and all(one.id == "mapping" for one in merged):
-            for one in reversed(merged):
-                yield from _pairs(one)
+        name = key.value if key.id == "scalar" else ""
+        mappings = value.value if value.id == "sequence" else [value]
+        if name == "<<" and all(one.id == "mapping" for one in mappings):
+            merged += mappings
         else:
             own.append((name, value))
+    known = {name for name, _ in own}
+    for mapping in merged:
+        pairs = [pair for pair in _pairs(mapping) if pair[0] not in known]
+        known.update(name for name, _ in pairs)
+        yield from pairs
     yield from own
 
 
@@ -257,14 +270,26 @@ def _value(node: Any) -> Any:
     if node.id == "mapping":
         return {key: _value(value) for key, value in _pairs(node)}
     if node.id == "sequence":
-        return [_value(one) for one in node.value]
+        return _items(node.value)
     if node.style in {"'", '"'} or node.tag == _STRING_TAG:
         return node.value
     return None if _is_empty(node) else scalar_value(node.value)
 
 
+def _items(nodes: list[Any]) -> list[Any]:
+    """Return the values of a list's items. `y` and `n` are strings beside other strings."""
+    values = [_value(one) for one in nodes]
+    if not any(isinstance(value, str) for value in values):
+        return values
+    is_letter = [isinstance(one.value, str) and one.value in LETTERS for one in nodes]
+    return [
+        node.value if is_one else value
+        for node, value, is_one in zip(nodes, values, is_letter, strict=True)
+    ]
+
+
 def _is_empty(node: Any) -> bool:
-    return node.id == "scalar" and not node.value and not node.style and not node.tag
+    return node.id == "scalar" and not node.value and not node.style
 
 
 def _check(text: str, value: Any, *, of_one_kind: bool) -> None:

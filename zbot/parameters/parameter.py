@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import array
+import re
 from enum import IntEnum
 from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast, overload
 
 from zbot.errors import ArgumentTypeError, ZbotError
 from zbot.parameters.errors import ParameterValueError
 from zbot.parameters.file import matches, parse_value, sections
+from zbot.yaml_reader import YamlError, read_yaml
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -32,6 +34,7 @@ PARAMETER_SEPARATOR_STRING = "."
 AllowableParameterValue = Any
 ValueT_co = TypeVar("ValueT_co", covariant=True)
 
+_EXPONENT = re.compile(r"[-+]?[0-9]+[eE][-+]?[0-9]+")
 _INT64 = range(-(2**63), 2**63)
 
 
@@ -42,9 +45,12 @@ class ParameterTypeError(ZbotError, TypeError):
         self.value = value
         many = isinstance(value, (list, tuple, array.array))
         kind = "a list of one of the allowed types" if many else "one of the allowed types"
+        items = [value, *value] if isinstance(value, (list, tuple)) else [value]
+        is_numpy = any(callable(getattr(one, "tolist", None)) for one in items)
+        advice = "; write .tolist() after a value of numpy" if is_numpy else ""
         super().__init__(
             f"The given value is not {kind} '{value}': a parameter is a bool, an int, a float, "
-            "a str, or a list of one of these"
+            f"a str, or a list of one of these{advice}"
         )
 
 
@@ -278,30 +284,43 @@ def parameter_type(number: int) -> Parameter.Type:
 
 
 def get_parameter_value(string_value: str) -> ParameterValue:
-    """Return the message for a value that is written on the command line.
+    """Return the message for a value that a user wrote, e.g. for `zbot param set`.
 
     The text is read as YAML: `true`, `5`, `5.0`, `[1, 2]`, `[a, b]`. A list of integers and floats
-    is a list of doubles. Every other text is a string.
+    is a list of doubles. `1e3` is a double too. Every other text is a string, also `y` and `nan`,
+    which are not strings in parameter files.
     """
     try:
-        value = parse_value(string_value)
-    except ParameterValueError:
+        value = _guessed(read_yaml(string_value), parse_value(string_value))
+    except (YamlError, ParameterValueError):
         value = string_value
     return infer_parameter("", value, string_value).get_parameter_value()
 
 
+def _guessed(by_yaml: Any, by_ros: Any) -> Any:
+    """Return a value by YAML's rules, but by ROS 2's rules if the text is like `1e3` or `1:30`."""
+    if isinstance(by_ros, list):
+        return [_guessed(*pair) for pair in zip(by_yaml, by_ros, strict=True)]
+    if isinstance(by_yaml, str):
+        return by_ros if _EXPONENT.fullmatch(by_yaml) else by_yaml
+    is_number = isinstance(by_yaml, (bool, int, float))
+    return by_yaml if is_number and ":" not in str(by_ros) else by_ros
+
+
 def infer_parameter(name: str, value: Any, text: str | None = None) -> Parameter[Any]:
-    """Return a parameter with a value read from YAML. A list of several types becomes a string.
+    """Return a parameter with a value read from YAML.
+
+    A list of several types, and an integer that does not fit into 64 bits, become a string.
 
     Args:
         name: The parameter's name.
         value: A scalar or a list of scalars.
-        text: The YAML text of the value. If the value is a list of several types, the parameter's
-            value is this text. Without `text`, it is `str(value)`.
+        text: The YAML text of the value, for a value that becomes a string. Without `text`, the
+            string is `str(value)`.
     """
     try:
         return Parameter(name, value=value)
-    except ParameterTypeError:
+    except (ParameterTypeError, ParameterMismatchError):
         return Parameter(name, value=str(value) if text is None else text)
 
 

@@ -9,11 +9,15 @@ from __future__ import annotations
 import re
 import sys
 
-_TRUE = frozenset("Y y yes Yes YES true True TRUE on On ON".split())
-_FALSE = frozenset("N n no No NO false False FALSE off Off OFF".split())
+#: Letters that are bools too. In a list such as `[x, y, z]`, they are strings.
+LETTERS = frozenset("yYnN")
+_TRUE = frozenset(["Y", "y", "yes", "Yes", "YES", "true", "True", "TRUE", "on", "On", "ON"])
+_FALSE = frozenset(["N", "n", "no", "No", "NO", "false", "False", "FALSE", "off", "Off", "OFF"])
 _SPECIAL = re.compile(r"(?P<sign>[-+]?)\.(?:inf|Inf|INF)|\.(?:nan|NaN|NAN)")
 # C's white space and digits are ASCII, unlike Python's.
-_INTEGER = re.compile(r"[ \t\n\v\f\r]*[-+]?(?:(?P<hex>0[xX][0-9a-fA-F]+)|(?P<oct>0[0-7]*)|[1-9][0-9]*)")
+_INTEGER = re.compile(
+    r"[ \t\n\v\f\r]*[-+]?(?:(?P<hex>0[xX][0-9a-fA-F]+)|(?P<oct>0[0-7]*)|[1-9][0-9]*)"
+)
 _FLOAT = re.compile(
     r"[ \t\n\v\f\r]*(?P<sign>[-+]?)(?P<value>"
     r"(?P<decimal>(?=\.?[0-9])(?P<digits>[0-9]*\.?[0-9]*)(?:[eE][-+]?[0-9]+)?)"
@@ -23,7 +27,7 @@ _FLOAT = re.compile(
 _INT64 = range(-(2**63), 2**63)
 
 
-def scalar_value(text: str) -> bool | int | float | str:
+def scalar_value(text: str) -> bool | float | str:
     """Return the value of a scalar that has no quotes and no tag.
 
     An integer that does not fit into 64 bits is a float. A float that is too large for 64 bits, or

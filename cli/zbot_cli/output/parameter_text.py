@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from zbot.interfaces import yaml_text
-from zbot.parameters.errors import ParameterValueError
-from zbot.parameters.file import matches, parse_value
+from zbot.parameters.file import matches
 from zbot.parameters.parameter import PARAMETER_SEPARATOR_STRING, Parameter, get_parameter_value
+from zbot.parameters.value_text import with_quotes
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping, Sequence
@@ -89,7 +89,7 @@ def file_text(values: Mapping[str, Mapping[str, Parameter[Any]]]) -> str:
             node: {
                 "ros__parameters": _tree(
                     {
-                        name: _safe(_plain(one))
+                        name: with_quotes(_plain(one))
                         for name, one in sorted(found.items())
                         if one.type_ is not Parameter.Type.NOT_SET
                     }
@@ -98,19 +98,6 @@ def file_text(values: Mapping[str, Mapping[str, Parameter[Any]]]) -> str:
             for node, found in values.items()
         }
     )
-
-
-def _safe(value: Any) -> Any:
-    """Return a value that YAML reads back with the same type. The string `1e3` needs quotes."""
-    if isinstance(value, list):
-        return [_safe(one) for one in value]
-    if not isinstance(value, str):
-        return value
-    try:
-        is_plain = parse_value(value) == value
-    except ParameterValueError:
-        is_plain = False
-    return value if is_plain else yaml_text.Quoted(value)
 
 
 def _tree(values: dict[str, Any]) -> dict[str, Any]:

@@ -164,7 +164,7 @@ def test_both_formats_make_the_same_actions(tmp_path: Path, name: str, text: str
         (
             "a.launch",
             "launch:\n- {",
-            "not a launch file in XML, YAML or Python (YAML: line 3: ",
+            "not a launch file in XML, YAML or Python (YAML: line 2: ",
         ),
     ],
 )

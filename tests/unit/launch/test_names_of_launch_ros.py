@@ -149,4 +149,4 @@ def test_a_shell_reads_parameters_as_they_are(capfd: pytest.CaptureFixture[str])
     assert service.run() == 0
     said = capfd.readouterr().out
     assert "['2', '--ros-args', '-r', '__node:=a', '-p', " in said
-    assert "'text:=two <words> \\'of\\' \"$HOME\"', '-p', 'list:=[\"a\", \"b c\"]']" in said
+    assert "'text:=two <words> \\'of\\' \"$HOME\"', '-p', 'list:=[a, b c]']" in said

@@ -28,6 +28,8 @@ class Entity:
         path: The file.
         line: The line number in the file, which starts at 1.
         parent: The entity that contains this tag.
+        written: The attributes as text and lists of text, exactly as they are written. By default,
+            the same as `attributes`.
     """
 
     def __init__(
@@ -39,8 +41,10 @@ class Entity:
         line: int,
         *,
         parent: Entity | None = None,
+        written: dict[str, Any] | None = None,
     ) -> None:
         self.type_name, self.attributes = type_name, attributes
+        self._written = attributes if written is None else written
         self.path, self.line, self.parent = path, line, parent
         self._children = children
         self._used: set[str] = set()
@@ -60,11 +64,10 @@ class Entity:
 
     def text(self, name: str) -> str | None:
         """Return an attribute as text, or None if it is missing."""
-        self._used.add(name)
-        value = self.attributes.get(name)
-        if isinstance(value, bool):
-            return str(value).lower()
-        return None if value is None else str(value)
+        if self.value(name) is None:
+            return None
+        text = self.written(name)
+        return text if isinstance(text, str) else str(self.value(name))
 
     def required(self, name: str) -> str:
         """Return an attribute as text.
@@ -87,6 +90,14 @@ class Entity:
         """Return an attribute without conversion. In YAML, the value may be a number or a list."""
         self._used.add(name)
         return self.attributes.get(name)
+
+    def written(self, name: str) -> Any:
+        """Return an attribute as a text or a list of texts, or None if it is missing.
+
+        In YAML, these are the words of the file: `010`, and not the number 8.
+        """
+        self._used.add(name)
+        return self._written.get(name)
 
     def children_of_type(self, type_name: str) -> list[Entity]:
         """Return the children that have a given tag name."""

@@ -60,12 +60,16 @@ def _value(entity: Entity, parser: Parser) -> Any:
     if value is None:
         raise entity.error("`param` needs the attribute 'value' or a nested `param`")
     separator, kind = entity.text("value-sep"), entity.text("type")
+    if kind is not None:
+        value = entity.written("value")
     parse = _scalar if kind is None else _text_parts
     if separator is not None and isinstance(value, str):
         pattern = re.escape(separator)
         value = [parse(part.strip(), parser) for part in re.split(pattern, value)]
     elif isinstance(value, str):
         value = parse(value, parser)
+    elif kind is not None:
+        value = [parse(one, parser) for one in value]
     if kind is None:
         return value
     if kind not in _TYPES:

@@ -55,6 +55,7 @@ class _Reader:
 
     def _entity(self, name: str, node: Any) -> Entity:
         attributes: dict[str, Any] = {}
+        written: dict[str, Any] = {}
         children: list[Entity] = []
         line = node.start_mark.line + 1
         if self._is_sequence(node):
@@ -69,10 +70,11 @@ class _Reader:
                     children.append(self._entity(key, value))
                 else:
                     attributes[key] = construct_yaml(value)
+                    written[key] = construct_yaml(value, as_strings=True)
         elif node.value:
             reason = f"below `{name}` write `attribute: value`, not '{node.value}'"
             raise InvalidFrontendLaunchFileError(self._path, line, reason)
-        return Entity(name, attributes, children, self._path, line)
+        return Entity(name, attributes, children, self._path, line, written=written)
 
     def _children(self, node: Any) -> list[Entity]:
         if not self._is_sequence(node):
