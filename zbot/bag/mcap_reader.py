@@ -126,7 +126,7 @@ class McapReader:
                     yield BagMessage(topic, one.data, one.log_time, one.publish_time)
 
     def _summary(self) -> _Contents | None:
-        """Return the contents from the file's summary, or `None` if it has no summary."""
+        """Return the contents from the file's summary, or `None` if the summary lacks a part."""
         from mcap.reader import SeekingReader  # noqa: PLC0415 - an extra
 
         with self._path.open("rb") as stream:
@@ -137,7 +137,7 @@ class McapReader:
                 summary = reader.get_summary()
             except self._errors:
                 return None  # the footer is missing
-            if summary is None or summary.statistics is None or not summary.chunk_indexes:
+            if summary is None or not _is_complete(summary):
                 return None
             for index in summary.chunk_indexes:
                 _check_chunk(stream, index)
@@ -241,6 +241,26 @@ class McapReader:
             return read_metadata(self._extra["serialized_metadata"])
         except (AttributeError, KeyError, TypeError, ValueError):
             return None
+
+
+def _is_complete(summary: Any) -> bool:
+    """Return whether a summary has all that a reader needs. Writers may leave out any part of it.
+
+    rosbag2 leaves out channels and schemas with `noRepeatedChannels` and `noRepeatedSchemas`.
+    """
+    counted = summary.statistics
+    if counted is None or not summary.chunk_indexes:
+        return False
+    channels = summary.channels.values()
+    return (
+        len(summary.chunk_indexes) >= counted.chunk_count
+        and len(channels) >= counted.channel_count
+        and len(summary.schemas) >= counted.schema_count
+        and len(summary.metadata_indexes) >= counted.metadata_count
+        and {0, *summary.schemas}.issuperset(one.schema_id for one in channels)
+        and summary.channels.keys() >= counted.channel_message_counts.keys()
+        and sum(counted.channel_message_counts.values()) == counted.message_count
+    )
 
 
 def _check_chunk(stream: BinaryIO, index: Any) -> None:
