@@ -129,15 +129,16 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         self.event_handlers: list[Any] = []
         self.lost_count = 0  #: messages that were published but not received
         self._refusals: set[str] = set()  # reasons that were logged
+        self._has_replacements = False  # whether a value that is not valid was logged
         self.refused_count = 0  #: messages that could not be decoded, or had another type
         self._loss_listeners: list[Callable[[int], None]] = []
         self._context = context
         self._token = token
         self.ready_queue = ready_queue
         self._logger_name = logger_name
-        decode = context.dialect.codec_for(msg_type).decode
-        self._decode: Callable[[Any], Any] = decode
-        self._read = decode  # for the filter, if the callback takes bytes
+        codec = context.dialect.codec_for(msg_type)
+        self._decode: Callable[[Any], Any] = codec.decode_strictly
+        self._read = codec.decode  # for values that are not valid, and for the filter
         if raw:
             self._decode = bytes if raw == "payload" else context.dialect.raw_decoder(msg_type)
         self._checks_keys = context.dialect.refuses_keys(token)
@@ -306,7 +307,13 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
             decode = self._decode
             if raw and not self.raw:
                 decode = self._context.dialect.raw_decoder(self.msg_type)
-            return decode(payload), self._info(known)
+            try:
+                message = decode(payload)
+            except CodecError as exc:
+                message = self._with_replacements(payload, exc)
+                if message is None:
+                    raise
+            return message, self._info(known)
         return None
 
     def _fetch(self) -> bool:
@@ -350,9 +357,8 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         try:
             message = self._decode(payload)
         except CodecError as exc:
-            self._refuse(str(exc))
-            return None
-        if self._is_destroyed:
+            message = self._replaced_or_refused(payload, exc)
+        if message is None or self._is_destroyed:
             return None
         if self._filter is not None and not self._is_wanted(payload, None if self.raw else message):
             return None
@@ -447,6 +453,30 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
                 f"{self.topic_name}: cannot read a message: {reason} "
                 "(more of this kind are only counted)"
             )
+
+    def _replaced_or_refused(self, payload: bytes, error: CodecError) -> Any:
+        message = self._with_replacements(payload, error)
+        if message is None:
+            self._refuse(str(error))
+        return message
+
+    def _with_replacements(self, payload: bytes, error: CodecError) -> Any:
+        """Return a message in which values are not valid, e.g. a text that is not UTF-8.
+
+        Return None if the message cannot be decoded at all, or if the callback takes bytes.
+        """
+        if self.raw:
+            return None
+        try:
+            message = self._read(payload)
+        except CodecError:
+            return None
+        if not self._has_replacements:
+            self._has_replacements = True
+            get_logger(self._logger_name).warning(
+                f"{self.topic_name}: {error.replacement()} (this is logged only once)"
+            )
+        return message
 
     def _info(self, facts: bytes | None) -> MessageInfo:
         sequence, stamp_ns, _, gid = (0, 0, 0, b"") if facts is None else _unpack(facts)

@@ -25,7 +25,7 @@ from zbot.wire.payload import is_cdr
 from zbot.wire.value_check import Fault
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Sequence
 
     from zbot.wire.cdr_source import Source
 
@@ -58,6 +58,10 @@ _COMMON_NAMES: dict[str, Any] = {
     "array": array,
     "fixed_array": fixed_array,
 }
+_TOLERANT_NAMES: dict[str, Any] = {
+    "bool_items": cdr_values.any_bool_items,
+    "wide_text": cdr_values.any_wide_text,
+}
 
 
 class CdrCodec(Generic[MessageT]):
@@ -84,8 +88,27 @@ class CdrCodec(Generic[MessageT]):
     def decode(self, data: bytes) -> MessageT:
         """Return the message that bytes contain. Ignore additional bytes after the message.
 
+        Values that are not valid are read as in rclpy: bytes of a text that are not UTF-8 become
+        U+FFFD, and a bool of 2 is true.
+
         Raises:
             CodecError: The bytes are not a message of the type.
+        """
+        try:
+            return self.decode_strictly(data)
+        except CodecError as error:
+            if not is_cdr(data):
+                raise
+            try:
+                return self._tolerant_decoders[data[1] & 1](data)
+            except CodecError:
+                raise error from None
+
+    def decode_strictly(self, data: bytes) -> MessageT:
+        """Do the same as `decode`, but refuse values that are not valid.
+
+        Raises:
+            CodecError: The bytes are not a message of the type, or a value is not valid.
         """
         if data[:2] == b"\0\1" and len(data) >= HEADER_SIZE:
             return self._decode_little(data)
@@ -96,19 +119,22 @@ class CdrCodec(Generic[MessageT]):
 
     @cached_property
     def _decode_little(self) -> Callable[[bytes], MessageT]:
-        return self._decoder("<")
+        return self._decoder("<", tolerant=False)
 
     @cached_property
     def _decode_big(self) -> Callable[[bytes], MessageT]:
-        return self._decoder(">")
+        return self._decoder(">", tolerant=False)
 
-    def _decoder(self, order: str) -> Callable[[bytes], MessageT]:
-        source = DecoderSource(self._class, order, nested=False)
+    @cached_property
+    def _tolerant_decoders(self) -> Sequence[Callable[[bytes], MessageT]]:
+        return [self._decoder(order, tolerant=True) for order in "><"]
+
+    def _decoder(self, order: str, *, tolerant: bool) -> Callable[[bytes], MessageT]:
+        source = DecoderSource(self._class, order, nested=False, tolerant=tolerant)
         # The constructor of a dataclass may raise any exception.
         names = {"ERRORS": Exception, "explain": self._explain_decoding}
-        return _compiled(
-            self._class, source, source.text, "decode", names | _readers(source, order)
-        )
+        names |= _readers(source, order, tolerant=tolerant)
+        return _compiled(self._class, source, source.text, "decode", names)
 
     def _explain_encoding(self, message: Any, error: Exception) -> NoReturn:
         if isinstance(error, Fault):
@@ -148,8 +174,10 @@ def _writers(source: Source) -> dict[str, Any]:
     return {name: _writer(cls) for name, cls in source.called.items()}
 
 
-def _readers(source: Source, order: str) -> dict[str, Any]:
-    return {name: _reader(cls, order) for name, cls in source.called.items()}
+def _readers(source: Source, order: str, *, tolerant: bool) -> dict[str, Any]:
+    """Return what a decoder calls: the readers of nested messages, and of some values."""
+    values = _TOLERANT_NAMES if tolerant else {}
+    return values | {name: _reader(cls, order, tolerant) for name, cls in source.called.items()}
 
 
 def _writer(message_class: type[Any]) -> Callable[..., Any]:
@@ -162,13 +190,12 @@ def _writer(message_class: type[Any]) -> Callable[..., Any]:
     return _nested_functions[key]
 
 
-def _reader(message_class: type[Any], order: str) -> Callable[..., Any]:
-    key = message_class, order
+def _reader(message_class: type[Any], order: str, tolerant: bool) -> Callable[..., Any]:
+    key = message_class, f"tolerant {order}" if tolerant else order
     if key not in _nested_functions:
-        source = DecoderSource(message_class, order, nested=True)
-        _nested_functions[key] = _compiled(
-            message_class, source, source.nested_text, "read", _readers(source, order)
-        )
+        source = DecoderSource(message_class, order, nested=True, tolerant=tolerant)
+        names = _readers(source, order, tolerant=tolerant)
+        _nested_functions[key] = _compiled(message_class, source, source.nested_text, "read", names)
     return _nested_functions[key]
 
 

@@ -35,10 +35,15 @@ class DecoderSource(Source):
         order: Order of the bytes in numbers, `<` or `>`.
         nested: Whether the source is that of `read`, which returns the message and the position
             after it.
+        tolerant: Whether to read values that are not valid, as rclpy does: bytes of a text that
+            are not UTF-8 become U+FFFD, and each bool that is not 0 is true.
     """
 
-    def __init__(self, message_class: type[Any], order: str, *, nested: bool) -> None:
+    def __init__(
+        self, message_class: type[Any], order: str, *, nested: bool, tolerant: bool = False
+    ) -> None:
         super().__init__(Alignment() if nested else START)
+        self._tolerant = tolerant
         self._order = order
         self._swapped = (order == "<") != (sys.byteorder == "little")
         self._variable, self._offset = ("p", 0) if nested else ("", HEADER_SIZE)
@@ -115,8 +120,9 @@ class DecoderSource(Source):
         value = self.fresh("x")
         if kind.base == "bool":
             self._run("B", 1, value)
-            self._then(f"if {value} > 1: raise Fault({path!r}, f'{{{value}}} is not a bool')")
-            return f"({value} == 1)"
+            if not self._tolerant:
+                self._then(f"if {value} > 1: raise Fault({path!r}, f'{{{value}}} is not a bool')")
+            return f"({value} != 0)"
         self._run(kind.typecode or "c", ITEM_SIZE.get(kind.typecode, 1), value)
         return value
 
@@ -144,7 +150,8 @@ class DecoderSource(Source):
             self.add(f"{end} = {begin} + {count}")
             # As in Fast CDR, the last byte belongs to the text if it is not NUL.
             without_nul, whole = f"data[{begin}:{end} - 1]", f"data[{begin}:{end}]"
-            self.add(f"{text} = ({whole} if data[{end} - 1] else {without_nul}).decode()")
+            decode = "decode('utf-8', 'replace')" if self._tolerant else "decode()"
+            self.add(f"{text} = ({whole} if data[{end} - 1] else {without_nul}).{decode}")
             self._move(end, Alignment())
         if kind.string_bound:
             with self.block(f"if len({text}) > {kind.string_bound}:"):

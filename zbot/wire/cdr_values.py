@@ -61,6 +61,12 @@ def bool_items(field: str, data: bytes) -> list[bool]:
     return list(map(bool, data))
 
 
+def any_bool_items(field: str, data: bytes) -> list[bool]:
+    """Return the bools in bytes. Each byte that is not 0 is true."""
+    del field  # any byte is valid
+    return list(map(bool, data))
+
+
 def byte_items(field: str, data: bytes) -> list[bytes]:
     """Return each byte as `bytes` of length 1."""
     del field  # any byte is valid
@@ -76,10 +82,15 @@ def wide_units(text: str) -> bytes:
     return b"".join(data[begin : begin + 2] + zeros for begin in range(0, len(data), 2))
 
 
-def wide_text(field: str, data: bytes, order: str) -> str:
+def any_wide_text(field: str, data: bytes, order: str) -> str:
+    """Return the text of UTF-16 units. Units that are not valid become U+FFFD."""
+    return wide_text(field, data, order, errors="replace")
+
+
+def wide_text(field: str, data: bytes, order: str, errors: str = "strict") -> str:
     """Return the text of UTF-16 units. `order` is the byte order of the units, `<` or `>`."""
     units = unpack(f"{order}{len(data) // UNIT_SIZE}I", data)
     try:
-        return pack(f"<{len(units)}H", *units).decode("utf-16-le")
+        return pack(f"<{len(units)}H", *units).decode("utf-16-le", errors)
     except (error, UnicodeDecodeError):
         raise Fault(field, "a wide text is not valid UTF-16") from None

@@ -30,6 +30,7 @@ from zbot.wire.messagepack import (
     extension,
     pack,
     unpack,
+    unpack_any_text,
 )
 from zbot.wire.value_check import Fault
 
@@ -112,10 +113,30 @@ class Codec(Generic[MessageT]):
 
     @cached_property
     def decode(self) -> Callable[[Bytes], MessageT]:
-        """Return the message that bytes contain. Raise `CodecError` if the bytes are not valid."""
+        """Return the message that bytes contain. Raise `CodecError` if the bytes are not valid.
+
+        Some values that are not valid are read as in rclpy: bytes of a text that are not UTF-8
+        become U+FFFD, and a bool that is a number other than 0 is true.
+        """
+        if self._has_runs:
+            return run_codec.decoder(self._class, self._decode_tolerantly)
+        return self._decode_tolerantly
+
+    @cached_property
+    def decode_strictly(self) -> Callable[[Bytes], MessageT]:
+        """Do the same as `decode`, but refuse all values that are not valid."""
         if self._has_runs:
             return run_codec.decoder(self._class, lambda data: self.decode_carefully(data))  # noqa: PLW0108
         return self.decode_carefully
+
+    def _decode_tolerantly(self, data: Bytes) -> MessageT:
+        try:
+            return self.decode_carefully(data)
+        except CodecError as error:
+            try:
+                return self._decode_any(data)
+            except CodecError:
+                raise error from None
 
     @cached_property
     def _has_runs(self) -> bool:
@@ -129,12 +150,18 @@ class Codec(Generic[MessageT]):
 
     @cached_property
     def decode_carefully(self) -> Callable[[Bytes], MessageT]:
-        """Do the same as `decode`, but check each value. This needs more time for some types."""
+        """Do the same as `decode_strictly`, but check each value, which may need more time."""
         # The constructor of a dataclass may raise any exception.
         names = {"ERRORS": Exception, "explain": self._explain_decoding}
         arrays = {pack(f.name): f.name for f in self._spec.fields if is_numeric_array(f)}
         names |= {"LARGE": LARGE, "unpack_large": _unpack_large, "ARRAYS": arrays}
         return _function(self._class, "decode", names)
+
+    @cached_property
+    def _decode_any(self) -> Callable[[Bytes], MessageT]:
+        names = {"ERRORS": Exception, "explain": self._explain_decoding}
+        names |= {"LARGE": math.inf, "unpack": unpack_any_text}
+        return _function(self._class, "decode", names, tolerant=True)
 
     def _explain_encoding(self, message: Any, error: Exception) -> NoReturn:
         path, reason = _path_and_reason(error)
@@ -153,7 +180,11 @@ class Codec(Generic[MessageT]):
 
 
 _codecs: dict[type, Codec[Any]] = {}
-_nested_functions: dict[tuple[type, str], Callable[[Any], Any]] = {}
+_nested_functions: dict[tuple[type, str, bool], Callable[[Any], Any]] = {}
+_TOLERANT_NAMES: dict[str, Any] = {
+    "boolean": value_check.any_boolean,
+    "booleans": value_check.any_booleans,
+}
 
 
 def codec_for(message_class: type[MessageT]) -> Codec[MessageT]:
@@ -207,27 +238,37 @@ def layout_of(message_class: type[Any]) -> Layout:
     return _dataclass_layout(message_class) if is_dataclass(message_class) else Layout()
 
 
-def _nested_function(message_class: type[Any], name: _Nested) -> Callable[[Any], Any]:
+def _nested_function(
+    message_class: type[Any], name: _Nested, *, tolerant: bool = False
+) -> Callable[[Any], Any]:
     """Return the function that converts a class's messages if they are inside other messages."""
-    function = _nested_functions.get((message_class, name))
+    key = message_class, name, tolerant
+    function = _nested_functions.get(key)
     if function is None:
-        function = _nested_functions[message_class, name] = _function(message_class, name, {})
+        function = _nested_functions[key] = _function(message_class, name, {}, tolerant=tolerant)
     return function
 
 
 def _function(
-    message_class: type[Any], name: _Nested | Literal["encode", "decode"], more: dict[str, Any]
+    message_class: type[Any],
+    name: _Nested | Literal["encode", "decode"],
+    more: dict[str, Any],
+    *,
+    tolerant: bool = False,
 ) -> Callable[[Any], Any]:
     """Return one of a type's generated functions. `more` has additional globals for it."""
     spec = message_spec_of(message_class)
     source = _SOURCES[name](spec, layout_of(message_class))
     verb, nested = _NESTED_CALLS[name]
     names = _COMMON_NAMES | more | {"CLASS": message_class, "new": message_class.__new__}
+    names |= _TOLERANT_NAMES if tolerant else {}
     for field in spec.fields:
         names[f"KEY_{field.name}"] = pack(field.name)
         if field.type.is_message:
             inner = get_interface(field.type.base)
-            names[function_name(verb, field.type.base)] = _nested_function(inner, nested)
+            names[function_name(verb, field.type.base)] = _nested_function(
+                inner, nested, tolerant=tolerant
+            )
     exec(compile(source, f"<codec of {spec.name}>", "exec"), names)  # noqa: S102 - our own text
     function: Callable[[Any], Any] = names[name]
     return function

@@ -38,7 +38,15 @@ class MessageCodec(Protocol[MessageT]):
 
     @property
     def decode(self) -> Callable[[bytes], MessageT]:
-        """Return the message that bytes contain. Raise `CodecError` if they are not valid."""
+        """Return the message that bytes contain. Raise `CodecError` if they are not valid.
+
+        Bytes of a text that are not UTF-8 become U+FFFD.
+        """
+        ...
+
+    @property
+    def decode_strictly(self) -> Callable[[bytes], MessageT]:
+        """Do the same as `decode`, but refuse texts that are not UTF-8, and other such values."""
         ...
 
 

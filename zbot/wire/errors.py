@@ -28,3 +28,11 @@ class CodecError(ZbotError, ValueError):
         self.action, self.type_name, self.field, self.reason = action, type_name, field, reason
         where = f"field {field!r}: " if field else ""
         super().__init__(f"cannot {action} {type_name}: {where}{reason}")
+
+    def replacement(self) -> str:
+        """Return what a decoder did with the wrong value, for an error that it could ignore."""
+        where = f"field {self.field!r} of " if self.field else ""
+        return (
+            f"a value of {where}{self.type_name} is not valid: {self.reason}; bytes that are not "
+            "UTF-8 are read as U+FFFD, and a bool that is not 0 is read as true"
+        )

@@ -68,6 +68,11 @@ def unpack(data: Bytes) -> Any:
     return _unpack_long(data)
 
 
+def unpack_any_text(data: Bytes) -> Any:
+    """Do the same as `unpack`, but bytes of a text that are not UTF-8 become U+FFFD."""
+    return _unpack_long(data, "replace")
+
+
 def extension(code: int, values: array[Any]) -> Any:
     """Return a numeric array as an extension for `pack`."""
     # ExtType's constructor would check its arguments. That would take longer than the
@@ -115,13 +120,15 @@ def _read_ext(code: int, data: bytes) -> Any:
     return Extension(code, data) if values is None else values
 
 
-def _unpack_long(data: Bytes) -> Any:
+def _unpack_long(data: Bytes, unicode_errors: str = "strict") -> Any:
     """Decode bytes with long lists. First validate the bytes without creating objects."""
     validator = msgpack.Unpacker(max_buffer_size=len(data), strict_map_key=True)
     try:
         validator.feed(data)
         validator.skip()
-        return _unpackb(data, ext_hook=_read_ext, strict_map_key=True)
+        return _unpackb(
+            data, ext_hook=_read_ext, strict_map_key=True, unicode_errors=unicode_errors
+        )
     except (ValueError, TypeError, MemoryError, msgpack.OutOfData) as error:
         raise UnreadableError(_reason(error)) from error
 

@@ -100,6 +100,17 @@ def boolean(field: str, value: Any) -> bool:
     raise wrong(field, "a bool", value)
 
 
+def any_boolean(field: str, value: Any) -> bool:
+    """Return a received bool. Each number that is not 0 is true."""
+    return bool(value) if isinstance(value, int) else boolean(field, value)
+
+
+def any_booleans(field: str, value: Any, size: int, *, fixed: bool) -> list[bool]:
+    """Return a list of received bools. Each number that is not 0 is true."""
+    values = items(field, value, size, fixed=fixed)
+    return [any_boolean(f"{field}[{index}]", item) for index, item in enumerate(values)]
+
+
 def integer(field: str, value: Any, low: int, high: int) -> int:
     """Return an integer in the range of its type."""
     if isinstance(value, bool) or not hasattr(value, "__index__"):

@@ -17,4 +17,4 @@ def encode(value: Any) -> bytes:
 
 def decode(message_class: Any, value: Any) -> Any:
     data = value if isinstance(value, (bytes, bytearray, memoryview)) else packb(value)
-    return codec_for(message_class).decode(data)
+    return codec_for(message_class).decode_strictly(data)

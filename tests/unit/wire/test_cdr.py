@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import warnings
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Annotated, Any
@@ -18,6 +19,7 @@ from zbot.interfaces import get_message
 from zbot.interfaces.errors import NotAMessageTypeError
 from zbot.interfaces.parser import parse
 from zbot.interfaces.registry import register_spec
+from zbot.wire import serialization
 from zbot.wire.cdr import cdr_codec_for
 from zbot.wire.codec import codec_for
 from zbot.wire.errors import CodecError
@@ -28,6 +30,7 @@ from geometry_msgs.msg import Point32, Polygon, PoseStamped
 from sensor_msgs.msg import LaserScan
 from std_msgs.msg import Bool, Empty, Int32, String, UInt8MultiArray
 from std_srvs.srv import SetBool
+from test_msgs.msg import MultiNested
 
 #: Bytes of Fast CDR; its undefined padding is set to zero.
 VECTORS = json.loads((Path(__file__).parent / "cdr_vectors.json").read_text(encoding="utf-8"))
@@ -166,7 +169,54 @@ def test_wrong_bytes_are_refused_with_the_reason(
     message_class: type[Any], body: str, reason: str
 ) -> None:
     with pytest.raises(CodecError, match=reason):
-        cdr_codec_for(message_class).decode(b"\0\1\0\0" + bytes.fromhex(body))
+        cdr_codec_for(message_class).decode_strictly(b"\0\1\0\0" + bytes.fromhex(body))
+
+
+@pytest.mark.parametrize(
+    ("message_class", "body", "value"),
+    [
+        (Bool, "02", True),
+        (Bool, "ff", True),
+        (String, "05000000 636166e9 00", "caf\ufffd"),
+        (String, "04000000 fffe61 00", "\ufffd\ufffda"),
+        (String, "04000000 61e282 00", "a\ufffd"),
+        (String, "06000000 61eda08062 00", "a\ufffd\ufffd\ufffdb"),
+        (WString, "01000000 00d80000", "\ufffd"),
+    ],
+)
+@pytest.mark.parametrize("order", ["little", "big"])
+def test_values_that_are_not_valid_are_read_as_in_rclpy(
+    message_class: type[Any], body: str, value: object, order: str
+) -> None:
+    data, header = bytes.fromhex(body), b"\0\1\0\0"
+    if order == "big":
+        numbers = {Bool: 0, String: 4, WString: 8}[message_class]  #: their bytes at the beginning
+        swapped = [data[begin : begin + 4][::-1] for begin in range(0, numbers, 4)]
+        data, header = b"".join(swapped) + data[numbers:], bytes(4)
+    assert cdr_codec_for(message_class).decode(header + data).data == value
+
+
+def test_values_of_inner_messages_that_are_not_valid_are_read_too() -> None:
+    nested = cdr_codec_for(MultiNested)
+    good = MultiNested()
+    good.array_of_arrays[1].string_values = ["QQQQ", "b", "c"]
+    good.array_of_arrays[1].bool_values = [True, True, True]
+    data = nested.encode(good).replace(b"QQQQ", b"Q\xe9QQ").replace(b"\1\1\1", b"\2\3\1")
+    with pytest.raises(CodecError):
+        nested.decode_strictly(data)
+    found = nested.decode(data).array_of_arrays[1]
+    assert found.string_values[0] == "Q\ufffdQQ"
+    assert found.bool_values == [True, True, True]
+
+
+def test_a_message_that_is_read_with_replacements_causes_one_warning() -> None:
+    data = b"\0\1\0\0\5\0\0\0caf\xe9\0"
+    serialization._warned.clear()
+    with pytest.warns(UserWarning, match="of std_msgs/msg/String is not valid: a text is not va"):
+        assert deserialize_message(data, String).data == "caf\ufffd"
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert deserialize_message(data, String).data == "caf\ufffd"
 
 
 @pytest.mark.parametrize("data", [b"", b"\0", b"\0\1", b"\0\1\0", b"\0\2\0\0\0", b"\x80\0\0\0\0"])

@@ -20,6 +20,7 @@ from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry, Path
 from sensor_msgs.msg import Image, JointState, LaserScan
 from std_msgs.msg import Bool, Byte, ByteMultiArray, Float32, Float64, String, UInt8
+from test_msgs.msg import MultiNested
 from visualization_msgs.msg import Marker, MarkerArray
 
 
@@ -154,7 +155,39 @@ def test_bounds_are_checked_on_arrival() -> None:
 def test_invalid_bytes_are_a_codec_error(data: bytes, reason: str) -> None:
     for message_class in (String, Image):
         with pytest.raises(CodecError, match=reason):
-            codec_for(message_class).decode(data)
+            codec_for(message_class).decode_strictly(data)
+        if reason != "not valid UTF-8":
+            with pytest.raises(CodecError, match=reason):
+                codec_for(message_class).decode(data)
+
+
+@pytest.mark.parametrize(
+    ("message_class", "data", "value"),
+    [
+        (String, b"\x81\xa4data\xa4caf\xe9", "caf\ufffd"),
+        (String, b"\x81\xa4data\xd9\x04caf\xe9", "caf\ufffd"),
+        (String, b"\x81\xa4data\xa3\xed\xa0\x80", "\ufffd\ufffd\ufffd"),
+        (Bool, b"\x81\xa4data\x02", True),
+        (Bool, b"\x81\xa4data\x00", False),
+    ],
+)
+def test_values_that_are_not_valid_are_read_as_in_rclpy(
+    message_class: type[Any], data: bytes, value: object
+) -> None:
+    assert codec_for(message_class).decode(data).data == value
+    with pytest.raises(CodecError):
+        codec_for(message_class).decode_strictly(data)
+
+
+def test_values_of_inner_messages_that_are_not_valid_are_read_too() -> None:
+    found = codec_for(MultiNested).decode(
+        b"\x81\xafarray_of_arrays\x93"
+        b"\x80"
+        b"\x82\xadstring_values\x93\xa1\xe9\xa1b\xa1c\xabbool_values\x93\x02\x00\xc3"
+        b"\x80"
+    )
+    assert found.array_of_arrays[1].string_values == ["\ufffd", "b", "c"]
+    assert found.array_of_arrays[1].bool_values == [True, False, True]
 
 
 def test_a_payload_that_is_not_bytes_is_a_codec_error() -> None:
