@@ -17,6 +17,7 @@ TYPES = ("revolute", "continuous", "prismatic", "fixed", "floating", "planar")
 #: Types whose transform depends on one number: an angle in rad, or a distance in metres.
 MOVING = frozenset({"revolute", "continuous", "prismatic"})
 _LIMITED = frozenset({"revolute", "prismatic"})
+_WITHOUT_AXIS = frozenset({"fixed", "floating"})
 
 
 @dataclass(frozen=True)
@@ -37,7 +38,7 @@ class Joint:
     parent: str  #: name of the parent link
     child: str  #: name of the child link
     origin: Rigid = field(default_factory=Rigid)  #: the joint's frame in the parent link
-    axis: Vector = (1.0, 0.0, 0.0)  #: length 1
+    axis: Vector = (1.0, 0.0, 0.0)  #: length 1 if the joint moves
     lower: float = 0.0
     upper: float = 0.0
     soft_lower: float | None = None  #: from <safety_controller>
@@ -98,10 +99,10 @@ def quaternion(roll: float, pitch: float, yaw: float) -> Quaternion:
 
 
 def _name(element: Element, what: str) -> str:
-    name = element.get("name", "").strip()
-    if not name:
+    name = element.get("name")  # it may be empty, as in ROS 2
+    if name is None:
         raise DescriptionError(f"a <{what}> has no name")
-    return name
+    return name.strip()
 
 
 def _joint(element: Element) -> Joint:
@@ -118,7 +119,7 @@ def _joint(element: Element) -> Joint:
         _link(element, "parent", where),
         _link(element, "child", where),
         _origin(element.find("origin"), where),
-        _axis(element.find("axis"), where),
+        _axis(element.find("axis"), type_, where),
         lower,
         upper,
         None if safety is None else _optional(safety, "soft_lower_limit", where),
@@ -143,14 +144,14 @@ def _origin(element: Element | None, where: str) -> Rigid:
     return Rigid(cast("Vector", xyz), quaternion(*rpy))
 
 
-def _axis(element: Element | None, where: str) -> Vector:
-    if element is None:
+def _axis(element: Element | None, type_: str, where: str) -> Vector:
+    if element is None or type_ in _WITHOUT_AXIS:
         return (1.0, 0.0, 0.0)
     axis = numbers(element.get("xyz", "1 0 0"), 3, f"the axis of {where}")
     length = math.hypot(*axis)
-    if length == 0:
+    if length == 0 and type_ in MOVING:
         raise DescriptionError(f"the axis of {where} has the length 0")
-    return cast("Vector", tuple(part / length for part in axis))
+    return cast("Vector", tuple(part / (length or 1) for part in axis))
 
 
 def _limits(element: Element, type_: str, where: str) -> tuple[float, float]:
@@ -174,12 +175,14 @@ def _optional(element: Element, attribute: str, where: str) -> float | None:
 def _mimic(element: Element | None, where: str) -> Mimic | None:
     if element is None:
         return None
-    joint = element.get("joint", "").strip()
-    if not joint:
+    joint = element.get("joint")
+    if joint is None:
         raise DescriptionError(f"the <mimic> of {where} names no joint")
     multiplier = _optional(element, "multiplier", where)
     return Mimic(
-        joint, 1.0 if multiplier is None else multiplier, _optional(element, "offset", where) or 0.0
+        joint.strip(),
+        1.0 if multiplier is None else multiplier,
+        _optional(element, "offset", where) or 0.0,
     )
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING
 from xml.etree import ElementTree as ET
 from xml.parsers import expat
@@ -13,6 +14,11 @@ if TYPE_CHECKING:
 
 _MAX_CHARACTERS = 20_000_000
 _MAX_LEVELS = 100
+_DECLARATION = re.compile(
+    r"\A(?P<before>(?:[\s\ufeff]|<!--(?:(?!-->).)*-->)*)(?P<xml><\?xml\s[^>]*\?>)", re.DOTALL
+)
+# Python's `float` also accepts `1_0` and digits of other scripts.
+_NUMBER = re.compile(r"[-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?")
 
 
 class DescriptionError(ZbotError, ValueError):
@@ -36,7 +42,6 @@ def read_xml(text: str) -> Element:
     """
     if len(text) > _MAX_CHARACTERS:
         raise DescriptionError(f"it has more than {_MAX_CHARACTERS} characters")
-    # The text is already decoded, so an encoding in its first line must be ignored.
     parser, builder, level = expat.ParserCreate("utf-8"), ET.TreeBuilder(), 0
 
     def start(tag: str, attributes: dict[str, str]) -> None:
@@ -58,10 +63,19 @@ def read_xml(text: str) -> Element:
     parser.CharacterDataHandler = builder.data
     parser.EntityDeclHandler = refuse
     try:
-        parser.Parse(text.encode("utf-8", "replace"), True)
+        parser.Parse(_without_declaration(text).encode("utf-8", "replace"), True)
         return builder.close()
     except expat.ExpatError as error:
         raise DescriptionError(f"line {error.lineno}: {expat.ErrorString(error.code)}") from None
+
+
+def _without_declaration(text: str) -> str:
+    """Return a text in which blanks replace `<?xml ...?>`.
+
+    The text is already decoded, so the encoding in the declaration must be ignored. ROS 2 accepts
+    blank lines and comments before the declaration, which XML does not allow.
+    """
+    return _DECLARATION.sub(lambda match: match["before"] + re.sub(r"\S", " ", match["xml"]), text)
 
 
 def numbers(text: str, count: int, where: str) -> tuple[float, ...]:
@@ -72,10 +86,12 @@ def numbers(text: str, count: int, where: str) -> tuple[float, ...]:
     """
     words = text.split()
     try:
-        values = tuple(float(word) for word in words)
+        values = tuple(float(word) for word in words if _NUMBER.fullmatch(word))
     except ValueError:
         values = ()
-    if len(values) != count or not all(abs(value) < float("inf") for value in values):
+    if not len(words) == len(values) == count or not all(
+        abs(value) < float("inf") for value in values
+    ):
         what = "a number" if count == 1 else f"{count} numbers"
         raise DescriptionError(f"{where} must be {what}, not '{text[:40]}'")
     return values

@@ -99,3 +99,62 @@ def test_an_invalid_description_is_refused(text: str, reason: str) -> None:
     with pytest.raises(DescriptionError) as caught:
         read_urdf(text)
     assert reason in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        *('<robot name=""><link name=""/></robot>', robot('<link name="a"/>').replace("ü", "")),
+        *(
+            f"{before}{robot(LINKS + joint())}"
+            for before in ("\n", " \r\n\t", "<!-- a -->", "\ufeff\n")
+        ),
+        *(
+            f"<!-- a\n --> <!-- b -->\n{robot(LINKS + joint())}",
+            f"<!-- a -->{robot(LINKS + joint()).partition('?>')[2]}",
+        ),
+        robot(LINKS + joint()).replace("<robot", "<!-- a --><!DOCTYPE robot><robot"),
+        robot(LINKS + joint()).replace('"1.0"', "'1.1'"),
+        robot(LINKS + joint('<axis xyz="0 0 0"/>', "fixed")),
+        robot(LINKS + joint('<axis xyz="0 0 0"/>', "floating")),
+        robot(LINKS + joint('<axis xyz="0 0 0"/>', "planar")),
+        robot(LINKS + joint('<axis xyz="x"/>', "fixed")),
+        *(robot(LINKS + joint("<axis/>")), robot(LINKS + joint("<origin/>"))),
+        robot(
+            LINKS + joint(f'<origin xyz="  1e-3 .5\n +2.\t" rpy="-1E+2 0 5"/>{LIMIT}', "prismatic")
+        ),
+        robot(LINKS + joint('<mimic joint=""/>')),
+        robot(LINKS + joint(name="")),
+        robot(
+            LINKS + joint() + '<transmission name="t"><joint name="j"/></transmission><gazebo/>'
+            '<unknown a="b"/><material name="m"/><sensor/><ros2_control/>'
+        ),
+        robot(LINKS + joint("<unknown/><dynamics damping='1'/><calibration rising='0'/>")),
+        robot(
+            '<link name="a"><inertial/><visual name="v"><material name="undefined"/></visual>'
+            '<visual/><collision/></link><link name="b"/>' + joint()
+        ),
+        robot(LINKS + joint()).replace(
+            "<robot", '<robot version="1.0" xmlns:xacro="http://www.ros.org/wiki/xacro"'
+        ),
+    ],
+)
+def test_what_ros_accepts_is_read(text: str) -> None:
+    assert read_urdf(text).links
+
+
+def test_a_line_in_an_error_counts_the_lines_before_the_declaration() -> None:
+    with pytest.raises(DescriptionError, match="line 4: mismatched tag"):
+        read_urdf("\n<!-- a -->\n<?xml version='1.0'?>\n<robot name='r'><link></robot>")
+
+
+def test_many_comments_are_read_fast() -> None:
+    assert read_urdf("<!-- a -->" * 5000 + '<robot name="r"><link name="a"/></robot>').links == (
+        "a",
+    )
+
+
+@pytest.mark.parametrize("word", ["1_0", "1,5", "inf", "nan", "0x1", "\u0661", "1e", "", "1 2"])
+def test_a_word_that_is_not_a_number_is_refused(word: str) -> None:
+    with pytest.raises(DescriptionError, match="must be 3 numbers"):
+        read_urdf(robot(LINKS + joint(f'<origin xyz="0 0 {word}"/>')))
