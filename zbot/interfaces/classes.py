@@ -65,9 +65,9 @@ class _SlotTypes:
 
 
 _COMMON: dict[str, Any] = {
-    "DEFAULT": _Default(),
-    "INF": math.inf,
-    "NAN": math.nan,
+    "_DEFAULT": _Default(),
+    "_INF": math.inf,
+    "_NAN": math.nan,
     "_Message": Message,
     "_SlotTypes": _SlotTypes,
     "_ConstantsMeta": ConstantsMeta,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 
 from zbot.interfaces.grammar import GrammarError
@@ -9,8 +10,15 @@ from zbot.interfaces.spec import FLOAT32_MAX, INTEGER_RANGES, FieldType, Scalar
 
 _QUOTES = "\"'"
 _QUOTED_ELEMENT = re.compile(r"""\s*("(?:\\.|[^"\\])*"|'(?:\\.|[^'\\])*'|[^,"'\s][^,]*)\s*(,|$)""")
+# Python's escapes, which rosidl uses too: `\n`, `\x41`, `\101`, `\u00e9`, `\N{BULLET}`.
+_ESCAPED = re.compile(
+    r"\\(?:[0-7]{1,3}|x[0-9a-fA-F]{2}|u[0-9a-fA-F]{4}|U[0-9a-fA-F]{8}|N\{[^}]*\}|.)", re.DOTALL
+)
+_WHOLE_ESCAPES = re.compile(r"(?:\\.|[^\\])*", re.DOTALL)
 _PREFIXED = re.compile(r"[+-]?0[xob]", re.IGNORECASE)
 _TRUE, _FALSE = ("true", "1"), ("false", "0")
+#: Numbers below this limit become the largest float32, e.g. C's `FLT_MAX`, 3.4028235e38.
+_FLOAT32_LIMIT = 2.0**128 - 2.0**103
 # Limit for int(), which is slow on megabytes of digits. Every valid number is shorter.
 _LONGEST_NUMBER = 400
 
@@ -98,8 +106,10 @@ def _float(base: str, text: str) -> float:
     except ValueError:
         reason = f"write a number with '.' as its decimal point, not {text!r}"
         raise GrammarError(reason) from None
-    if base == "float32" and FLOAT32_MAX < abs(value) < float("inf"):
-        raise GrammarError(f"{text} is too large for a float32: write float64")
+    if base == "float32" and FLOAT32_MAX < abs(value) < math.inf:
+        if abs(value) >= _FLOAT32_LIMIT:
+            raise GrammarError(f"{text} is too large for a float32: write float64")
+        return math.copysign(FLOAT32_MAX, value)
     return value
 
 
@@ -114,10 +124,30 @@ def _string(field_type: FieldType, text: str) -> str:
 def _unquoted(text: str) -> str:
     quote = text[:1]
     if not quote or quote not in _QUOTES:
-        return text
+        return _unescaped(text)
     inner = text[1:-1]
-    if len(text) < 2 or text[-1] != quote or inner.endswith("\\"):
+    if len(text) < 2 or text[-1] != quote or not _WHOLE_ESCAPES.fullmatch(inner):
         raise GrammarError(f"the string begins with {quote} and must end with {quote}")
-    if re.search(rf"(?<!\\){quote}", inner):
+    if quote in _ESCAPED.sub("", inner):
         raise GrammarError(f"write \\{quote} for a quote inside the string")
-    return inner.replace(f"\\{quote}", quote)
+    return _unescaped(inner)
+
+
+def _unescaped(text: str) -> str:
+    """Return a text with its escapes replaced. Other backslashes stay in the text."""
+    try:
+        found = _ESCAPED.sub(lambda match: _character(match[0]), text)
+        found.encode()
+    except UnicodeError:
+        raise GrammarError(f"an escape in {text!r} is not a character") from None
+    return found
+
+
+def _character(escape: str) -> str:
+    is_known = escape[1] in "01234567xuUN\\'\"abfnrtv"
+    try:
+        return escape.encode().decode("unicode_escape") if is_known else escape
+    except UnicodeDecodeError:
+        if len(escape) > 2:
+            raise
+        return escape  # e.g. an x without digits

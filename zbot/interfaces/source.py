@@ -33,7 +33,7 @@ def class_source(spec: MessageSpec, *, is_checked: bool = True) -> str:
         _class_line(spec),
         "    __doc__ = _DOC",
         f"    __slots__ = {slots!r}",
-        *(f"    {constant.name} = {constant.value!r}" for constant in spec.constants),
+        *(f"    {constant.name} = {_literal(constant.value)}" for constant in spec.constants),
         *_default_constants(spec),
         "    _SPEC = _SPEC",
         f"    _TYPE_NAME = {spec.name!r}",
@@ -130,7 +130,7 @@ def _parameter_default(field: Field) -> str:
     default of a list or a message is a placeholder.
     """
     if field.type.kind != "scalar" or field.type.is_message:
-        return "DEFAULT"
+        return "_DEFAULT"
     return _literal(_scalar_default(field))
 
 
@@ -148,7 +148,7 @@ def _initial(field: Field, *, is_checked: bool) -> str:
     stored = _stored(field, field.name, is_checked=is_checked)
     if field.type.kind == "scalar" and not field.type.is_message:
         return stored
-    return f"{_new(field)} if {field.name} is DEFAULT else {stored}"
+    return f"{_new(field)} if {field.name} is _DEFAULT else {stored}"
 
 
 def _new(field: Field) -> str:
@@ -223,5 +223,5 @@ def _literal(value: Scalar | tuple[Scalar, ...] | None) -> str:
     if isinstance(value, tuple):
         return f"({''.join(f'{_literal(each)}, ' for each in value)})"
     if isinstance(value, float) and not math.isfinite(value):
-        return "NAN" if math.isnan(value) else "INF" if value > 0 else "-INF"
+        return "_NAN" if math.isnan(value) else "_INF" if value > 0 else "-_INF"
     return repr(value)

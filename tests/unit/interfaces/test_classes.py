@@ -100,6 +100,34 @@ def test_default_values(line: str, default: object) -> None:
 
 
 @pytest.mark.parametrize(
+    ("line", "expected"),
+    [
+        ("float64 X=nan", math.nan),
+        ("float64 X=-inf", -math.inf),
+        ("float32 X=1e400", math.inf),
+        ("float32 X=3.4028235e38", 3.4028234663852886e38),
+        ("string X='a\\n\\'b'", "a\n'b"),
+        ("int8 X=-0x80", -128),
+        ("bool X=1", True),
+        ("byte X=0xff", b"\xff"),
+    ],
+)
+def test_a_constant_has_the_value_of_its_text(line: str, expected: object) -> None:
+    value = define(line).X
+    assert repr(value) == repr(expected)
+
+
+def test_a_constant_may_have_a_name_that_the_source_of_the_class_needs() -> None:
+    cls = define(
+        "float64 INF=5\nfloat64 NAN=6\nint8 DEFAULT=7\nfloat64 a inf\nfloat64 b nan\nint8[] c\n"
+    )
+    assert (cls.INF, cls.NAN, cls.DEFAULT) == (5.0, 6.0, 7)
+    assert repr(cls()) == "demo_msgs.msg.Demo(a=inf, b=nan, c=[])"
+    assert repr(codec_for(cls).decode(codec_for(cls).encode(cls()))) == repr(cls())
+    assert repr(codec_for(cls).decode(b"\x80")) == repr(cls())
+
+
+@pytest.mark.parametrize(
     "line",
     [
         "int8[] x",

@@ -75,7 +75,16 @@ def test_a_type_is_written_as_it_was_read(text: str) -> None:
         ('string a "it\'s"', "it's"),
         (r"string a 'it\'s'", "it's"),
         (r'string a "a \"b\" c"', 'a "b" c'),
-        (r"string a 'a\tb'", r"a\tb"),
+        (r"string a 'a\tb'", "a\tb"),
+        (r"string a 'a\\b\\'", "a\\b\\"),
+        (r"string a x\n\x41\101\u00e9\N{BULLET}\q", "x\nAAé•\\q"),
+        (r"string[] a ['a\n', b]", ("a\n", "b")),
+        (r"wstring a 'é\n'", "é\n"),
+        ("float32 a 3.4028235e38", 3.4028234663852886e38),
+        ("float64 a 1e400", float("inf")),
+        ("float64[] a [-inf, 1]", (float("-inf"), 1.0)),
+        ("int8 a -0x80", -128),
+        ("int64 a 010", 10),
         ("string a '  spaces  '", "  spaces  "),
         ('string a "x = 1"', "x = 1"),
         ("string a ''", ""),
@@ -283,3 +292,24 @@ def test_any_text_is_read_or_refused(kind: str, text: str) -> None:
 def test_any_name_is_taken_or_refused(name: str) -> None:
     with contextlib.suppress(InterfaceSyntaxError):
         parse_message(name, "")
+
+
+@pytest.mark.parametrize(
+    ("line", "reason"),
+    [
+        ("string A='a", "the string begins with ' and must end with '"),
+        (r"string A='a\'", "the string begins with ' and must end with '"),
+        ("string A='a'b'", r"write \\' for a quote inside"),
+        (r"string A=\ud800", "is not a character"),
+        (r"string A=\N{NO SUCH NAME}", "is not a character"),
+        ("float32 A=1e39", "too large for a float32"),
+        ("uint8 A=0x100", "write a whole number from 0 to 255"),
+        ("int8 a -129", "write a whole number from -128 to 127"),
+        ("bool A=yes", "a bool is true or false"),
+    ],
+)
+def test_a_value_that_does_not_fit_its_type_is_named_with_file_and_line(
+    line: str, reason: str
+) -> None:
+    with pytest.raises(InterfaceSyntaxError, match=rf"Odd\.msg:2: .*{reason}"):
+        parse_message("demo_msgs/msg/Odd", f"int32 b\n{line}\n", "Odd.msg")
