@@ -163,3 +163,23 @@ def test_two_types_on_one_topic_do_not_mix_and_are_logged_once(
     assert subscription.received_count == 1
     assert subscription.refused_count == 3
     assert len(lines_about(logged, "it is std_msgs/msg/Float32, not std_msgs/msg/String")) == 1
+
+
+@pytest.mark.parametrize("raw", [False, True])
+def test_a_text_that_is_not_utf8_arrives_with_one_warning(
+    talker: zbot.Node, listener: zbot.Node, spin: Spin, logged: list[Record], raw: bool
+) -> None:
+    inbox: list[Any] = []
+    subscription = listener.create_subscription(String, "chatter", inbox.append, 10, raw=raw)
+    publisher = talker.create_publisher(String, "chatter", 10)
+    await_match(publisher)
+    spinner = spin(listener)
+    payload = b"\x81\xa4data\xa4caf\xe9"
+    put(talker, "/chatter", payload)
+    put(talker, "/chatter", payload)
+    assert wait_until(lambda: len(inbox) == 2)
+    if not raw:
+        assert inbox == [String(data="caf\ufffd")] * 2
+    assert subscription.refused_count == 0
+    assert len(lines_about(logged, "/chatter: a value of std_msgs/msg/String")) == (not raw)
+    assert spinner.error is None

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import Any
 
-from zbot.interfaces import yaml_text
 from zbot.parameters.errors import ParameterValueError
 from zbot.parameters.file import parse_value
 
@@ -14,6 +13,8 @@ def value_text(value: Any) -> str:
 
     A string that contains line breaks becomes several lines.
     """
+    from zbot.interfaces import yaml_text  # noqa: PLC0415 - takes 15 ms, and few programs need it
+
     text = yaml_text.dump(with_quotes(value), flow_style=True)
     return text.removesuffix("\n").removesuffix("\n...")
 
@@ -23,6 +24,8 @@ def with_quotes(value: Any) -> Any:
 
     YAML's own rules are not sufficient: for ROS 2, `1e3`, `nan` and `y` are not strings.
     """
+    from zbot.interfaces import yaml_text  # noqa: PLC0415 - as above
+
     if isinstance(value, (list, tuple)):
         return [with_quotes(one) for one in value]
     if not isinstance(value, str):
