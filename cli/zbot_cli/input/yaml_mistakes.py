@@ -80,8 +80,6 @@ def syntax_hint(text: str, error: yaml_text.YamlError) -> str:
     before, after = line[: error.column], line[error.column :]
     if ";" in before:
         return "separate fields with a comma, not ';': {x: 1.0, y: 2.0}"
-    if after.startswith((":{", ":[")):
-        return "put a blank after each colon: {linear: {x: 2.0}}"
     if after.startswith(":") and _TWO_WORDS.search(before):
         return "put a comma between two fields, and braces around all: {x: 1.0, y: 2.0}"
     if "{" in before and not after.startswith(":"):
