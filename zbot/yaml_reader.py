@@ -7,6 +7,7 @@ memory holds (aliases of aliases). So the events of a text are checked before an
 from __future__ import annotations
 
 import re
+from functools import cache
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
@@ -130,6 +131,7 @@ def _loaders() -> list[Any]:
     return [yaml.SafeLoader] if fast is None else [fast, yaml.SafeLoader]
 
 
+@cache
 def _untagged(loader: Any) -> Any:
     """Return a loader that does not guess the tag of a node."""
     return type("_Untagged", (loader,), {"resolve": lambda *_: ""})

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sqlite3
 import struct
+import warnings
 from contextlib import closing
 from typing import TYPE_CHECKING
 
@@ -62,8 +63,14 @@ def _file(name: str, data: bytes) -> Path:
     return path
 
 
+def _read(name: str, data: bytes) -> None:
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # about texts that are not UTF-8
+        assert list(read(_file(name, data))) is not None
+
+
 def _mcap(data: bytes) -> None:
-    assert list(read(_file("x.mcap", data))) is not None
+    _read("x.mcap", data)
 
 
 def _ros1_seed() -> bytes:
@@ -104,7 +111,7 @@ def _ros1_seed() -> bytes:
 
 
 def _ros1(data: bytes) -> None:
-    assert list(read(_file("x.bag", data))) is not None
+    _read("x.bag", data)
 
 
 def _ros1_definition(data: bytes) -> None:
@@ -112,7 +119,7 @@ def _ros1_definition(data: bytes) -> None:
 
 
 def _sqlite(data: bytes) -> None:
-    assert list(read(_file("x.db3", data))) is not None
+    _read("x.db3", data)
 
 
 def _metadata(data: bytes) -> None:

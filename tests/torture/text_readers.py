@@ -21,11 +21,19 @@ from zbot.interfaces.errors import FieldTypeError, FieldValueError, InterfaceSyn
 from zbot.interfaces.field_path import FieldPath, FieldPathError
 from zbot.interfaces.parser import parse
 from zbot.interfaces.spec import FieldType
+from zbot.launch import LaunchContext
 from zbot.launch.actions.loop import _values
-from zbot.launch.errors import CoercionError, LaunchArgumentError, LaunchError
+from zbot.launch.errors import (
+    CoercionError,
+    EntityTypeError,
+    LaunchArgumentError,
+    LaunchError,
+)
 from zbot.launch.frontend import substitution_text, xml_file, yaml_file
 from zbot.launch.frontend.errors import SubstitutionSyntaxError
 from zbot.launch.frontend.parser import Parser
+from zbot.launch.parameters import evaluate
+from zbot.launch.substitution import TextSubstitution
 from zbot.launch.typed_value import coerce_to_type
 from zbot.parameters.errors import ArgumentsError, ParametersFileError, ParameterValueError
 from zbot.parameters.file import parse_value, sections
@@ -178,7 +186,7 @@ TEXT_READERS = (
     ),
     Reader(
         "parameter_value",
-        ("zbot.parameters.file",),
+        ("zbot.parameters.file", "zbot.parameters.scalar"),
         lambda data: parse_value(text_of(data)),
         (ParameterValueError,),
         (b"1.5", b"[1, 2]", b"'a'", b"0x1f", b"-.inf", b"1e3", *_YAML),
@@ -320,6 +328,13 @@ TEXT_READERS = (
         lambda data: coerce_to_type(text_of(data)),
         (CoercionError,),
         (b"1.5", b"[1, 2]", b"yes", *_YAML),
+    ),
+    Reader(
+        "launch_parameter",
+        ("zbot.launch.parameters",),
+        lambda data: evaluate(LaunchContext(), TextSubstitution(text=text_of(data))),
+        (EntityTypeError,),
+        (b"1.5", b"[1, 2]", b"1:30", b"[0b1, a]", *_YAML),
     ),
     Reader(
         "launch_loop",

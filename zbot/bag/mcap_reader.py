@@ -137,14 +137,14 @@ class McapReader:
                 summary = reader.get_summary()
             except self._errors:
                 return None  # the footer is missing
-            if summary is None or not _is_complete(summary):
+            counted = None if summary is None else summary.statistics
+            if summary is None or counted is None or not _is_complete(summary, counted):
                 return None
             for index in summary.chunk_indexes:
                 _check_chunk(stream, index)
             for one in reader.iter_metadata():
                 if one.name == "rosbag2":
                     self._extra = dict(one.metadata)
-        counted = summary.statistics
         return _Contents(
             channels=summary.channels,
             schemas=summary.schemas,
@@ -243,17 +243,15 @@ class McapReader:
             return None
 
 
-def _is_complete(summary: Any) -> bool:
-    """Return whether a summary has all that a reader needs. Writers may leave out any part of it.
+def _is_complete(summary: Any, counted: Any) -> bool:
+    """Return whether a summary has all that its statistics count.
 
-    rosbag2 leaves out channels and schemas with `noRepeatedChannels` and `noRepeatedSchemas`.
+    Writers may leave out any part. E.g. rosbag2 leaves out channels with `noRepeatedChannels`.
     """
-    counted = summary.statistics
-    if counted is None or not summary.chunk_indexes:
-        return False
     channels = summary.channels.values()
     return (
-        len(summary.chunk_indexes) >= counted.chunk_count
+        len(summary.chunk_indexes) > 0
+        and len(summary.chunk_indexes) >= counted.chunk_count
         and len(channels) >= counted.channel_count
         and len(summary.schemas) >= counted.schema_count
         and len(summary.metadata_indexes) >= counted.metadata_count

@@ -12,7 +12,9 @@ from mcap.writer import Writer as McapLibraryWriter
 import zbot.bag
 from zbot.bag.mcap_options import read_storage_config
 from zbot.bag.mcap_reader import McapReader
-from zbot.bag.sequential import ConverterOptions, SequentialReader, StorageOptions
+from zbot.bag.rosbag2_types import ConverterOptions, StorageOptions
+from zbot.bag.sequential import SequentialReader
+from zbot.wire.serialization import serialize_message
 
 from std_msgs.msg import String
 
@@ -33,8 +35,6 @@ TEXTS = ["a", "b", "c", "d", "e"]
 
 def write(path: Path, **options: Any) -> None:
     """Write five messages of two topics with the library `mcap`."""
-    from rclpy.serialization import serialize_message  # noqa: PLC0415 - zbot makes this name
-
     with path.open("wb") as stream:
         writer = McapLibraryWriter(
             stream, chunk_size=100, compression=CompressionType.NONE, **options
