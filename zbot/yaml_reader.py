@@ -7,6 +7,7 @@ memory holds (aliases of aliases). So the events of a text are checked before an
 from __future__ import annotations
 
 import re
+from contextlib import suppress
 from functools import cache
 from typing import TYPE_CHECKING, Any
 
@@ -109,13 +110,21 @@ def _compose(text: str, loaders: Sequence[Any]) -> list[Any]:
     """Return the nodes of a text. The first of PyYAML's loaders that accepts the text is used."""
     import yaml  # noqa: PLC0415 - as above
 
-    for loader in loaders:
-        try:
-            _check(text, loader)
-            return list(yaml.compose_all(text, Loader=loader))
-        except yaml.YAMLError as error:
-            found = _yaml_error(error)
-    raise found
+    *others, last = loaders
+    for loader in others:
+        with suppress(yaml.YAMLError):
+            return _documents(text, loader)
+    try:
+        return _documents(text, last)
+    except yaml.YAMLError as error:
+        raise _yaml_error(error) from error
+
+
+def _documents(text: str, loader: Any) -> list[Any]:
+    import yaml  # noqa: PLC0415 - as above
+
+    _check(text, loader)
+    return list(yaml.compose_all(text, Loader=loader))
 
 
 def _loaders() -> list[Any]:
