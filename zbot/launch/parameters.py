@@ -44,7 +44,8 @@ class ParameterValue:
     Args:
         value: The value, or substitutions that produce its text.
         value_type: `str`, `int`, `float`, `bool`, or a list whose items have one of these types,
-            e.g. `List[int]`. None means that the text is read as YAML.
+            e.g. `List[int]`. With `str`, a text may contain anything, e.g. a URDF. None means that
+            the text is read as YAML.
     """
 
     def __init__(self, value: Any, *, value_type: Any | None = None) -> None:
@@ -54,6 +55,7 @@ class ParameterValue:
         """Return the value.
 
         Raises:
+            CoercionError: The text of a substitution cannot be read as this type.
             EntityTypeError: The value cannot have this type.
         """
         if self.value_type is None:
@@ -128,6 +130,7 @@ class Parameter(ParameterValue):
         """Return name and value.
 
         Raises:
+            CoercionError: The text of a substitution cannot be read as this type.
             EntityTypeError: The value cannot have this type.
         """
         self._name = perform(context, self._given)

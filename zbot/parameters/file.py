@@ -299,5 +299,3 @@ def _check(text: str, value: Any, *, of_one_kind: bool) -> None:
         raise ParameterValueError(text, reason)
     if of_one_kind and len({float if type(item) is int else type(item) for item in items}) > 1:
         raise ParameterValueError(text, f"the values of a list must have one type, not {value!r}")
-    if any(isinstance(item, int) and not -(2**63) <= item < 2**63 for item in items):
-        raise ParameterValueError(text, "an integer must fit in 64 bits")
