@@ -22,6 +22,7 @@ from zbot.security.secret import make_private_folder, write_private
 from zbot.transport import background_process, config, router_process
 from zbot.transport.errors import DomainIdError
 from zbot.transport.membership import folder
+from zbot.transport.process_space import process_space
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -42,6 +43,7 @@ class RunningHub:
     listen: list[str]
     connect: list[str]
     started_ns: int  #: since the epoch
+    space: str = ""  #: see `process_space`
 
 
 def log_path() -> Path:
@@ -83,18 +85,23 @@ def hub_lock() -> Iterator[None]:
 
 def write_state(role: str, listen: tuple[str, ...], connect: tuple[str, ...]) -> None:
     """Write the state file of a hub that is ready."""
-    state = RunningHub(os.getpid(), role, list(listen), list(connect), time.time_ns())
+    space = process_space()
+    state = RunningHub(os.getpid(), role, list(listen), list(connect), time.time_ns(), space)
     write_private(_state_path(), json.dumps(asdict(state)).encode())
 
 
 def find() -> RunningHub | None:
-    """Return this machine's hub, or `None` if no hub runs."""
+    """Return this machine's hub, or `None` if no hub runs.
+
+    A hub of another machine, container or network namespace with the same home folder is not found.
+    """
     if not _is_locked():
         return None
     try:
-        return RunningHub(**read_json_object(_state_path().read_text(encoding="utf-8")))
+        hub = RunningHub(**read_json_object(_state_path().read_text(encoding="utf-8")))
     except (OSError, ValueError, TypeError):
         return None  # the hub is starting or ending
+    return hub if hub.space in {"", process_space()} else None
 
 
 def _is_locked() -> bool:

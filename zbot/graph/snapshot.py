@@ -7,6 +7,7 @@ immediately, and Zenoh removes the tokens of a process that ends for any reason.
 from __future__ import annotations
 
 import itertools
+import socket
 import threading
 import time
 import weakref
@@ -22,6 +23,7 @@ from zbot.names import SEND_GOAL, fully_qualified, validate_full_topic_name
 from zbot.terminal.text import single_line
 from zbot.transport import admin_query
 from zbot.transport.foreign_call import without_interruption
+from zbot.transport.process_space import process_space
 from zbot.transport.wakeup import BinarySemaphore
 from zbot.wire.errors import TokenError
 from zbot.wire.tokens import EndpointToken, EntityKind, NodeToken
@@ -398,6 +400,13 @@ class Process(NamedTuple):
     started_ns: int  #: nanoseconds since the epoch
     version: str  #: the version of zbot
     command: str
+    space: str = ""  #: see `process_space`; empty if the process does not say it
+
+    @property
+    def is_here(self) -> bool:
+        """Whether the pid means the same process for this process."""
+        is_same_host = self.host == socket.gethostname()
+        return is_same_host and self.space in {"", process_space()}
 
 
 def processes(session: zenoh.Session) -> dict[str, Process]:
@@ -427,7 +436,8 @@ def process_of(zid: str, payload: bytes) -> Process | None:
         return None  # a Zenoh program that does not use zbot
     texts = (single_line(str(facts.get(key)), _MAX_FACT) for key in ("host", "version", "command"))
     host, version, command = texts
-    return Process(zid, host, int(pid), started_ns, version, command)
+    space = single_line(str(facts.get("space", "")), _MAX_FACT)
+    return Process(zid, host, int(pid), started_ns, version, command, space)
 
 
 def foreign_topics(

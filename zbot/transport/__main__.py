@@ -9,7 +9,7 @@ from typing import Any
 
 import zenoh
 
-from zbot.transport import config, router_process
+from zbot.transport import background_process, config, router_process
 from zbot.transport.process_facts import process_facts
 from zbot.transport.session import MeetingPoint
 from zbot.version import __version__
@@ -25,6 +25,7 @@ def main() -> int:
     """Run the router until no program was linked for 2 s. Return 1 if the port is not free."""
     domain = int(sys.argv[1])
     lock = router_process.hold_lock(domain)
+    background_process.remove_old_locks()
     facts = process_facts(__version__)
     facts["zbot"]["command"] = f"router of domain {domain}"
     facts["zbot"]["replaces"] = sys.argv[2:] == [router_process.REPLACEMENT]

@@ -2,23 +2,44 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import socket
 import subprocess
 import sys
+import time
 from pathlib import Path
 from typing import IO, Any
 
 from zbot.transport import membership
+from zbot.transport.process_space import process_space
 
 # On Windows, no other process can read a locked byte, so the locked byte is far behind the text.
 _LOCKED_BYTE = 1 << 20
+_OLD_S = 7 * 24 * 3600.0
 _forgotten: set[int] = set()  #: ids of processes that may run longer than this one
 
 
 def lock_path(name: str) -> Path:
-    """Return the path of a lock file. Machines that share a home folder have different files."""
-    return membership.folder() / f"{name}@{socket.gethostname()}.lock"
+    """Return the path of a lock file.
+
+    Machines, containers and network namespaces that share a home folder have different files.
+    """
+    return membership.folder() / f"{name}@{process_space()}.lock"
+
+
+def remove_old_locks() -> None:
+    """Remove the lock files that nobody has used for a week.
+
+    The names of lock files are different after each start of the machine.
+    """
+    for path in membership.folder().glob(f"*@{socket.gethostname()}*.lock"):
+        with contextlib.suppress(OSError):  # another program has just removed it
+            if time.time() - path.stat().st_mtime < _OLD_S:
+                continue
+            with path.open("r+", encoding="utf-8") as file:
+                if lock(file):
+                    path.unlink()
 
 
 def lock(file: IO[str]) -> bool:

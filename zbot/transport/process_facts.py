@@ -9,6 +9,8 @@ import time
 from pathlib import Path
 from typing import Any
 
+from zbot.transport.process_space import process_space
+
 
 def process_facts(version: str) -> dict[str, Any]:
     """Return the facts about this process, for a session's admin space (see docs/wire.md)."""
@@ -17,6 +19,7 @@ def process_facts(version: str) -> dict[str, Any]:
             "version": version,
             "host": socket.gethostname(),
             "pid": os.getpid(),
+            "space": process_space(),
             "started": time.time_ns(),
             "command": command_line(),
         }

@@ -11,7 +11,6 @@ from __future__ import annotations
 import contextlib
 import json
 import os
-import socket
 import time
 from dataclasses import asdict, dataclass, field, fields
 from typing import TYPE_CHECKING, Any
@@ -20,6 +19,7 @@ from zbot.json_reader import read_json_object
 from zbot.names import is_hidden
 from zbot.transport import background_process, environment, membership
 from zbot.transport.process_facts import command_line
+from zbot.transport.process_space import process_space
 from zbot.transport.process_state import is_stopped
 
 if TYPE_CHECKING:
@@ -40,7 +40,7 @@ class RunningProgram:
     """A program with an open session."""
 
     pid: int
-    host: str
+    space: str  #: see `process_space`
     command: str
     domain: int
     is_tool: bool  #: whether it is a command, which may work in any domain
@@ -83,7 +83,7 @@ class Registration:
         hidden = [one.setting for one in environment.differences() if one.hides]
         self._program = RunningProgram(
             pid=os.getpid(),
-            host=socket.gethostname(),
+            space=process_space(),
             command=command_line(),
             domain=domain,
             is_tool=is_tool,
@@ -153,8 +153,8 @@ def running() -> list[RunningProgram]:
     except OSError:
         return []
     found = [_read(path) for path in paths]
-    here = socket.gethostname()
-    return [one for one in found if one and one.host == here and one.pid != os.getpid()]
+    here = process_space()
+    return [one for one in found if one and one.space == here and one.pid != os.getpid()]
 
 
 def _read(path: Path) -> RunningProgram | None:

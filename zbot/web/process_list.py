@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import signal
-import socket
 import sys
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -42,11 +41,12 @@ class RunningProcess:
     is_page: bool  #: whether it serves the page
     cpu_percent: float | None = None  #: of one core, since the last `look`; None on other machines
     memory_bytes: int | None = None  #: resident memory; None on other machines
+    space: str = ""  #: see `process_space`
 
     @property
     def key(self) -> str:
         """A unique key of the process."""
-        return f"{self.host}:{self.pid}"
+        return f"{self.host}:{self.space}:{self.pid}"
 
 
 class ProcessList:
@@ -63,7 +63,7 @@ class ProcessList:
         return [self._measured(process, nodes) for process, nodes in found]
 
     def _measured(self, process: Process, nodes: tuple[str, ...]) -> RunningProcess:
-        is_here = process.host == socket.gethostname()
+        is_here = process.is_here
         cpu, memory = self._costs(process.pid) if is_here else (None, None)
         return RunningProcess(
             process.host,
@@ -76,6 +76,7 @@ class ProcessList:
             is_here and process.pid == os.getpid(),
             cpu,
             memory,
+            process.space,
         )
 
     def _costs(self, pid: int) -> tuple[float | None, int | None]:
@@ -91,12 +92,12 @@ def _merged(
     graph: Snapshot, by_session: Mapping[str, Process]
 ) -> list[tuple[Process, tuple[str, ...]]]:
     """Return each process once, with the nodes of all its sessions."""
-    nodes: dict[tuple[str, int], list[str]] = {}
-    first: dict[tuple[str, int], Process] = {}
+    nodes: dict[tuple[str, str, int], list[str]] = {}
+    first: dict[tuple[str, str, int], Process] = {}
     for node in graph.nodes:
         process = by_session.get(node.zid)
         if process is not None:
-            key = (process.host, process.pid)
+            key = (process.host, process.space, process.pid)
             first.setdefault(key, process)
             nodes.setdefault(key, []).extend(full_names([node]))
     found = [(first[key], tuple(sorted(nodes[key]))) for key in first]

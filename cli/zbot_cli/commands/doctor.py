@@ -360,7 +360,7 @@ def _lonely_subscriptions(graph: Snapshot) -> Iterator[Finding]:
 
 def _report(context: Context, graph: Snapshot) -> Iterator[Finding]:
     # The process that listens on the meeting port has two sessions, but it is listed only once.
-    found = {(one.host, one.pid): one for one in processes(context.session).values()}
+    found = {(one.host, one.space, one.pid): one for one in processes(context.session).values()}
     for process in sorted(found.values(), key=lambda one: (one.host, one.pid)):
         yield Finding(
             "process", f"{process.host} {process.pid} ({process.command}), zbot {process.version}"

@@ -194,12 +194,11 @@ def _check_own(name: str) -> None:
 def _end(name: str, process: Process | None, *, force: bool) -> None:
     import os  # noqa: PLC0415 - needed only by this verb
     import signal  # noqa: PLC0415 - needed only by this verb
-    import socket  # noqa: PLC0415 - needed only by this verb
 
     if process is None:
         _check_own(name)
         raise NodeKillError(f"the process of {name} does not publish its pid; end it where it runs")
-    if process.host != socket.gethostname():
+    if not process.is_here:
         raise NodeKillError(f"{name} runs on {process.host} (pid {process.pid}); end it there")
     # On Windows SIGTERM ends a process immediately, as SIGKILL does elsewhere.
     number = signal.SIGTERM

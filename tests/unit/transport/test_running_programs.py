@@ -19,7 +19,7 @@ STUDENT = Membership(
 TEACHER = replace(STUDENT, role="teacher", number=0, user="teacher")
 INSIDE = RunningProgram(
     pid=1,
-    host="here",
+    space="here",
     command="talker",
     domain=17,
     is_tool=False,
