@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 import os
 import sys
 import threading
@@ -104,7 +103,6 @@ class Context:
         # The set is weak, because a signal's exception may come before Zenoh gets a receiver.
         # `close` must not wait for such a receiver.
         self._receivers: WeakSet[threading.Event] = WeakSet()
-        self._entity_ids = itertools.count()
         self._nodes: WeakSet[ContextNode] = WeakSet()
         self.arguments = Arguments()
         self.dialect = NATIVE
@@ -381,10 +379,6 @@ class Context:
     def zid(self) -> str:
         """The session's Zenoh id, lower-case hex."""
         return str(self.session.info.zid())
-
-    def next_entity_id(self) -> int:
-        """Return a new number for a node or endpoint of the context."""
-        return next(self._entity_ids)
 
     def connect(self, *, wait: bool = False) -> bool:
         """Open a client's session if the domain has a router.

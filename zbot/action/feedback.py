@@ -70,7 +70,7 @@ class FeedbackSubscription:
         receive: Any = zenoh.handlers.Callback(self._receive, indirect=False)
         key = context.dialect.data_key(self.token)
         self._subscriber: Any = context.session.declare_subscriber(key, receive)
-        self._liveliness = context.graph.announce(self.token)
+        self._announcement = context.graph.announce(self.token)
         callback_group.add_entity(self)
         handle.subscriptions.append(cast("Any", self))  # it has all attributes that a node uses
         handle.diagnostics.add(self.token, handle.logger_name)
@@ -137,4 +137,4 @@ class FeedbackSubscription:
             return
         self._is_destroyed = True
         self._queue.clear()
-        self._context.undeclare(self._liveliness, self._subscriber)
+        self._context.undeclare(self._announcement, self._subscriber)

@@ -182,29 +182,23 @@ class ZbotSide:
         token = NodeToken(
             domain=context.dialect.domain_of(context.get_domain_id(), name),
             zid=context.zid,
-            nid=context.next_entity_id(),
+            nid=0,
             namespace=namespace,
             node=base,
             enclave=BRIDGE_ENCLAVE + self._id,
         )
-        return context.dialect.with_key(token)
+        return context.dialect.with_key(context.graph.numbers.numbered(token))
 
     def _token(
         self, node: str, kind: EntityKind, name: str, type_name: str, qos: QoSProfile
     ) -> EndpointToken:
         """Return the token of an endpoint. `node` is a node of the other side, or empty."""
         own = self._nodes[node][0] if node in self._nodes else self._node.handle.token
-        token = self._node.handle.named_endpoint(kind, name, (type_name, type_hash(type_name)), qos)
         namespace, base = split_fully_qualified(node) if node else (own.namespace, own.node)
-        token = replace(
-            token,
-            nid=own.nid,
-            namespace=namespace,
-            node=base,
-            enclave=BRIDGE_ENCLAVE + self._id,
-            key="",
-        )
-        return self._context.dialect.with_key(token)
+        enclave = BRIDGE_ENCLAVE + self._id
+        owner = replace(own, namespace=namespace, node=base, enclave=enclave, key="")
+        named_type = type_name, type_hash(type_name)
+        return self._node.handle.named_endpoint(kind, name, named_type, qos, owner)
 
     def close(self) -> None:
         """Withdraw all announced nodes and endpoints."""

@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 import zenoh
 
 from zbot.errors import InvalidNameError
+from zbot.graph.entity_numbers import EntityNumbers
 from zbot.json_reader import JsonError, read_json_object
 from zbot.names import SEND_GOAL, fully_qualified, validate_full_topic_name
 from zbot.terminal.text import single_line
@@ -36,7 +37,6 @@ if TYPE_CHECKING:
 _ANSWER_TIMEOUT_S = 2.0  # usually, the answers take at most 25 ms
 #: Words in the keys of Zenoh's admin space.
 _FOREIGN_KINDS = {"publisher": EntityKind.PUBLISHER, "subscriber": EntityKind.SUBSCRIPTION}
-_MOST_WITHDRAWN = 1000
 # A context that follows more names than this watches the whole graph, because Zenoh compares each
 # new token with each name.
 _MOST_FOLLOWED = 50
@@ -125,16 +125,27 @@ class Snapshot:
 class Announcement:
     """Token of a node or endpoint. The token exists until `undeclare` or the end of its session."""
 
-    def __init__(self, graph: Graph, session: zenoh.Session, token: Token) -> None:
+    def __init__(
+        self, graph: Graph, session: zenoh.Session, token: Token, *, is_visible: bool
+    ) -> None:
         self._graph = graph
         self._token = token
-        self._declared = session.liveliness().declare_token(token.key)
-        graph.note(token, appeared=True)
+        self._declared: Any = None
+        self._is_over = False
+        self._as_read = graph.as_read(token)
+        if is_visible:
+            self._declared = session.liveliness().declare_token(token.key)
+            graph.note(self._as_read, appeared=True)
 
     def undeclare(self) -> None:
-        """Remove the token from the graph."""
-        self._declared.undeclare()
-        self._graph.note(self._token, appeared=False)
+        """Remove the token from the graph. An equal entity may have its number from now on."""
+        if self._is_over:
+            return  # the number may belong to another entity now
+        self._is_over = True
+        if self._declared is not None:
+            self._declared.undeclare()
+            self._graph.note(self._as_read, appeared=False)
+        self._graph.numbers.release(self._token)
 
 
 class Graph:
@@ -172,6 +183,8 @@ class Graph:
         self._dialect = dialect
         self._domain = domain
         self._keys = dialect.token_selectors(domain)
+        self.numbers = EntityNumbers()  #: the numbers of this context's nodes and endpoints
+        self._own = f"/{session.info.zid()}/"  # a part of the keys of this context's tokens
         self._tokens: dict[str, Token] = {}
         self._by_gid: dict[bytes, EndpointToken] = {}
         # Cached until a change, because programs count subscriptions before every message.
@@ -183,8 +196,6 @@ class Graph:
         self._watching = False
         self._is_complete = False
         self._gone: set[str] = set()
-        # Own tokens that were undeclared. Zenoh may deliver their samples later or never.
-        self._withdrawn: dict[str, None] = {}
         # Semaphores are safe: a signal handler's exception could leave a condition variable locked.
         self._waiting: set[BinarySemaphore] = set()
 
@@ -225,13 +236,21 @@ class Graph:
         """Return the graph as it is now, but do not watch its changes. This takes 1 to 25 ms."""
         return self.snapshot() if self._watching else Snapshot(tuple(self._query_tokens()))
 
-    def announce(self, token: Token) -> Announcement:
+    def announce(self, token: Token, *, is_visible: bool = True) -> Announcement:
         """Declare a token of this context. This graph contains the token immediately.
 
         The graph contains it as other sessions read it, e.g. with the policies that the profile's
         `SYSTEM_DEFAULT` stands for.
+
+        Args:
+            token: The token, with a number from `numbers`.
+            is_visible: Whether the graph shows the token. If not, only its number is reserved.
         """
-        return Announcement(self, self._session, self._parse(token.key) or token)
+        return Announcement(self, self._session, token, is_visible=is_visible)
+
+    def as_read(self, token: Token) -> Token:
+        """Return a token of this context as other sessions read it."""
+        return self._parse(token.key) or token
 
     def note(self, token: Token, *, appeared: bool) -> None:
         """Add or remove a token, and call the listeners if the graph has changed."""
@@ -240,10 +259,6 @@ class Graph:
         else:
             with self._lock:
                 changed = self._forget(token.key) is not None
-                if self._watching or self._followed:
-                    self._withdrawn[token.key] = None
-                    if len(self._withdrawn) > _MOST_WITHDRAWN:
-                        del self._withdrawn[next(iter(self._withdrawn))]
         if changed:
             self._notify(token, appeared)
 
@@ -280,7 +295,8 @@ class Graph:
     def _complete(self) -> None:
         tokens = list(self._query_tokens())
         for token in tokens:
-            self._add(token)
+            if self._own not in token.key:
+                self._add(token)
         with self._lock:
             # A session may remove its token after its answer.
             for key in self._gone & self._tokens.keys():
@@ -359,6 +375,10 @@ class Graph:
 
     def _on_sample(self, sample: zenoh.Sample) -> None:
         key = str(sample.key_expr)
+        # `announce` and `undeclare` have noted the own tokens. Zenoh delivers their samples later,
+        # and an equal token may have been declared again since then.
+        if self._own in key:
+            return
         if sample.kind == zenoh.SampleKind.PUT:
             token = self._parse(key)
             if token is not None and self._add(token):
@@ -366,7 +386,6 @@ class Graph:
             return
         with self._lock:
             gone = self._forget(key)
-            self._withdrawn.pop(key, None)
             if self._watching and not self._is_complete:
                 self._gone.add(key)
         if gone is not None:
@@ -374,7 +393,7 @@ class Graph:
 
     def _add(self, token: Token) -> bool:
         with self._lock:
-            if token.key in self._tokens or token.key in self._withdrawn:
+            if token.key in self._tokens:
                 return False
             self._tokens[token.key] = token
             self._snapshot = None

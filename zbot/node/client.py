@@ -92,7 +92,7 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
         self._encoding = zenoh.Encoding(dialect.encoding(type_name(srv_type.Request)))
         self._timeout_s = dialect.request_timeout_s(token.name)
         self._gid = token.gid
-        self._sent_count = 0
+        self._next_number = context.graph.numbers.message_numbers(token)
         self._lock = threading.RLock()  # re-entrant, because a signal handler may use it
         self._pending: dict[ResponseFuture[ResponseT], int] = {}
         self._completed: deque[ResponseFuture[ResponseT]] = deque()
@@ -108,7 +108,7 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
         self._querier: Any = context.session.declare_querier(
             dialect.data_key(token), target=self._target
         )
-        self._liveliness = context.graph.announce(token) if is_announced else None
+        self._announcement = context.graph.announce(token, is_visible=is_announced)
 
     @property
     def handle(self) -> ClientHandle:
@@ -225,7 +225,7 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
         except ServiceError as error:
             return response, error
         with self._lock:
-            self._pending[response] = self._sent_count
+            self._pending[response] = response.number
         if self._introspection is not None:
             self._introspection.report(Step.REQUEST_SENT, prepared.attachment, request=request)
         response.send()
@@ -265,8 +265,8 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
             keep_freed_memory()
             payload = self._context.share(payload)
         with self._lock:
-            self._sent_count += 1
-            attachment = LAYOUT.pack(self._sent_count, time.time_ns(), GID_LENGTH, self._gid)
+            number = self._next_number()
+        attachment = LAYOUT.pack(number, time.time_ns(), GID_LENGTH, self._gid)
         return ServiceRequest(payload, attachment, timeout_s=self._timeout_s)
 
     def _check_server(self) -> None:
@@ -323,7 +323,7 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
             self._pending.pop(cast("ResponseFuture[ResponseT]", future), None)
 
     def get_pending_request(self, sequence_number: int) -> Future[ResponseT]:
-        """Return the future of the call with a number. The first call has the number 1.
+        """Return the future of the call with a number, which is usually 1 for the first call.
 
         Raises:
             KeyError: There is no such call, or it is over.
@@ -413,7 +413,7 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
         self._context.remove_waker(self._arrival.set)
         self._arrival.set()
         self.end_introspection()
-        declared = (self._liveliness, self._listener, querier)
+        declared = (self._announcement, self._listener, querier)
         self._context.undeclare(*(one for one in declared if one is not None))
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 import threading
 from threading import get_ident
 from time import time_ns
@@ -12,6 +11,7 @@ import zenoh
 
 from zbot.errors import InvalidHandleError
 from zbot.interfaces import type_name
+from zbot.names import ROSOUT_TOPIC
 from zbot.node.endpoint import TopicEndpoint
 from zbot.node.errors import MessageTypeError
 from zbot.node.zenoh_declaration import can_block, declare_publisher
@@ -66,7 +66,7 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
         self._encode: Callable[[Any], Any] = context.dialect.codec_for(msg_type).encode
         self.sent_count = 0  #: number of sent messages, and sequence number of the last one
         self._gid = token.gid
-        self._next_number = itertools.count(1).__next__
+        self._next_number = context.graph.numbers.message_numbers(token)
         self._lock = threading.RLock()  # re-entrant, because a signal handler may use it
         # The thread that has sent all messages so far. It sends without the lock, because the lock
         # costs a tenth of a small message's latency.
@@ -82,7 +82,7 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
             self._send = self._send_blocking
             blocked_put.publishers.add(self)
             blocked_put.watch_signals()
-        self._liveliness = context.graph.announce(token) if is_announced else None
+        self._announcement = context.graph.announce(token, is_visible=is_announced)
 
     @property
     def is_destroyed(self) -> bool:
@@ -208,14 +208,21 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
             return
         for handler in self.event_handlers:
             handler.destroy()
-        if self._liveliness is not None:
-            self._context.undeclare(self._liveliness)
         if self._context.is_inherited:
             fork.keep(publisher)
+        elif self._is_latched and not self._context.is_closed:
+            self._keep(publisher)
+        self._context.undeclare(self._announcement)
         # Zenoh undeclares a publisher when no object refers to the publisher and no other thread is
         # sending with it. So `undeclare()` is not called here. `undeclare()` of a latched publisher
         # keeps the GIL and waits at most 10 s for a thread of Zenoh, which may need the GIL itself.
         del publisher
+
+    def _keep(self, publisher: Any) -> None:
+        """Keep the Zenoh publisher for an equal one, if late subscribers get nothing wrong."""
+        # Lines of a former node do no harm on /rosout, and most nodes write lines.
+        if not self.sent_count or self.topic_name == ROSOUT_TOPIC:
+            self._context.graph.numbers.keep(self._token, publisher)
 
     def leave_to_parent(self) -> None:
         """In a forked child, let `publish` raise an error."""

@@ -85,7 +85,7 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
         # Zenoh's own thread calls `_receive`. To wake another thread for each request costs time.
         receive: Any = zenoh.handlers.Callback(self._receive, indirect=False)
         self._queryable: Any = context.session.declare_queryable(self._key, receive, complete=True)
-        self._liveliness = context.graph.announce(token)
+        self._announcement = context.graph.announce(token)
 
     # The first request loads these codecs, because most services of a node get no request.
     @cached_property
@@ -256,7 +256,7 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
             return
         self._is_destroyed = True
         self.end_introspection()
-        self._context.undeclare(self._liveliness, self._queryable)
+        self._context.undeclare(self._announcement, self._queryable)
         if not self._context.is_inherited:
             self._drop_queries()
 

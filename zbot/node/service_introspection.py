@@ -151,7 +151,7 @@ def _event_token(
         domain=owner.domain,
         zid=owner.zid,
         nid=owner.nid,
-        eid=context.next_entity_id(),
+        eid=0,
         kind=EntityKind.PUBLISHER,
         namespace=owner.namespace,
         node=owner.node,
@@ -161,4 +161,4 @@ def _event_token(
         type_hash=hash_text,
         qos=qos,
     )
-    return context.dialect.with_key(token)
+    return context.dialect.with_key(context.graph.numbers.numbered(token))

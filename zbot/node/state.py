@@ -73,13 +73,13 @@ class NodeState:
         token = NodeToken(
             domain=context.get_domain_id(),
             zid=context.zid,
-            nid=context.next_entity_id(),
+            nid=0,
             namespace=namespace,
             node=name,
             enclave=arguments.enclave,
         )
-        self.token = context.dialect.with_key(token)
-        self.liveliness = context.graph.announce(self.token)
+        self.token = context.dialect.with_key(context.graph.numbers.numbered(token))
+        self.announcement = context.graph.announce(self.token)
         self.diagnostics = diagnostics_of(context)
         self.diagnostics.add(self.token, self.logger_name)
 
@@ -110,25 +110,38 @@ class NodeState:
         return self.named_endpoint(kind, name, (type_name(msg_type), type_hash(msg_type)), qos)
 
     def named_endpoint(
-        self, kind: EntityKind, name: str, named_type: tuple[str, str], qos: QoSProfile
+        self,
+        kind: EntityKind,
+        name: str,
+        named_type: tuple[str, str],
+        qos: QoSProfile,
+        owner: NodeToken | None = None,
     ) -> EndpointToken:
-        """Return the token of a new endpoint whose type is given by its name and hash."""
-        dialect = self.context.dialect
+        """Return the token of a new endpoint whose type is given by its name and hash.
+
+        Args:
+            kind: The kind of endpoint.
+            name: Full name of the topic or service.
+            named_type: Name and hash of the type.
+            qos: The endpoint's profile.
+            owner: Token of the node that the endpoint belongs to. By default, this is this node.
+        """
+        dialect, owner = self.context.dialect, owner or self.token
         token = EndpointToken(
             domain=dialect.domain_of(self.token.domain, name),
-            zid=self.token.zid,
-            nid=self.token.nid,
-            eid=self.context.next_entity_id(),
+            zid=owner.zid,
+            nid=owner.nid,
+            eid=0,
             kind=kind,
-            namespace=self.token.namespace,
-            node=self.token.node,
-            enclave=self.token.enclave,
+            namespace=owner.namespace,
+            node=owner.node,
+            enclave=owner.enclave,
             name=name,
             type_name=named_type[0],
             type_hash=named_type[1],
             qos=qos,
         )
-        return dialect.with_key(token)
+        return dialect.with_key(self.context.graph.numbers.numbered(token))
 
     def add_waitable(self, waitable: Waitable[Any]) -> None:
         """Let the node's executor run a waitable that the program defines."""
@@ -207,7 +220,7 @@ class NodeState:
             endpoint.destroy()
         self._forget_all()
         self.diagnostics.remove(self.token)
-        self.context.undeclare(self.liveliness)
+        self.context.undeclare(self.announcement)
 
     def _forget_all(self) -> None:
         lists: tuple[list[Any], ...] = (

@@ -163,7 +163,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         self._busy_wait = BusyWait()
         self._is_destroyed = False
         self._is_over = False  #: whether the session was closed
-        self._liveliness = context.graph.announce(token) if is_announced else None
+        self._announcement = context.graph.announce(token, is_visible=is_announced)
 
     def start(self) -> None:
         """Start to receive. The ready queue tells the executor about messages."""
@@ -503,8 +503,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         self._is_destroyed = True
         for handler in self.event_handlers:
             handler.destroy()
-        if self._liveliness is not None:
-            self._context.undeclare(self._liveliness)
+        self._context.undeclare(self._announcement)
         if self._context.is_inherited:
             fork.keep(self._subscriber)
         self._subscriber = None  # so Zenoh undeclares it, as in `Publisher.destroy`

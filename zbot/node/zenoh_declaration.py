@@ -42,6 +42,9 @@ def declare_publisher(context: Context, token: EndpointToken) -> Any:
     key = context.dialect.data_key(token)
     if qos.durability is not DurabilityPolicy.TRANSIENT_LOCAL:
         return context.session.declare_publisher(key, **options)
+    kept = context.graph.numbers.kept(token)
+    if kept is not None:
+        return kept
     import zenoh.ext as advanced  # noqa: PLC0415 - only transient local topics need it
 
     # With miss detection, Zenoh numbers the samples. So the samples need no timestamps, which would
@@ -83,5 +86,4 @@ def declare_subscriber(context: Context, token: EndpointToken, keep_all_depth: i
         channel,
         history=advanced.HistoryConfig(detect_late_publishers=True, max_samples=depth),
         recovery=advanced.RecoveryConfig(periodic_queries=None, heartbeat=True),
-        subscriber_detection=True,
     )
