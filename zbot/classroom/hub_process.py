@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 from zbot.classroom import background
 from zbot.classroom.hub import HubSettings, dialled_links, open_router
 from zbot.classroom.hub_queries import HubQueries
+from zbot.transport.router_renewal import RouterRenewal
 from zbot.version import __version__
 
 if TYPE_CHECKING:
@@ -47,6 +48,7 @@ class HubProcess:
         self._queries: list[HubQueries] = []
         #: Functions that return further facts for `zbot status`. The keys are names of facts.
         self.extra_facts: dict[str, Callable[[], Any]] = {}
+        self._renewal = RouterRenewal(session, reopen)
         self.answer_queries(f"{HUB_KEY}/{os.getpid()}", self._facts)
 
     def answer_queries(
@@ -75,6 +77,7 @@ class HubProcess:
         for queries in self._queries:
             queries.finish()
         self.session.close()
+        self._renewal.end()
         for thread in self._threads:
             thread.join(_JOIN_TIMEOUT_S)
 

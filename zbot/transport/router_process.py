@@ -98,6 +98,12 @@ def age_s(domain: int) -> float:
         return 0.0
 
 
+def note_new_session(domain: int) -> None:
+    """Note that the router opens a new session. It counts as a new router, so nobody ends it."""
+    with contextlib.suppress(OSError):  # the folder is read-only
+        os.utime(_path(domain))
+
+
 def is_expected(domain: int) -> bool:
     """Return whether a router of this user runs, starts, or was killed."""
     return bool(_read(domain))

@@ -1,0 +1,79 @@
+"""Renewal of a router before its links have used up their numbers for keys.
+
+Zenoh gives each key that it declares over a link a number from 1 to 65,535. It never frees a
+number, and searches for the next free one from 1 on. So each new key takes longer than the one
+before. At the end, the search never ends, and it holds a lock that all links of the router need.
+Each program that starts brings some ten new keys (docs/design/zenoh-faults.md).
+
+A new session begins with the keys that exist at this time. So a router closes its session and opens
+a new one after many tokens have ended, in a moment without work.
+"""
+
+from __future__ import annotations
+
+import threading
+import time
+from typing import TYPE_CHECKING
+
+import zenoh
+
+from zbot.transport.foreign_call import without_interruption
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+# The tokens of nodes and endpoints, and those of transient local publishers (zenoh.ext).
+_TOKENS = ("@zbot/**", "**/@adv/**")
+# Number of ended tokens after which a router is renewed in a quiet moment, and in any moment.
+# Besides a token, a node or endpoint may bring two other keys: its topic and its cache.
+_QUIET_LIMIT = 4000
+_LIMIT = 10_000
+_QUIET_S = 0.5
+_QUIET_SHARE = 0.02  # of a processor: an idle router with ten links uses less than 0.005
+
+
+class RouterRenewal:
+    """Counts the tokens that end, and asks for a new session of a router after many of them.
+
+    Args:
+        session: The router's session.
+        renew: Function that is called once, in a thread. It must return quickly.
+    """
+
+    def __init__(self, session: zenoh.Session, renew: Callable[[], object]) -> None:
+        self._renew = renew
+        self._ended: set[int] = set()  # hashes of keys, because a key may be declared again
+        self._is_over = threading.Event()
+        self._thread = threading.Thread(target=self._run, name="zbot renewal", daemon=True)
+        for key in _TOKENS:
+            receive = zenoh.handlers.Callback(self._receive)
+            subscribe = session.liveliness().declare_subscriber
+            without_interruption(subscribe, key, receive)
+
+    def _receive(self, sample: zenoh.Sample) -> None:
+        self.note(str(sample.key_expr), appeared=sample.kind == zenoh.SampleKind.PUT)
+
+    def note(self, key: str, *, appeared: bool) -> None:
+        """Note that a token begins or ends."""
+        if appeared:
+            self._ended.discard(hash(key))
+            return
+        self._ended.add(hash(key))
+        if len(self._ended) == _QUIET_LIMIT and self._thread.ident is None:
+            without_interruption(self._thread.start)
+
+    def _run(self) -> None:
+        while len(self._ended) < _LIMIT:
+            before, used_s = len(self._ended), time.process_time()
+            if self._is_over.wait(_QUIET_S):
+                return
+            used_s = time.process_time() - used_s
+            if len(self._ended) == before and used_s < _QUIET_SHARE * _QUIET_S:
+                break
+        self._renew()
+
+    def end(self) -> None:
+        """Stop counting. The session may still be open."""
+        self._is_over.set()
+        if self._thread.ident is not None:
+            self._thread.join()
