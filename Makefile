@@ -1,4 +1,4 @@
-.PHONY: check docs pictures test bench bags classroom torture chaos soak ends holders zenoh-faults
+.PHONY: check docs pictures test bench bags classroom torture chaos soak ends holders churn zenoh-faults
 
 # Tests use what only POSIX has. What is shipped is checked for Windows and macOS, too.
 SHIPPED = zbot cli nodes
@@ -50,6 +50,12 @@ ends:
 holders: RUNS = 50
 holders:
 	python -m tests.torture.meeting_point_holders --runs $(RUNS) --seed "$(SEED)"
+
+# Entities and programs that come and go: memory and times at the begin and at the end.
+churn: RUNS = 24000
+STARTS = 200000
+churn:
+	python -m tests.torture.churn --runs $(RUNS) --starts $(STARTS)
 
 # Which faults of Zenoh are still there (docs/design/zenoh-faults.md).
 zenoh-faults:

@@ -93,8 +93,9 @@ def test_limits_are_never_shorter_than_on_a_quiet_machine() -> None:
     [
         ("random_ends", "--runs", "6", "--seed", "ci"),
         ("meeting_point_holders", "--runs", "1", "--seed", "ci", "--kind", "killed"),
+        ("churn", "--runs", "4000", "--kind", "publisher", "--starts", "1200"),
     ],
-    ids=["ends", "holders"],
+    ids=["ends", "holders", "churn"],
 )
 def test_a_short_run_breaks_no_promise(words: tuple[str, ...]) -> None:
     done = subprocess.run(

@@ -6,25 +6,14 @@ from dataclasses import replace
 
 import pytest
 
+from tests.unit.tokens import endpoint_token
 from zbot.graph import entity_numbers
 from zbot.graph.entity_numbers import EntityNumbers
 from zbot.qos import QoSProfile
-from zbot.wire.tokens import EndpointToken, EntityKind, NodeToken
+from zbot.wire.tokens import EntityKind, NodeToken
 
-NODE = NodeToken(domain=0, zid="a1", nid=0, namespace="/", node="talker")
-TOPIC = EndpointToken(
-    domain=0,
-    zid="a1",
-    nid=0,
-    eid=0,
-    kind=EntityKind.PUBLISHER,
-    namespace="/",
-    node="talker",
-    name="/chatter",
-    type_name="std_msgs/msg/String",
-    type_hash="RIHS01_0",
-    qos=QoSProfile(depth=10),
-)
+NODE = NodeToken(domain=0, zid="a", nid=0, namespace="/", node="talker")
+TOPIC = endpoint_token("/chatter", eid=0)
 
 
 def test_entities_that_exist_together_have_different_numbers() -> None:
