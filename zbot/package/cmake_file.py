@@ -6,13 +6,13 @@ import os
 import re
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from zbot.package.errors import SetupFileError
 from zbot.package.file_search import FileSearch, SearchLimitError
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Sequence
 
 _COMMENT = re.compile(r"#\[\[.*?(?:\]\]|\Z)|#[^\n]*", re.DOTALL)
 _COMMAND = re.compile(
@@ -31,6 +31,12 @@ _ENDS = {
 }  # fmt: skip
 
 
+#: Commands that begin a block, and the commands that end it.
+_BLOCKS = {"foreach": "endforeach", "function": "endfunction", "macro": "endmacro"}
+_MAX_CALLS = 20_000
+_MAX_DEPTH = 20
+
+
 @dataclass
 class Installation:
     """Files to install. The keys of `programs` and `files` are paths below the install prefix."""
@@ -40,6 +46,7 @@ class Installation:
     interfaces: dict[str, int] = field(default_factory=dict)  #: file -> line that names it
     compiled: dict[str, int] = field(default_factory=dict)  #: C++ program -> line that adds it
     missing: dict[str, int] = field(default_factory=dict)  #: file that does not exist -> line
+    python_packages: dict[str, Path] = field(default_factory=dict)  #: import name -> folder
     #: Files and folders with tests, as they are written. `${NAME}` is an unknown variable.
     tests: list[str] = field(default_factory=list)
 
@@ -47,12 +54,13 @@ class Installation:
 def read_cmake(folder: Path) -> Installation:
     """Return what the CMakeLists.txt of a folder installs, or an empty result without this file.
 
-    The reader reads the commands in order, in all branches of each `if()`. It leaves out values
-    that only CMake can compute.
+    The reader reads the commands in order, in all branches of each `if()`. It repeats loops over
+    known values, and calls functions and macros of the file. It leaves out values that only CMake
+    can compute.
 
     Raises:
-        SetupFileError: The file or its variables are too large, or its patterns search too many
-            files.
+        SetupFileError: The file or its variables are too large, it has too many commands, or its
+            patterns search too many files.
     """
     path = folder / "CMakeLists.txt"
     try:
@@ -69,10 +77,37 @@ def read_cmake(folder: Path) -> Installation:
 
 
 class _LimitError(Exception):
-    """The variables of a file are too large. The caller adds the file."""
+    """A file is too large to read. The caller adds the file."""
 
-    def __init__(self) -> None:
-        super().__init__("its variables are too large")
+
+class _Command(NamedTuple):
+    name: str
+    words: str  #: the text between the parentheses
+    line: int
+
+
+class _Function(NamedTuple):
+    parameters: list[str]
+    body: range  #: places of its commands
+
+
+def _commands(text: str) -> Iterator[_Command]:
+    line, seen = 1, 0
+    for found in _COMMAND.finditer(text):
+        line += text.count("\n", seen, found.start())
+        seen = found.start()
+        yield _Command(found["name"].lower(), found["words"], line)
+
+
+def _blocks(commands: Sequence[_Command]) -> dict[int, int]:
+    """Return the places of the commands that begin and end each block."""
+    found, open_blocks = {}, []
+    for place, command in enumerate(commands):
+        if command.name in _BLOCKS:
+            open_blocks.append((place, _BLOCKS[command.name]))
+        elif open_blocks and command.name == open_blocks[-1][1]:
+            found[open_blocks.pop()[0]] = place
+    return found
 
 
 class _Reader:
@@ -80,6 +115,8 @@ class _Reader:
         self._folder = folder
         self._search = FileSearch(folder)
         self._left = _MAX_EXPANDED
+        self._calls = self._depth = 0
+        self._functions: dict[str, _Function] = {}
         self._variables = {
             "CMAKE_CURRENT_SOURCE_DIR": [str(folder)],
             "CMAKE_SOURCE_DIR": [str(folder)],
@@ -88,11 +125,64 @@ class _Reader:
         self.installation = Installation()
         # Comments become empty lines, so that line numbers do not change.
         blanked = _COMMENT.sub(lambda found: "\n" * found[0].count("\n"), text)
-        for command in _COMMAND.finditer(blanked):
-            words = list(self._words(command["words"]))
-            read = getattr(self, f"_read_{command['name'].lower()}", None)
-            if read is not None and words:
-                read(words, blanked.count("\n", 0, command.start()) + 1)
+        self._commands = list(_commands(blanked))
+        self._ends = _blocks(self._commands)
+        self._read(range(len(self._commands)))
+
+    def _read(self, places: range) -> None:
+        self._depth += 1
+        place = places.start
+        while place < places.stop:
+            self._calls += 1
+            if self._calls > _MAX_CALLS or self._depth > _MAX_DEPTH:
+                raise _LimitError(f"it has more than {_MAX_CALLS} commands, or too many loops")
+            command = self._commands[place]
+            words = list(self._words(command.words))
+            end = self._ends.get(place)
+            if end is not None:
+                self._enter(command.name, words, range(place + 1, end))
+                place = end
+            elif command.name in self._functions:
+                self._call(command.name, words)
+            elif words:
+                self._carry_out(command, words)
+            place += 1
+        self._depth -= 1
+
+    def _carry_out(self, command: _Command, words: list[str]) -> None:
+        read = getattr(self, f"_read_{command.name}", None)
+        if read is not None:
+            read(words, command.line)
+
+    def _enter(self, kind: str, words: list[str], body: range) -> None:
+        if kind == "foreach" and words:
+            for value in self._values_of_loop(words[1:]):
+                self._variables[words[0]] = [value]
+                self._read(body)
+            self._variables.pop(words[0], None)
+            if any("${" in word for word in words):
+                self._read(body)  # the values of the loop are not known
+        elif words:
+            self._functions[words[0].lower()] = _Function(words[1:], body)
+
+    def _values_of_loop(self, words: list[str]) -> list[str]:
+        if "LISTS" in words:
+            names = words[words.index("LISTS") + 1 :]
+            return [value for name in names for value in self._variables.get(name, [])]
+        return [word for word in words if word not in {"IN", "ITEMS"} and "${" not in word]
+
+    def _call(self, name: str, words: list[str]) -> None:
+        variables, functions = self._variables, self._functions
+        parameters, body = functions[name]
+        self._variables = {
+            **variables,
+            **{one: [word] for one, word in zip(parameters, words, strict=False)},
+            "ARGN": words[len(parameters) :],
+        }
+        # A function that calls itself would not end, because all branches are read.
+        self._functions = {key: one for key, one in functions.items() if key != name}
+        self._read(body)
+        self._variables, self._functions = variables, functions
 
     def _words(self, text: str) -> Iterator[str]:
         for quoted, plain in _WORD.findall(text):
@@ -123,7 +213,7 @@ class _Reader:
     def _count(self, characters: int) -> None:
         self._left -= characters
         if self._left < 0:
-            raise _LimitError
+            raise _LimitError("its variables are too large")
 
     def _read_project(self, words: list[str], _line: int) -> None:
         self._variables["PROJECT_NAME"] = words[:1]
@@ -150,7 +240,20 @@ class _Reader:
         return [str(self._folder / one) for one in found]
 
     def _read_add_executable(self, words: list[str], line: int) -> None:
-        self.installation.compiled[words[0]] = line
+        if "${" not in words[0]:
+            self.installation.compiled[words[0]] = line
+
+    _read_ament_auto_add_executable = _read_add_executable
+
+    def _read_set_target_properties(self, words: list[str], line: int) -> None:
+        if "OUTPUT_NAME" in words[:-1] and words[0] in self.installation.compiled:
+            del self.installation.compiled[words[0]]
+            self._read_add_executable(words[words.index("OUTPUT_NAME") + 1 :], line)
+
+    def _read_rclcpp_components_register_node(self, words: list[str], line: int) -> None:
+        # Such a library also becomes a program that runs only this component.
+        if "EXECUTABLE" in words[:-1]:
+            self._read_add_executable(words[words.index("EXECUTABLE") + 1 :], line)
 
     def _read_rosidl_generate_interfaces(self, words: list[str], line: int) -> None:
         for word in words[1:]:
@@ -168,6 +271,11 @@ class _Reader:
 
     _read_add_ros_test = _read_add_ros_isolated_launch_test = _read_add_launch_test
     _read_ament_add_ros_isolated_pytest_test = _read_ament_add_pytest_test
+
+    def _read_ament_python_install_package(self, words: list[str], _line: int) -> None:
+        place = words[words.index("PACKAGE_DIR") + 1] if "PACKAGE_DIR" in words[:-1] else words[0]
+        if "${" not in words[0] + place:
+            self.installation.python_packages[words[0]] = self._folder / place
 
     def _read_install(self, words: list[str], line: int) -> None:
         kind, options = words[0], words[1:]

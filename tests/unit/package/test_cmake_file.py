@@ -62,8 +62,46 @@ def test_installed_files_are_found(folder: Path, text: str, files: list[str]) ->
     assert sorted(target.removeprefix("share/robot/") for target in found) == files
 
 
-def test_compiled_programs_are_found(folder: Path) -> None:
-    assert read(folder, "add_executable(drive src/drive.cpp)").compiled == {"drive": 2}
+@pytest.mark.parametrize(
+    "text",
+    [
+        "add_executable(drive src/drive.cpp)",
+        "ament_auto_add_executable(drive src/drive.cpp)",
+        "rclcpp_components_register_node(core PLUGIN a::B EXECUTABLE drive)",
+        "add_executable(a x.cpp)\nset_target_properties(a PROPERTIES OUTPUT_NAME drive)",
+        "function(program name)\nadd_executable(${name} x.cpp)\nendfunction()\nprogram(drive)",
+        "macro(program)\nadd_executable(${ARGN} x.cpp)\nendmacro()\nPROGRAM(drive)",
+        "foreach(name drive)\nadd_executable(${name} x.cpp)\nendforeach()",
+        "set(ALL drive)\nforeach(name ${ALL})\nadd_executable(${name} x.cpp)\nendforeach()",
+        "set(ALL drive)\nforeach(name IN LISTS ALL)\nadd_executable(${name} x.cpp)\nendforeach()",
+        "foreach(a drive)\nforeach(b x)\nadd_executable(${a} ${b}.cpp)\nendforeach()\nendforeach()",
+    ],
+)
+def test_compiled_programs_are_found(folder: Path, text: str) -> None:
+    assert list(read(folder, text).compiled) == ["drive"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "function(never name)\nadd_executable(drive x.cpp)\nendfunction()",
+        "foreach(name ${UNKNOWN})\nadd_executable(${name} x.cpp)\nendforeach()",
+        "rclcpp_components_register_nodes(core a::B)",
+        "rclcpp_components_register_node(core PLUGIN a::B EXECUTABLE)",
+        "command(x)\nblock(x)\nenter(x)\nread(x)",
+    ],
+)
+def test_what_is_no_known_program_is_left_out(folder: Path, text: str) -> None:
+    assert read(folder, text).compiled == {}
+
+
+def test_a_program_has_the_line_that_adds_it(folder: Path) -> None:
+    assert read(folder, "\n\nadd_executable(drive x.cpp)").compiled == {"drive": 4}
+
+
+def test_a_loop_over_unknown_values_is_read_once(folder: Path) -> None:
+    loop = "foreach(one ${UNKNOWN})\nament_add_pytest_test(${one} test/${one}.py)\nendforeach()"
+    assert read(folder, loop).tests == ["test/${one}.py"]
 
 
 def test_a_folder_without_the_file_installs_nothing(tmp_path: Path) -> None:
@@ -121,3 +159,23 @@ def test_tests_are_found(folder: Path) -> None:
         "ament_add_gtest(c test/c.cpp)\n",
     )
     assert found.tests == ["test/a.test.py", "test/b.py", "${path}"]
+
+
+@pytest.mark.parametrize(
+    ("text", "name", "place"),
+    [
+        ("ament_python_install_package(robot)", "robot", "robot"),
+        (
+            "ament_python_install_package(${PROJECT_NAME} PACKAGE_DIR python/core)",
+            "robot",
+            "python/core",
+        ),
+        ("ament_python_install_package(arm PACKAGE_DIR src VERSION 1)", "arm", "src"),
+    ],
+)
+def test_python_packages_are_found(folder: Path, text: str, name: str, place: str) -> None:
+    assert read(folder, text).python_packages == {name: folder / place}
+
+
+def test_a_python_package_in_an_unknown_folder_is_left_out(folder: Path) -> None:
+    assert read(folder, "ament_python_install_package(arm PACKAGE_DIR ${X})").python_packages == {}

@@ -91,6 +91,8 @@ CMAKE_FILES = {
     "doubled list": "set(A a b c)\n" + "set(A ${A} ${A})\n" * 60,
     "doubled quoted": "set(A a b c)\n" + 'set(A "${A};${A}")\n' * 60,
     "large": "#" * 300_000,
+    "nested loops": "foreach(a b c d)\n" * 15 + "endforeach()\n" * 15,
+    "deep loops": "foreach(a b)\n" * 200 + "endforeach()\n" * 200,
     "whole disk": "install(DIRECTORY / DESTINATION share)",
 }
 
@@ -118,6 +120,9 @@ def test_a_cmake_file_that_is_too_large_is_one_error(
         "set(A ${A})\nset(B ${A}${B})\n" * 100,
         f"install(FILES {'b' * 9000} \0 DESTINATION x)\ninstall(PROGRAMS \0 DESTINATION x)",
         "file(GLOB A [ ** *)\nfile(GLOB_RECURSE B /a\0)\ninstall(FILES ${A} DESTINATION x)",
+        "foreach(a b)\n" * 15_000,
+        "function(f)\nf()\nendfunction()\nf()\nf()",
+        "macro(f)\ng()\nendmacro()\nmacro(g)\nf()\nendmacro()\nf()",
         'set("" "")\nproject("")\ninstall("")\nadd_executable("")\nrosidl_generate_interfaces("")',
     ],
 )
