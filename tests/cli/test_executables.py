@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 import pytest
 
 from tests.cli.conftest import write_package
-from zbot_cli.commands.run import SeveralExecutablesError, find
-from zbot_cli.packages.executables import all_packages, bundled_packages
+from zbot_cli.commands.run import ExecutableNotFoundError, SeveralExecutablesError, find
+from zbot_cli.packages.executables import all_packages, bundled_packages, note_of_others
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from tests.cli.conftest import Command
 
 DEMO_NODES = "add_two_ints_client, add_two_ints_server, listener, talker"
+ENTRY = "entry_points={'console_scripts': ['wave = r.w:main']}"
 LESSONS = {"listener", "monitor", "sensor", "student_publisher", "student_subscriber", "talker"}
 
 
@@ -98,15 +99,53 @@ def test_an_exact_name_is_used_before_the_name_with_py(workspace: Path) -> None:
     assert find(["my_robot", "wave.py"])[0].target == str(folder / "scripts" / "wave.py")
 
 
-def test_a_hint_does_not_repeat_what_was_typed(workspace: Path) -> None:
-    folder = write_package(workspace, "my_robot", wave="my_robot.wave:main")
-    (folder / "setup.cfg").write_text(
-        "[options.entry_points]\nconsole_scripts =\n  wave = other:main\n"
+def test_of_two_packages_with_one_name_the_nearest_is_used(
+    workspace: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    write_package(workspace / "one", "my_robot", wave="my_robot.wave:main")
+    second = write_package(workspace / "two", "my_robot", wave="my_robot.again:main")
+    assert find(["my_robot", "wave"])[0].target == "my_robot.wave:main"
+    for place in (second, second.parent, second / "my_robot"):
+        monkeypatch.chdir(place)
+        assert find(["my_robot", "wave"])[0].target == "my_robot.again:main"
+    found = find(["wave"])[0]
+    others = found.hidden
+    assert note_of_others(found) == (
+        f"package 'my_robot' is also in {others[0]}; this is the one in {second}"
     )
-    write_package(workspace.parent / "src" / "again", "my_robot", wave="my_robot.again:main")
-    with pytest.raises(SeveralExecutablesError) as caught:
-        find(["my_robot", "wave"])
-    assert caught.value.hint == "rename one of them: both are in my_robot"
+    monkeypatch.setenv("ZBOT_COPIES_NOTED", "1")
+    assert note_of_others(found) == ""
+
+
+@pytest.mark.parametrize(
+    ("setup", "target"),
+    [
+        (f"scripts=['bin/wave'], {ENTRY}", "r.w:main"),
+        ("scripts=['bin/wave'], data_files=[('lib/r', ['other/wave'])]", "other/wave"),
+        (f"{ENTRY}, data_files=[('lib/r', ['other/wave'])]", "other/wave"),
+    ],
+)
+def test_the_program_that_ros_2_installs_last_is_used(
+    workspace: Path, setup: str, target: str
+) -> None:
+    for name in ("bin/wave", "other/wave"):
+        (workspace / "r" / name).parent.mkdir(parents=True)
+        (workspace / "r" / name).write_text("#!/usr/bin/env python3\n")
+    (workspace / "r" / "package.xml").write_text("<package><name>r</name></package>")
+    (workspace / "r" / "setup.py").write_text(f"setup(name='r', {setup})")
+    found = find(["r", "wave"])[0]
+    assert found.target.endswith(target)
+    assert note_of_others(found).startswith("package 'r' has two programs 'wave'; as in ROS 2, ")
+
+
+def test_scripts_of_setup_py_are_programs(workspace: Path) -> None:
+    folder = write_package(workspace, "my_robot")
+    (folder / "bin").mkdir()
+    (folder / "bin" / "wave").write_text("#!/usr/bin/env python3\n")
+    (folder / "setup.py").write_text("setup(name='my_robot', scripts=['bin/wave', 'bin/none'])")
+    assert find(["my_robot", "wave"])[0].target == str(folder / "bin" / "wave")
+    with pytest.raises(ExecutableNotFoundError):
+        find(["my_robot", "none"])
 
 
 def test_a_students_node_hides_a_bundled_one_of_the_same_name(workspace: Path) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from zbot.interfaces.kinds import KINDS
-from zbot.package.workspace import MANIFEST, package_name, walk
+from zbot.package.workspace import MANIFEST, nearest_first, package_name, walk
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -18,7 +18,7 @@ def packages_around(roots: Roots) -> dict[str, list[Path]]:
     """Return the folders of the packages with definitions below the roots, by package name."""
     found: dict[str, list[Path]] = {}
     for root, depth in roots:
-        for folder in _package_folders(root, depth):
+        for folder in nearest_first(_package_folders(root, depth)):
             found.setdefault(package_name(folder), []).append(folder)
     return found
 

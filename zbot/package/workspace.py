@@ -6,6 +6,7 @@ very many subfolders, and the import of a message package waits until the search
 
 from __future__ import annotations
 
+import itertools
 import os
 import re
 from pathlib import Path
@@ -19,6 +20,8 @@ if TYPE_CHECKING:
 
 #: Environment variable with the folders of the workspaces that were sourced.
 VARIABLE = "ZBOT_WORKSPACE"
+#: Environment variable that puts these folders before the workspace of the current folder.
+FIRST_VARIABLE = "ZBOT_WORKSPACE_FIRST"
 #: Files that make a folder a package: the manifest of ROS 2, and the setup files of Python.
 MANIFEST = "package.xml"
 SETUP_FILES = frozenset({"setup.py", "setup.cfg", "pyproject.toml"})
@@ -37,21 +40,24 @@ Roots: TypeAlias = "tuple[tuple[Path, int], ...]"
 
 
 def search_roots() -> Roots:
-    """Return the folders to search: the current folder's workspace, then those of ZBOT_WORKSPACE.
+    """Return the folders to search. A package in an earlier folder hides its copies in later ones.
 
-    If there is no workspace, the result is the current folder with one level below it.
+    The order is: the workspace that is nearest to the current folder, the workspaces of
+    ZBOT_WORKSPACE, the other workspaces around the current folder. Without a workspace, the result
+    is the current folder with one level below it.
     """
-    named = os.environ.get(VARIABLE, "")
-    parts = [part for part in named.split(os.pathsep) if part]
-    if parts:
-        roots = ((Path(part).expanduser(), _MAX_DEPTH) for part in parts)
-        return tuple(dict.fromkeys((*current_workspace(), *roots)))
-    return _roots_here()
+    nearest, *outer = _workspaces_here() or [()]
+    parts = [part for part in os.environ.get(VARIABLE, "").split(os.pathsep) if part]
+    named = [(Path(part).expanduser(), _MAX_DEPTH) for part in parts]
+    here = nearest or (() if named else _folder_here())
+    first = (*named, *here) if os.environ.get(FIRST_VARIABLE) else (*here, *named)
+    return tuple(dict.fromkeys((*first, *(root for roots in outer for root in roots))))
 
 
 def current_workspace() -> Roots:
-    """Return the folders of the workspace or package around the current folder, if there is one."""
-    return tuple(root for root in _roots_here() if _is_workspace(*root))
+    """Return the folders of the workspace or package nearest to the current folder, if any."""
+    nearest = next(iter(_workspaces_here()), ())
+    return tuple(root for root in nearest if _is_workspace(*root))
 
 
 def build_roots() -> Roots:
@@ -60,15 +66,25 @@ def build_roots() -> Roots:
     Outside of a workspace, a build searches 5 levels below the current folder. colcon searches all
     levels.
     """
-    here = current_workspace() or tuple((root, _MAX_DEPTH) for root, _ in _roots_here())
+    here = current_workspace() or tuple((root, _MAX_DEPTH) for root, _ in _folder_here())
     return here or search_roots()  # the home folder and `/` are not searched
 
 
-def _roots_here() -> Roots:
+def _workspaces_here() -> list[Roots]:
+    folder = _current_folder()
+    return [] if folder is None else _workspaces_around(folder)
+
+
+def _folder_here() -> Roots:
+    folder = _current_folder()
+    return ((folder, _DEPTH_ELSEWHERE),) if folder is not None and _may_search(folder) else ()
+
+
+def _current_folder() -> Path | None:
     try:
-        return _roots_around(Path.cwd())
-    except FileNotFoundError:  # the current folder was deleted
-        return ()
+        return Path.cwd()
+    except FileNotFoundError:
+        return None  # it was deleted
 
 
 def _is_workspace(root: Path, depth: int) -> bool:
@@ -83,10 +99,9 @@ def set_workspace_variable(start: Path) -> None:
     """
     if os.environ.get(VARIABLE):
         return
-    folders: dict[str, None] = {}
-    for root, depth in (*search_roots(), *_roots_around(start.absolute())):
-        if _is_workspace(root, depth):
-            folders[str(root)] = None
+    around = [*_workspaces_here(), *_workspaces_around(start.absolute())]
+    found = (root for roots in around for root in roots)
+    folders = dict.fromkeys(str(root) for root, depth in found if _is_workspace(root, depth))
     if folders:
         os.environ[VARIABLE] = os.pathsep.join(folders)
 
@@ -115,9 +130,33 @@ def package_folders(
             if folder != root and MANIFEST in names:
                 below.clear()
         around = {parent for folder in found for parent in folder.parents}
-        for folder, names in found.items():
-            if folder not in around or names & {MANIFEST, "setup.py", "setup.cfg"}:
+        for folder in nearest_first(found):
+            if folder not in around or found[folder] & {MANIFEST, "setup.py", "setup.cfg"}:
                 yield folder
+
+
+def nearest_first(folders: Iterable[Path]) -> list[Path]:
+    """Sort folders by the number of parents that they share with the current folder."""
+    here = _current_folder()
+    parts = () if here is None else here.parts
+
+    def distance(folder: Path) -> int:
+        pairs = zip(parts, folder.parts, strict=False)
+        return -len(list(itertools.takewhile(lambda pair: pair[0] == pair[1], pairs)))
+
+    return sorted(folders, key=distance)
+
+
+def packages_by_name(roots: Roots | None = None) -> dict[str, list[Path]]:
+    """Return the folders of the workspace's packages by name. The first folder is the one to use.
+
+    Args:
+        roots: Folders to search instead of the workspace, each with the number of levels.
+    """
+    found: dict[str, list[Path]] = {}
+    for folder in package_folders(roots=roots):
+        found.setdefault(package_name(folder), []).append(folder)
+    return found
 
 
 def package_name(folder: Path) -> str:
@@ -158,25 +197,30 @@ def walk(root: Path, depth: int) -> Iterator[tuple[Path, set[str], list[str]]]:
         level = following
 
 
-def _roots_around(current: Path) -> Roots:
-    """Return the folders to search for the workspace that contains a folder.
+def _workspaces_around(current: Path) -> list[Roots]:
+    """Return the workspaces that contain a folder, the nearest first.
 
-    The workspace is the folder or a parent with the name `src`. If there is none, the workspace is
-    a folder `src` in the folder or in a parent. If there is none either, it is the package that
-    contains the folder. Without a workspace, the result is the folder with one level below it.
+    The packages of a workspace are in a folder `src`, which is not the `src` of a package. If there
+    is no such folder, the workspace is the nearest package with a folder `src`, or else the
+    nearest package.
     """
     near = [folder for folder in (current, *current.parents)[:_MAX_PARENTS] if _may_search(folder)]
+    found: list[Roots] = []
     for folder in near:
         # The `src` of a package contains its modules and is not a workspace.
         if folder.name == "src" and not _is_package(folder.parent):
-            return ((folder, _MAX_DEPTH),)
+            found.append(((folder, _MAX_DEPTH),))
+        elif (folder / "src").is_dir() and folder / "src" not in near and not _is_package(folder):
+            found.append(((folder / "src", _MAX_DEPTH), (folder, 0)))
+    if found:
+        return found
     for folder in near:
         if (folder / "src").is_dir():
-            return ((folder / "src", _MAX_DEPTH), (folder, 0))
+            return [((folder / "src", _MAX_DEPTH), (folder, 0))]
     for folder in near:
         if (folder / MANIFEST).is_file():
-            return ((folder, _MAX_DEPTH),)
-    return ((current, _DEPTH_ELSEWHERE),) if current in near else ()
+            return [((folder, _MAX_DEPTH),)]
+    return []
 
 
 def _is_package(folder: Path) -> bool:

@@ -221,9 +221,9 @@ def _all_packages(_: Sequence[str], __: str) -> Iterable[str]:
 
 
 def _workspace_packages(_: Sequence[str], __: str) -> Iterable[str]:
-    from zbot.package.workspace import package_folders, package_name  # noqa: PLC0415 - needed only for `build`
+    from zbot.package.workspace import build_roots, packages_by_name  # noqa: PLC0415 - needed only for `build`
 
-    return map(package_name, package_folders())
+    return packages_by_name(build_roots())
 
 
 def _added_packages(_: Sequence[str], __: str) -> Iterable[str]:

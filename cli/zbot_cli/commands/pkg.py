@@ -12,7 +12,13 @@ import typer
 from zbot.errors import ZbotError
 from zbot.package import PackageNotFoundError, package_prefix, package_share, packages
 from zbot.package.finder import BUNDLED_NAMES, find_package
-from zbot.package.workspace import MANIFEST, current_workspace, package_folders, package_name
+from zbot.package.workspace import (
+    MANIFEST,
+    current_workspace,
+    package_folders,
+    package_name,
+    packages_by_name,
+)
 from zbot.suggestion import did_you_mean
 from zbot_cli.commands.run import PackageNotFoundError as UnknownPackageError
 from zbot_cli.input.many_values import ManyValuesCommand
@@ -232,7 +238,7 @@ def dependencies(
     import zbot.compat  # noqa: F401, PLC0415 - its packages, such as rclpy, are here
     from zbot_cli.packages.lacking import OTHER, lacking_packages  # noqa: PLC0415 - slow to import
 
-    folders = {package_name(folder): folder for folder in package_folders()}
+    folders = {name: places[0] for name, places in packages_by_name().items()}
     unknown = [name for name in package_names or () if name not in folders]
     if unknown:
         raise UnknownPackageError(unknown[0], sorted(folders))

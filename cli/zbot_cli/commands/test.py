@@ -14,7 +14,7 @@ import typer
 import zbot.compat
 from zbot.errors import ZbotError
 from zbot.package.ros_variables import set_ros_variables
-from zbot.package.workspace import package_folders, package_name, set_workspace_variable
+from zbot.package.workspace import packages_by_name, set_workspace_variable
 from zbot_cli.commands.build import UnknownPackagesError
 from zbot_cli.input.many_values import ManyValuesCommand
 from zbot_cli.output.exit_status import Status
@@ -123,11 +123,17 @@ def _run_group(paths: list[Path], arguments: list[str], options: list[str]) -> l
     launches = [path for path in paths if not options and _is_launch(path)]
     others = [path for path in paths if path not in launches]
     codes = [0 if _run_launch(path, arguments) else 1 for path in launches]
+    # pytest cannot import a file such as `drive.test.py` by its name.
+    dotted = [path for path in others if path.is_file() and "." in path.stem]
+    others = [path for path in others if path not in dotted]
+    if dotted:
+        codes.append(_run_pytest(dotted, ["--import-mode=importlib", *options]))
     return [*codes, _run_pytest(others, options)] if others else codes
 
 
 def _folders(names: list[str]) -> list[Path]:
-    folders = {package_name(folder): folder for folder in package_folders()} if names else {}
+    copies = packages_by_name() if names else {}
+    folders = {name: places[0] for name, places in copies.items()}
     unknown = [name for name in names if name not in folders]
     if unknown:
         raise UnknownPackagesError("--packages-select", unknown, folders)

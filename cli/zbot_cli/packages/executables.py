@@ -5,20 +5,26 @@ from __future__ import annotations
 import importlib.util
 import os
 import sys
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from importlib.machinery import PathFinder
 from pathlib import Path, PurePosixPath
+from typing import TYPE_CHECKING
 
 from zbot.package.bundled_nodes import BUNDLED_NODES
 from zbot.package.cmake_file import read_cmake
 from zbot.package.errors import SetupFileError
 from zbot.package.python_finder import import_paths
-from zbot.package.setup_file import data_files, declared_scripts
-from zbot.package.workspace import package_folders, package_name, read_text
+from zbot.package.setup_file import data_files, declared_scripts, setup_arguments
+from zbot.package.workspace import package_name, packages_by_name, read_text
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
 
 #: Group of the entry points with which an installed package declares its nodes.
 GROUP = "zbot.nodes"
 BUNDLED = "zbot_nodes"
+#: Environment variable of the processes whose parent has shown the note of other programs.
+NOTED_VARIABLE = "ZBOT_COPIES_NOTED"
 _PROJECT = "zbot"
 _COMMAND = "zbot_cli."
 #: Short names of bundled nodes.
@@ -33,6 +39,11 @@ class Executable:
     name: str
     target: str  #: `module:function`, or the path of a file
     folders: tuple[str, ...] = ()  #: folders on Python's path in which the module is found
+    folder: str = field(default="", compare=False)  #: folder of its package, if it is known
+    #: Folders of other packages with the same name. They are not used.
+    hidden: tuple[str, ...] = field(default=(), compare=False)
+    #: Target of another program of the package with the same name. It is not used.
+    replaced: str = field(default="", compare=False)
 
 
 def is_file(target: str) -> bool:
@@ -62,28 +73,41 @@ def all_packages() -> list[Package]:
 
 def workspace_packages() -> list[Package]:
     """Return the packages of the current folder's workspace and of `$ZBOT_WORKSPACE`."""
-    folders = list(package_folders())
+    copies = packages_by_name()
+    folders = [places[0] for places in copies.values()]
     paths = tuple(dict.fromkeys(path for folder in folders for path in import_paths(folder)))
-    return [_of_sources(folder, paths) for folder in folders]
+    return [_of_sources(name, places, paths) for name, places in copies.items()]
 
 
-def _of_sources(folder: Path, paths: tuple[str, ...]) -> Package:
-    name = package_name(folder)
+def _of_sources(name: str, places: Sequence[Path], paths: tuple[str, ...]) -> Package:
+    folder, hidden = places[0], tuple(map(str, places[1:]))
     own = import_paths(folder)
     # As in a ROS 2 workspace that is sourced, every package can import all other packages.
     folders = (*own, *(path for path in paths if path not in own))
     try:
-        scripts, files = declared_scripts(folder), program_files(folder)
+        programs = _programs(folder)
         compiled = frozenset(read_cmake(folder).compiled)
     except SetupFileError as error:
         return Package(name, (), folder, str(error))
-    declared = [
-        Executable(name, one, target, folders)
-        for one, target in scripts.items()
-        if not target.startswith(_COMMAND)  # the `zbot` command itself, in zbot's own sources
+    found: dict[str, Executable] = {}
+    for one, target in programs:
+        replaced = found[one].target if one in found else ""
+        found[one] = Executable(name, one, target, folders, str(folder), hidden, replaced)
+    return Package(name, tuple(found.values()), folder, "", compiled)
+
+
+def _programs(folder: Path) -> list[tuple[str, str]]:
+    """Return name and target of a package's programs. The last of a name is the one to use.
+
+    The order is that of an installation of ROS 2: the scripts of setup.py, its entry points, its
+    data files and the programs of CMakeLists.txt.
+    """
+    return [
+        *((name, str(path)) for name, path in _scripts(folder).items()),
+        # The `zbot` command itself is in zbot's own sources.
+        *(one for one in declared_scripts(folder).items() if not one[1].startswith(_COMMAND)),
+        *((name, str(path)) for name, path in _installed_programs(folder).items()),
     ]
-    installed = [Executable(name, one, str(path), folders) for one, path in files.items()]
-    return Package(name, (*declared, *installed), folder, "", compiled)
 
 
 def program_files(folder: Path) -> dict[str, Path]:
@@ -92,12 +116,27 @@ def program_files(folder: Path) -> dict[str, Path]:
     Raises:
         SetupFileError: The package's setup.py cannot be read.
     """
+    return {**_scripts(folder), **_installed_programs(folder)}
+
+
+def _installed_programs(folder: Path) -> dict[str, Path]:
     programs = read_cmake(folder).programs
     found = {PurePosixPath(target).name: path for target, path in programs.items()}
     found.update(_data_programs(folder))
-    scripts = {path.name: path for path in sorted((folder / "scripts").glob("*.py"))}
-    known = {path.resolve() for path in found.values()}
-    found.update({name: path for name, path in scripts.items() if path.resolve() not in known})
+    return {name: path for name, path in found.items() if is_python(path)}
+
+
+def _scripts(folder: Path) -> dict[str, Path]:
+    """Return the files in the folder `scripts` and the `scripts` of setup.py by name.
+
+    A file that is installed under another name is left out.
+    """
+    known = {path.resolve() for path in _installed_programs(folder).values()}
+    given = setup_arguments(folder / "setup.py", "scripts").get("scripts")
+    names = [one for one in given if isinstance(one, str)] if isinstance(given, list) else []
+    listed = [folder / name for name in names if _is_present(folder / name)]
+    paths = [*sorted((folder / "scripts").glob("*.py")), *listed]
+    found = {path.name: path for path in paths if path.resolve() not in known}
     return {name: path for name, path in found.items() if is_python(path)}
 
 
@@ -132,6 +171,25 @@ def program_file(executable: Executable) -> str:
         return executable.target
     module = executable.target.partition(":")[0].strip()
     return str(module_file(module, executable.folders) or executable.target)
+
+
+def note_of_others(executable: Executable) -> str:
+    """Return a sentence if other programs have the names of a program, or an empty string.
+
+    The sentence is empty too in processes that a program with such a note has started.
+    """
+    if os.environ.get(NOTED_VARIABLE):
+        return ""
+    package, name = executable.package, executable.name
+    if executable.replaced:
+        return (
+            f"package '{package}' has two programs '{name}'; as in ROS 2, {executable.target} "
+            f"replaces {executable.replaced}"
+        )
+    if executable.hidden:
+        others = ", ".join(executable.hidden)
+        return f"package '{package}' is also in {others}; this is the one in {executable.folder}"
+    return ""
 
 
 def module_file(module: str, folders: tuple[str, ...]) -> Path | None:
