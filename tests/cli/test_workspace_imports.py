@@ -109,3 +109,44 @@ def test_tests_of_linters_are_skipped_and_others_run(workspace: Path) -> None:
     assert (result.code, "2 skipped" in result.out) == (0, True)
     (folder / "test_other.py").write_text("import ament_other\n")
     assert "No module named 'ament_other'" in zbot("test", "src/beta/test", cwd=workspace).out
+
+
+def test_a_package_that_cmake_installs_from_another_folder_is_imported(tmp_path: Path) -> None:
+    for name, text in {
+        "package.xml": "<package><name>arm</name></package>",
+        "CMakeLists.txt": "project(arm)\n"
+        "ament_python_install_package(arm_core PACKAGE_DIR python/core)\n"
+        "install(PROGRAMS scripts/use DESTINATION lib/arm)\n",
+        "python/core/__init__.py": "",
+        "python/core/words.py": "WORD = 'hello'\n",
+        "scripts/use": "#!/usr/bin/env python3\nfrom arm_core import words\nprint(words.WORD)\n",
+    }.items():
+        path = tmp_path / "src" / "arm" / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+    result = zbot("run", "arm", "use", cwd=tmp_path)
+    assert (result.code, result.out) == (0, "hello\n"), result.err
+
+
+@pytest.mark.parametrize("name", ["tf2_ros", "rclpy", "sensor_msgs_py", "message_filters"])
+def test_the_sources_of_a_package_of_zbot_are_not_imported(tmp_path: Path, name: str) -> None:
+    source = tmp_path / "src" / f"{name}_py" / name
+    source.mkdir(parents=True)
+    (source / "__init__.py").write_text("raise ImportError('no C++ here')\n")
+    (source.parent / "package.xml").write_text(f"<package><name>{name}_py</name></package>")
+    (source.parent / "setup.py").write_text(f"setup(name='{name}_py')\n")
+    (tmp_path / "use.py").write_text(f"import rclpy, {name}\nprint({name}.__file__)\n")
+    for folder in (tmp_path, source.parent):
+        result = zbot("run", str(tmp_path / "use.py"), cwd=folder)
+        assert result.code == 0, result.err
+        assert Path(result.out.strip()).parts[-4:-1] == ("compat", "packages", name)
+
+
+@pytest.mark.parametrize("name", ["drive.test.py", "test_drive.part.py"])
+def test_a_test_file_with_a_dot_in_its_name_runs(tmp_path: Path, name: str) -> None:
+    (tmp_path / name).write_text("def test_it():\n    assert True\n")
+    (tmp_path / "b.launch.py").write_text("raise RuntimeError('not a test')\n")
+    (tmp_path / "a.py").write_text("def test_other():\n    assert True\n")
+    result = zbot("test", name, "a.py", cwd=tmp_path)
+    assert result.code == 0, result.out
+    assert result.out.count("1 passed") == 2

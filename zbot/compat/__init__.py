@@ -4,6 +4,9 @@
 module `zbot_ros2_names` imports this package at the first import of one of ROS 2's names. Each
 folder in `packages/` is a package with one of these names, and only imports classes and functions
 of zbot. If a real package of ROS 2 is installed, Python imports the real package instead.
+
+The sources of such a package in a workspace are not imported, because most of them have parts in
+C++ that zbot cannot build: `tf2_ros` imports the C++ of `tf2_py`.
 """
 
 from __future__ import annotations
@@ -43,7 +46,10 @@ class _NameFinder:
 def _is_installed(name: str) -> bool:
     """Return whether a real package is installed. A folder without `__init__.py` is no package."""
     for finder in sys.meta_path:
-        spec = None if finder is _NameFinder else finder.find_spec(name, None)
+        if finder is _NameFinder or finder is python_finder.WorkspaceFinder:
+            continue
+        path = python_finder.paths_outside_workspace() if finder is PathFinder else None
+        spec = finder.find_spec(name, path)
         if spec is not None and spec.origin is not None:
             return True
     return False

@@ -7,13 +7,16 @@ the sources.
 
 from __future__ import annotations
 
+import contextlib
 import functools
 import os
 import sys
 from importlib.machinery import ModuleSpec, PathFinder
+from importlib.util import spec_from_file_location
 from typing import TYPE_CHECKING
 
-from zbot.package.workspace import VARIABLE, Roots, package_folders, search_roots
+from zbot.package.errors import SetupFileError
+from zbot.package.workspace import VARIABLE, Roots, package_folders, read_text, search_roots
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -39,7 +42,8 @@ class WorkspaceFinder:
             return None
         if fullname in _NOT_INSTALLED or fullname in sys.stdlib_module_names:
             return None
-        spec = PathFinder.find_spec(fullname, _paths(search_roots()), target)
+        roots = search_roots()
+        spec = _declared(fullname, roots) or PathFinder.find_spec(fullname, _paths(roots), target)
         if not _is_module(spec) or _is_module(PathFinder.find_spec(fullname, None, target)):
             return None
         return spec
@@ -72,6 +76,35 @@ def import_paths(folder: Path) -> list[str]:
     inner = folder / "src"
     has_inner = inner.is_dir() and any(inner.glob("*/__init__.py"))
     return [str(inner), str(folder)] if has_inner else [str(folder)]
+
+
+def _declared(name: str, roots: Roots) -> ModuleSpec | None:
+    """Return the spec of a package that a CMakeLists.txt installs from a folder of its choice."""
+    folder = _declared_folders(roots).get(name)
+    if folder is None or not (folder / "__init__.py").is_file():
+        return None
+    return spec_from_file_location(
+        name, folder / "__init__.py", submodule_search_locations=[str(folder)]
+    )
+
+
+@functools.lru_cache(maxsize=4)
+def _declared_folders(roots: Roots) -> dict[str, Path]:
+    found: dict[str, Path] = {}
+    for folder in package_folders(roots=roots):
+        if "PACKAGE_DIR" in read_text(folder / "CMakeLists.txt"):
+            from zbot.package.cmake_file import read_cmake  # noqa: PLC0415 - few packages need it
+
+            with contextlib.suppress(SetupFileError):  # `zbot build` reports it
+                found = {**read_cmake(folder).python_packages, **found}
+    return found
+
+
+def paths_outside_workspace() -> list[str]:
+    """Return Python's path without the folders of the workspace's packages."""
+    inside = set(_paths(search_roots()))
+    # An empty entry is the current folder.
+    return [folder for folder in sys.path if os.path.abspath(folder) not in inside]  # noqa: PTH100 - as above
 
 
 @functools.lru_cache(maxsize=4)
