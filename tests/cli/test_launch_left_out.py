@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+import sys
 from typing import TYPE_CHECKING
 
 import pytest
 
 from tests.cli.conftest import write_package
-from zbot.launch.zbot_command import find_on_path
 from zbot.package import PackageNotFoundError, package_share
+from zbot.package.ament_index import get_package_share_directory
 from zbot.package.bundled_nodes import BUNDLED_NODES
 from zbot.package.unavailable import _BY_PACKAGE, _BY_PROGRAM, _PACKAGES
+from zbot.package.zbot_command import find_on_path
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -22,15 +24,16 @@ if TYPE_CHECKING:
     Launch = Callable[..., Program]
 
 _IMPORTS = """
-import sys
-from ament_index_python.packages import get_package_share_directory
+import os, sys
+from ament_index_python.packages import *
 from launch import LaunchDescription
 from launch.actions import *
+from launch.conditions import *
 from launch.event_handlers import *
 from launch.substitutions import *
 from launch_ros.actions import *
 from launch_ros.descriptions import ComposableNode
-from launch_ros.substitutions import FindPackageShare
+from launch_ros.substitutions import FindPackagePrefix, FindPackageShare
 gazebo = Node(package="gazebo_ros", executable="spawn_entity.py", name="spawn")
 done = ExecuteProcess(cmd=[sys.executable, "-c", "print('still here')"])
 def generate_launch_description():
@@ -69,7 +72,7 @@ def test_a_known_program_is_named_once_and_the_launch_goes_on(launch: Launch) ->
 def test_strict_fails_at_the_first_one(launch: Launch) -> None:
     program = launch(f"{RVIZ}, done", "--strict")
     assert program.wait() == 1
-    assert "a.launch.py:15: rviz2 does not run here: it is a 3D viewer" in program.output
+    assert "a.launch.py:16: rviz2 does not run here: it is a 3D viewer" in program.output
     assert "still here" not in program.output
 
 
@@ -134,7 +137,7 @@ def test_strict_fails_for_components_too(launch: Launch) -> None:
     options = f"ComposableNodeContainer(namespace='', package='c', executable='d', {container})"
     program = launch(f"{options}, done", "--strict")
     assert program.wait() == 1
-    assert "the container 'box' of a::B does not run here: it is a C++ library" in program.output
+    assert "the container 'box' of a::B does not run here: it is a program that" in program.output
     assert "still here" not in program.output
 
 
@@ -144,14 +147,215 @@ def test_a_typo_still_ends_the_launch(launch: Launch) -> None:
     assert "Package 'rviz3' not found" in program.output
 
 
-def test_a_share_directory_that_a_file_asks_for_is_named_with_what_to_do(launch: Launch) -> None:
-    program = launch("Node(package='a', executable=get_package_share_directory('ros_gz_sim'))")
+SHARES = [
+    "get_package_share_directory('ros_gz_sim')",
+    "get_package_share_directory('ros_gz_sim', print_warning=True)",
+    "str(get_package_share_path('ros_gz_sim'))",
+    "os.path.join(get_package_prefix('ros_gz_sim'), 'share', 'ros_gz_sim')",
+    "FindPackageShare('ros_gz_sim')",
+    "FindPackageShare('ros_gz_sim').find('ros_gz_sim')",
+    "PathJoinSubstitution([FindPackagePrefix('ros_gz_sim'), 'share', 'ros_gz_sim'])",
+]
+
+
+@pytest.mark.parametrize("share", SHARES)
+def test_the_folder_of_a_known_package_does_not_end_the_launch(launch: Launch, share: str) -> None:
+    path = f"PathJoinSubstitution([{share}, 'launch', 'gz_sim.launch.py'])"
+    program = launch(
+        f"IncludeLaunchDescription({path}), SetEnvironmentVariable('GZ', {share}),"
+        f"LogInfo(msg='logged', condition=LaunchConfigurationEquals('a', {share})), done"
+    )
+    assert program.wait() == 0
+    assert program.output.count("ros_gz_sim is left out: it is a simulator in C++") == 1
+    line = "a.launch.py:16: this line is left out, because it needs launch/gz_sim.launch.py of "
+    assert f"{line}ros_gz_sim" in program.output
+    assert "still here" in program.output
+    assert "Share directory for" not in program.output
+
+
+def test_an_xml_file_may_use_the_folder_of_a_known_package(
+    tmp_path: Path, start: Start, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("ZBOT_LOG_DIR", str(tmp_path / "log"))
+    file = tmp_path / "a.launch.xml"
+    file.write_text(
+        "<launch><include file='$(find-pkg-share ros_gz_sim)/launch/gz_sim.launch.py'/>"
+        "<executable cmd='echo $(find-pkg-prefix ros_gz_sim)' output='screen'/></launch>"
+    )
+    program = start("zbot", "launch", str(file))
+    assert program.wait() == 0
+    assert program.output.count("ros_gz_sim is left out") == 1
+    assert f"[echo-1] {sys.prefix}" in program.output
+
+
+def test_strict_fails_at_the_folder_of_a_known_package(launch: Launch) -> None:
+    program = launch("LogInfo(msg=get_package_share_directory('ros_gz_sim')), done", "--strict")
     assert program.wait() == 1
-    assert (
-        "(ros_gz_sim is a simulator in C++, which does not run here: write "
-        "FindPackageShare('ros_gz_sim') in place of get_package_share_directory, and the launch "
-        "goes on without it)"
-    ) in program.output
+    assert "a.launch.py:16: ros_gz_sim does not run here: it is a simulator" in program.output
+
+
+def test_what_needs_a_file_of_a_known_package_is_left_out(launch: Launch) -> None:
+    urdf = "Command(['cat ', FindPackageShare('ur_description'), '/urdf/ur.urdf.xacro'])"
+    state = "package='robot_state_publisher', executable='robot_state_publisher'"
+    node = f"Node({state}, parameters=[{{'robot_description': {urdf}}}])"
+    program = launch(f"{node}, done")
+    assert program.wait() == 0
+    assert "ur_description is left out: it is a package of a robot, which is not here" in (
+        program.output
+    )
+    assert "16: this line is left out, because it needs urdf/ur.urdf.xacro of ur_description" in (
+        program.output
+    )
+    assert "still here" in program.output
+
+
+def test_a_description_that_uses_a_known_package_is_left_out(
+    launch: Launch, tmp_path: Path
+) -> None:
+    pytest.importorskip("xacro")
+    include = '<xacro:include filename="$(find ur_description)/urdf/ur_macro.xacro"/>'
+    robot = f'<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="r">{include}</robot>'
+    (tmp_path / "a.xacro").write_text(robot)
+    urdf = f"Command(['xacro ', {str(tmp_path / 'a.xacro')!r}])"
+    state = "package='robot_state_publisher', executable='robot_state_publisher'"
+    program = launch(f"Node({state}, parameters=[{{'robot_description': {urdf}}}]), done")
+    assert program.wait() == 0
+    assert "because it needs a file of ur_description" in program.output
+    assert "still here" in program.output
+
+
+def test_an_included_file_that_reads_a_file_of_a_known_package_is_left_out(
+    launch: Launch, tmp_path: Path
+) -> None:
+    inner = tmp_path / "inner.launch.py"
+    inner.write_text(
+        "from ament_index_python import get_package_share_directory as share\n"
+        "def generate_launch_description():\n"
+        "    return open(share('ur_description') + '/config/x.yaml').read()\n"
+    )
+    program = launch(f"IncludeLaunchDescription({str(inner)!r}), done")
+    assert program.wait() == 0
+    assert "16: this line is left out, because it needs config/x.yaml of ur_description" in (
+        program.output
+    )
+    assert "still here" in program.output
+
+
+def test_a_file_that_cannot_be_read_without_a_known_package_is_an_error(launch: Launch) -> None:
+    program = launch("LogInfo(msg=open(get_package_share_directory('ur_description') + '/a'))")
+    assert program.wait() == 1
+    assert "a.launch.py:16: ur_description is not here: it is a package of a robot" in (
+        program.output
+    )
+
+
+@pytest.mark.parametrize(
+    ("package", "hint"),
+    [("nav2_bringp", "nav2_bringup"), ("demo_nodes_pi", "demo_nodes_py"), ("my_own_robot", "")],
+)
+def test_the_folder_of_an_unknown_package_ends_the_launch(
+    launch: Launch, package: str, hint: str
+) -> None:
+    program = launch(f"LogInfo(msg=get_package_share_directory({package!r})), done")
+    assert program.wait() == 1
+    assert f"16: package '{package}' not found" in program.output
+    assert (f"did you mean '{hint}'?" in program.output) is bool(hint)
+    assert "still here" not in program.output
+
+
+def test_the_arguments_of_a_file_that_names_a_known_package_are_shown(launch: Launch) -> None:
+    share = "get_package_share_directory('ros_gz_sim')"
+    program = launch(f"DeclareLaunchArgument('world', default_value={share})", "--show-args")
+    assert program.wait() == 0
+    assert "'world':" in program.output
+
+
+def test_a_program_gets_an_error_for_a_known_package() -> None:
+    with pytest.raises(PackageNotFoundError, match="'ros_gz_sim' not found"):
+        get_package_share_directory("ros_gz_sim")
+
+
+COMPONENTS = (
+    "ComposableNode(package='composition', plugin='composition::Talker', name='teller',"
+    " namespace='/here', remappings=[('chatter', 'words')]),"
+    "ComposableNode(package='image_proc', plugin='image_proc::RectifyNode'),"
+    "ComposableNode(package='p', plugin='p::Off', condition=IfCondition('false'))"
+)
+
+
+LOADED = f"composable_node_descriptions=[{COMPONENTS}]"
+CONTAINER = (
+    "name='box', namespace='', package='rclcpp_components', executable='component_container'"
+)
+
+
+@pytest.mark.parametrize(
+    "action",
+    [
+        f"ComposableNodeContainer({CONTAINER}, {LOADED})",
+        f"LoadComposableNodes({LOADED}, target_container='box')",
+        f"LoadComposableNodes({LOADED}, target_container=ComposableNodeContainer({CONTAINER}))",
+    ],
+)
+def test_a_component_that_zbot_has_runs_as_a_program(launch: Launch, action: str) -> None:
+    program = launch(action)
+    program.wait_for("Publishing")
+    assert "[talker-1]" in program.output
+    assert "[here.teller]" in program.output
+    sentence = "the container 'box' of image_proc::RectifyNode is left out: it is a program that"
+    assert program.output.count(sentence) == 1
+    assert "p::Off" not in program.output
+    assert program.stop() == 0
+
+
+def test_a_container_that_is_a_node_is_left_out(launch: Launch) -> None:
+    program = launch("Node(package='rclcpp_components', executable='component_container'), done")
+    assert program.wait() == 0
+    assert "rclcpp_components is left out: it is a program that loads C++" in program.output
+    assert "still here" in program.output
+
+
+NO_PROGRAMS = {
+    "missing": ("cmd=['nosuch']", "executable 'nosuch' not found on the PATH"),
+    "empty": ("cmd=['', 'a']", "executable '' not found on the PATH"),
+    "prefix": ("cmd=['echo', 'a'], prefix='noterm -e'", "executable 'noterm' not found"),
+    "words": ("cmd=['echo a']", "a shell splits the command line into words"),
+    "folder": ("cmd=['ls'], cwd='/no/such'", "the working directory '/no/such' of 'ls' does not"),
+    "shell folder": ("cmd=['ls'], cwd='/no/such', shell=True", "cannot start 'ls'"),
+    "mode": ("cmd=['./plain'], cwd=HERE", "'./plain' is not executable (type: chmod +x"),
+    "shebang": ("cmd=['./bang'], cwd=HERE", "its first line, #!/no/such/python, does not exist"),
+    "format": ("cmd=['./none'], cwd=HERE", "its first line does not begin with #!"),
+}
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no modes and first lines")
+@pytest.mark.parametrize("name", NO_PROGRAMS)
+def test_a_program_that_cannot_start_is_an_error_and_the_launch_goes_on(
+    launch: Launch, tmp_path: Path, name: str
+) -> None:
+    for file, text in {"plain": "", "bang": "#!/no/such/python\n", "none": "x = 1\n"}.items():
+        (tmp_path / file).write_text(text)
+        (tmp_path / file).chmod(0o644 if file == "plain" else 0o755)
+    options, sentence = NO_PROGRAMS[name]
+    options = options.replace("HERE", repr(str(tmp_path)))
+    action = f"e := ExecuteProcess({options}, on_exit=Shutdown(), respawn=True)"
+    waiting = "RegisterEventHandler(OnProcessExit(target_action=e, on_exit=LogInfo(msg='ended')))"
+    program = launch(f"{action}, {waiting}, TimerAction(period=0.5, actions=[done])")
+    assert program.wait() == 1
+    assert sentence in program.output
+    assert program.output.count("the launch goes on without it") == 1
+    assert "a.launch.py:16: " in program.output
+    assert "still here" in program.output
+    assert "ended" not in program.output
+
+
+def test_a_program_that_cannot_start_ends_a_strict_launch(launch: Launch) -> None:
+    program = launch(
+        "ExecuteProcess(cmd=['nosuch']), TimerAction(period=9.0, actions=[done])", "--strict"
+    )
+    assert program.wait() == 1
+    assert "a.launch.py:16: executable 'nosuch' not found on the PATH" in program.output
+    assert "still here" not in program.output
 
 
 @pytest.mark.usefixtures("workspace")

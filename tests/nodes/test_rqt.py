@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 import pytest
 
 from tests.conftest import wait_until
-from zbot.launch.zbot_command import find_on_path
 from zbot.package.bundled_nodes import BUNDLED_NODES, BUNDLED_PROGRAMS
+from zbot.package.zbot_command import find_on_path
 from zbot_nodes.page.rqt import PANELS, panel_path
 
 if TYPE_CHECKING:

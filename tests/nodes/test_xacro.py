@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from tests.cli.conftest import MANIFEST
-from zbot.launch.zbot_command import find_on_path
+from zbot.package.zbot_command import find_on_path
 from zbot_nodes.description import xacro_program
 
 if TYPE_CHECKING:

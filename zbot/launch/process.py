@@ -11,7 +11,7 @@ import sys
 from typing import TYPE_CHECKING, Any, cast
 
 from zbot.launch.process_group import send
-from zbot.launch.zbot_command import zbot_command
+from zbot.package.zbot_command import zbot_command
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Mapping, Sequence

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from zbot.errors import ZbotError
 from zbot.launch.description import LaunchDescription
 from zbot.launch.errors import LaunchFileError, describe
+from zbot.launch.left_out import missing_file
 from zbot.launch.python_mistakes import FUNCTION, advice, missing_function
 from zbot.package import python_finder
 from zbot.terminal.typographic import advise_of_syntax
@@ -37,7 +38,7 @@ def load(path: Path) -> LaunchDescription:
         advise_of_syntax(error)
         place = error.filename or str(path)
         raise LaunchFileError(place, error.lineno or 0, f"SyntaxError: {error.msg}") from error
-    except Exception as error:
+    except (Exception, SystemExit) as error:
         raise _with_line(path, error) from error
     if function is None:
         reason = f"the file has no function {FUNCTION}()"
@@ -71,7 +72,7 @@ def _wrong_result(returned: object) -> str:
     return f"{FUNCTION}() returns {what}: write `return LaunchDescription([...])`"
 
 
-def _with_line(path: Path, error: Exception) -> LaunchFileError:
+def _with_line(path: Path, error: Exception | SystemExit) -> LaunchFileError:
     """Return an error that shows the line of the launch file that raised `error`."""
     if isinstance(error, LaunchFileError):
         return error
@@ -80,7 +81,8 @@ def _with_line(path: Path, error: Exception) -> LaunchFileError:
         for frame in traceback.extract_tb(error.__traceback__)
         if frame.filename == str(path)
     ]
-    reason = str(error) if isinstance(error, ZbotError) else describe(error)
+    cause = missing_file(error) or error
+    reason = str(cause) if isinstance(cause, ZbotError) else describe(error)
     hint = getattr(error, "hint", "") or ""
     if not isinstance(error, ZbotError):
         hint = advice(error)

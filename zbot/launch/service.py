@@ -6,22 +6,30 @@ import asyncio
 import contextlib
 import logging
 import signal
+import sys
 import threading
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from zbot.launch.context import LaunchContext
 from zbot.launch.errors import LaunchFileError
 from zbot.launch.event import IncludeLaunchDescriptionEvent, SecondInterrupt, Shutdown
 from zbot.launch.event_handler import OnIncludeLaunchDescription
+from zbot.launch.left_out import leave_out, missing_file
 from zbot.launch.log import launch_config
 from zbot.launch.signal_manager import AsyncSafeSignalManager
+from zbot.package.absent import absent_packages_reported
+from zbot.package.errors import NotRunnableError
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Sequence
+    from collections.abc import Callable, Iterable, Iterator, Sequence
 
     from zbot.launch.description import LaunchDescription
-    from zbot.launch.entity import LaunchDescriptionEntity
+    from zbot.launch.entity import LaunchDescriptionEntity, Origin
     from zbot.launch.event import Event
+
+#: Errors of launch files. A function of a launch file may call `sys.exit`, as xacro does.
+_ERRORS = (Exception, SystemExit)
 
 
 class LaunchService:
@@ -131,7 +139,7 @@ class LaunchService:
         if keep_running is not None:
             context.add_completion_future(keep_running)
         try:
-            with self._signals(loop):
+            with self._signals(loop), absent_packages_reported(partial(leave_out, context)):
                 await self._work(keep_running)
         finally:
             context.close()
@@ -165,25 +173,41 @@ class LaunchService:
         try:
             for entity in function():
                 self._visit(entity)
-        except Exception as error:  # noqa: BLE001 - errors in launch files end the launch
+        except _ERRORS as error:  # errors in launch files end the launch
             self.context.truncate_locals(depth)
             self.context.fail(error)
 
     def _visit(self, entity: LaunchDescriptionEntity) -> None:
+        origin = getattr(entity, "origin", None)
         try:
-            following = entity.visit(self.context)
+            following = self._following(entity, origin)
         except LaunchFileError:
             raise
-        except Exception as error:
-            origin = getattr(entity, "origin", None)
+        except _ERRORS as error:
             if origin is None:
                 raise
             raise LaunchFileError.at(origin, error) from error
         future = entity.get_asyncio_future()
         if future is not None:
             self.context.add_completion_future(future)
-        for one in following or ():
+        for one in following:
             self._visit(one)
+
+    def _following(
+        self, entity: LaunchDescriptionEntity, origin: Origin | None
+    ) -> Iterable[LaunchDescriptionEntity]:
+        stdout = sys.stdout
+        try:
+            return entity.visit(self.context) or ()
+        except NotRunnableError as error:
+            leave_out(self.context, error, origin)
+        except _ERRORS as error:
+            sys.stdout = stdout  # a call of `xacro.process` that fails leaves another stdout
+            absent = missing_file(error)
+            if absent is None or origin is None:  # the command line has no origin
+                raise
+            leave_out(self.context, absent, origin)
+        return ()
 
     @contextlib.contextmanager
     def _signals(self, loop: asyncio.AbstractEventLoop) -> Iterator[None]:

@@ -15,6 +15,7 @@ from zbot.launch.errors import (
     LaunchUsageError,
 )
 from zbot.launch.substitution import describe, normalize, perform
+from zbot.package.absent import absent_packages_reported
 
 if TYPE_CHECKING:
     from zbot.launch.context import LaunchContext
@@ -84,7 +85,8 @@ class LaunchDescriptionSource:
             location = self.location_before_launch(including)
             if location is None:
                 return None
-            self._description = load_launch_file(location, self.format)
+            with absent_packages_reported():
+                self._description = load_launch_file(location, self.format)
         return self._description
 
     def location_before_launch(self, including: str = "") -> str | None:

@@ -11,7 +11,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Final
 
 from zbot.launch import process
-from zbot.launch.errors import LaunchFileError, ProgramError
+from zbot.launch.actions.executable import check_program, not_started
+from zbot.launch.errors import LaunchError, LaunchFileError, ProgramError
 from zbot.launch.event import SecondInterrupt, Shutdown
 from zbot.launch.event_handler import EventHandler
 from zbot.launch.output import OutputLines
@@ -87,20 +88,26 @@ class Supervisor:
     async def _run(self, handlers: list[BaseEventHandler]) -> None:
         try:
             await self._run_with_respawn()
-        except OSError as error:
-            self._fail(error)
+        except (OSError, ProgramError) as error:
+            self._report_not_started(error)
         finally:
             for handler in handlers:
                 self._context.unregister_event_handler(handler)
             if self._escalation is not None:
                 self._escalation.cancel()
 
-    def _fail(self, error: OSError) -> None:
-        reason = f"cannot start '{self._prepared.words[0]}': {error.strerror or error}"
-        failure: Exception = ProgramError(reason)
+    def _report_not_started(self, error: OSError | ProgramError) -> None:
+        """Log why the program was not started. In a strict launch, this ends the launch."""
+        reason = error if isinstance(error, ProgramError) else not_started(self._prepared, error)
+        failure: LaunchError = reason
         if self._action.origin is not None:
-            failure = LaunchFileError.at(self._action.origin, failure)
-        self._context.fail(failure)
+            failure = LaunchFileError.at(self._action.origin, reason)
+        if self._context.strict:
+            self._context.fail(failure)
+            return
+        hint = f" ({reason.hint})" if reason.hint else ""
+        self._context.writer.error(self.label, f"{failure}{hint}; the launch goes on without it")
+        self._context.program_failed = True
 
     async def _run_with_respawn(self) -> None:
         retries = self._policy.respawn_max_retries
@@ -125,6 +132,8 @@ class Supervisor:
             else:
                 early.append((fd, data))
 
+        if not is_line:
+            check_program(prepared)
         child = await process.start(
             " ".join(prepared.words) if is_line else prepared.words,
             env=prepared.env,

@@ -1,6 +1,9 @@
 """Functions that take a package's name and find the prefix and share folder of the package.
 
 A package of the workspace does not have to be built. It is used from its source folder.
+
+During a launch, a well-known package that does not run in zbot has these folders too, but they do
+not exist. See `zbot.package.absent`.
 """
 
 from __future__ import annotations
@@ -59,7 +62,10 @@ def packages() -> dict[str, Package]:
 
 
 def _find(name: str) -> Package:
+    from zbot.package.absent import absent_prefix  # noqa: PLC0415 - slow to import
     from zbot.package.finder import (  # noqa: PLC0415 - slow to import
+        Origin,
+        Package,
         all_packages,
         find_package,
         searched_folders,
@@ -68,6 +74,9 @@ def _find(name: str) -> Package:
     if not _NAME.match(name):
         raise PackageNameError(name)
     package = find_package(name)
-    if package is None:
+    if package is not None:
+        return package
+    prefix = absent_prefix(name)
+    if prefix is None:
         raise PackageNotFoundError(name, searched_folders(), all_packages())
-    return package
+    return Package(name, prefix / "share" / name, Origin.INSTALLED, prefix)

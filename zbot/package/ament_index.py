@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Literal
 
 from zbot.errors import ZbotError
 from zbot.package import package_prefix, package_share
+from zbot.package.absent import absent_file, absent_prefix
 from zbot.package.errors import SetupFileError
 from zbot.package.finder import all_packages, find_package, prefixes
 
@@ -74,7 +75,7 @@ def get_package_share_directory(package_name: str, print_warning: bool = True) -
 def get_package_share_path(package_name: str, print_warning: bool = True) -> Path:
     """Return the result of `get_package_share_directory` as a path."""
     share = package_share(package_name)
-    if print_warning and not share.exists():
+    if print_warning and not share.exists() and absent_file(share) is None:
         text = f"Share directory for {package_name} ({share}) does not exist."
         warnings.warn(text, stacklevel=3)
     return share
@@ -93,11 +94,23 @@ def get_search_paths() -> list[str]:
 def get_resource(resource_type: str, resource_name: str) -> tuple[str, str]:
     """Return the content of a resource and its prefix.
 
+    During a launch, each well-known package of ROS 2 has a resource, see `zbot.package.absent`.
+
     Raises:
         ResourceNotFoundError: The resource is not registered.
         InvalidResourceTypeNameError: The type is empty or contains a slash.
         InvalidResourceNameError: The name contains a slash.
     """
+    found = _registered(resource_type, resource_name)
+    prefix = None if found or resource_type != _PACKAGES else absent_prefix(resource_name)
+    if prefix is not None:
+        return "", str(prefix)
+    if found is None:
+        raise ResourceNotFoundError(resource_type, resource_name)
+    return found
+
+
+def _registered(resource_type: str, resource_name: str) -> tuple[str, str] | None:
     _check(resource_type, resource_name)
     for prefix in prefixes():
         file = prefix / RESOURCE_INDEX_SUBFOLDER / resource_type / resource_name
@@ -105,9 +118,17 @@ def get_resource(resource_type: str, resource_name: str) -> tuple[str, str]:
             return file.read_text(encoding="utf-8"), str(prefix)
     package = find_package(resource_name)
     text = _text(resource_type, package) if package else None
-    if text is None:
-        raise ResourceNotFoundError(resource_type, resource_name)
-    return text, str(package_prefix(resource_name))
+    return None if text is None else (text, str(package_prefix(resource_name)))
+
+
+class _Prefixes(dict[str, str]):
+    """Prefixes by resource. During a launch, `[]` also finds packages that are not here."""
+
+    def __missing__(self, name: str) -> str:
+        prefix = absent_prefix(name)
+        if prefix is None:
+            raise KeyError(name)
+        return str(prefix)
 
 
 def get_resources(resource_type: str) -> dict[str, str]:
@@ -117,7 +138,7 @@ def get_resources(resource_type: str) -> dict[str, str]:
         InvalidResourceTypeNameError: The type is empty or contains a slash.
     """
     _check(resource_type)
-    found: dict[str, str] = {}
+    found = _Prefixes() if resource_type == _PACKAGES else {}
     for prefix in prefixes():
         for entry in sorted((prefix / RESOURCE_INDEX_SUBFOLDER / resource_type).glob("[!.]*")):
             if entry.is_file():
@@ -136,10 +157,8 @@ def has_resource(resource_type: str, resource_name: str) -> str | Literal[False]
         InvalidResourceTypeNameError: The type is empty or contains a slash.
         InvalidResourceNameError: The name contains a slash.
     """
-    try:
-        return get_resource(resource_type, resource_name)[1]
-    except ResourceNotFoundError:
-        return False
+    found = _registered(resource_type, resource_name)
+    return found[1] if found else False
 
 
 def get_resource_types() -> set[str]:

@@ -73,3 +73,39 @@ BUNDLED_NODES: Final[dict[str, dict[str, str]]] = {
     "urdf_launch": {},  # only launch files
     "xacro": {"xacro": "description.xacro_program"},
 }
+
+#: Components (plugins of C++ libraries) that bundled nodes replace: plugin -> package, executable.
+BUNDLED_COMPONENTS: Final[dict[str, tuple[str, str]]] = {
+    "action_tutorials_cpp::FibonacciActionClient": (
+        "action_tutorials_cpp",
+        "fibonacci_action_client",
+    ),
+    "action_tutorials_cpp::FibonacciActionServer": (
+        "action_tutorials_cpp",
+        "fibonacci_action_server",
+    ),
+    "composition::Client": ("demo_nodes_cpp", "add_two_ints_client"),
+    "composition::Listener": ("demo_nodes_cpp", "listener"),
+    "composition::Server": ("demo_nodes_cpp", "add_two_ints_server"),
+    "composition::Talker": ("demo_nodes_cpp", "talker"),
+    "demo_nodes_cpp::ClientNode": ("demo_nodes_cpp", "add_two_ints_client"),
+    "demo_nodes_cpp::Listener": ("demo_nodes_cpp", "listener"),
+    "demo_nodes_cpp::ParameterBlackboard": ("demo_nodes_cpp", "parameter_blackboard"),
+    "demo_nodes_cpp::ServerNode": ("demo_nodes_cpp", "add_two_ints_server"),
+    "demo_nodes_cpp::Talker": ("demo_nodes_cpp", "talker"),
+    "image_transport::Republisher": ("image_transport", "republish"),
+    "joy::Joy": ("joy", "joy_node"),
+    "nav2_lifecycle_manager::LifecycleManager": ("nav2_lifecycle_manager", "lifecycle_manager"),
+    "nav2_map_server::MapSaver": ("nav2_map_server", "map_saver_server"),
+    "nav2_map_server::MapServer": ("nav2_map_server", "map_server"),
+    "robot_state_publisher::RobotStatePublisher": (
+        "robot_state_publisher",
+        "robot_state_publisher",
+    ),
+    "teleop_twist_joy::TeleopTwistJoy": ("teleop_twist_joy", "teleop_node"),
+    "topic_tools::DelayNode": ("topic_tools", "delay"),
+    "topic_tools::DropNode": ("topic_tools", "drop"),
+    "topic_tools::MuxNode": ("topic_tools", "mux"),
+    "topic_tools::RelayNode": ("topic_tools", "relay"),
+    "topic_tools::ThrottleNode": ("topic_tools", "throttle"),
+}

@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING
 
 from zbot.errors import ZbotError
-from zbot.package.unavailable import Unavailable, unavailable_package
+from zbot.package.unavailable import Unavailable, unavailable_package, unavailable_packages
 from zbot.suggestion import did_you_mean
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
     from pathlib import Path
+
+
+#: Pattern of the text of PackageNotFoundError, for the output of other processes.
+PACKAGE_NOT_FOUND = re.compile(r"package '(\w+)' not found, searching")
 
 
 class NotRunnableError(ZbotError):
@@ -19,13 +24,27 @@ class NotRunnableError(ZbotError):
     A launch leaves the program out and goes on.
 
     Attributes:
+        name: The program.
         sentence: What is left out, why, and what does the same in zbot.
     """
 
     def __init__(self, name: str, kind: Unavailable) -> None:
-        what, instead = kind
-        self.sentence = f"{name} is left out: it is {what}, which does not run here; {instead}"
-        super().__init__(f"{name} does not run here: it is {what}; {instead}")
+        self.name = name
+        what, instead, why = kind
+        self.sentence = f"{name} is left out: it is {what}, which {why}; {instead}"
+        super().__init__(f"{name} {why}: it is {what}; {instead}")
+
+
+class AbsentFileError(NotRunnableError):
+    """A part of a launch needs a file of a well-known package that is not here.
+
+    Attributes:
+        file: The path in the share folder of the package. It is empty if the file is not known.
+    """
+
+    def __init__(self, package: str, kind: Unavailable, file: str = "") -> None:
+        self.file = file
+        super().__init__(package, kind)
 
 
 class PackageNotFoundError(ZbotError, KeyError):
@@ -39,14 +58,10 @@ class PackageNotFoundError(ZbotError, KeyError):
 
     def __init__(self, package: str, searched: Iterable[Path], known: Iterable[str] = ()) -> None:
         self.package, self.searched = package, [str(path) for path in searched]
-        self.hint = did_you_mean(package, known)
+        self.hint = did_you_mean(package, [*known, *unavailable_packages()])
         kind = unavailable_package(package)
         if kind is not None:
-            self.hint = (
-                f"{package} is {kind.what}, which does not run here: write "
-                f"FindPackageShare('{package}') in place of get_package_share_directory, and the "
-                "launch goes on without it"
-            )
+            self.hint = f"{package} is {kind.what}, which {kind.why}; {kind.instead}"
         super().__init__(f"package '{package}' not found, searching: {self.searched}")
 
     def __str__(self) -> str:
@@ -75,3 +90,11 @@ class SetupFileError(ZbotError):
         self.path, self.reason, self.line = path, reason, line
         where = f"line {line}: " if line else ""
         super().__init__(f"cannot read {path}: {where}{reason}")
+
+
+class WrapperError(ZbotError):
+    """The script that stands for a missing program cannot be written."""
+
+    def __init__(self, path: Path, reason: OSError) -> None:
+        self.path, self.reason = path, reason
+        super().__init__(f"cannot write {path}: {reason.strerror}")

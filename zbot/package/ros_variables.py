@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 
 #: The distribution of ROS 2 whose definitions and formats zbot has.
@@ -15,6 +16,14 @@ def ros_variable(name: str) -> str:
 
 
 def set_ros_variables() -> None:
-    """Set the variables that are not set yet, for this process and its child processes."""
+    """Set the variables that are not set yet, for this process and its child processes.
+
+    Without an installed ROS 2, the command `ros2` on the PATH is zbot.
+    """
+    from zbot.package.errors import WrapperError  # noqa: PLC0415 - not needed by readers
+    from zbot.package.zbot_command import add_ros2_to_path  # noqa: PLC0415 - as above
+
     for name, value in _VALUES.items():
         os.environ.setdefault(name, value)
+    with contextlib.suppress(WrapperError, RuntimeError):  # RuntimeError: there is no home folder
+        os.environ.update(add_ros2_to_path(os.environ))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
+from functools import partial
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -15,21 +16,25 @@ from zbot.launch.actions.include import IncludeLaunchDescription
 from zbot.launch.arguments import declared_arguments, parse_arguments
 from zbot.launch.description import LaunchDescription
 from zbot.launch.introspector import LaunchIntrospector
+from zbot.launch.left_out import leave_out
 from zbot.launch.service import LaunchService
 from zbot.launch.source import AnyLaunchDescriptionSource
 from zbot.launch.substitution import TextSubstitution, describe
+from zbot.package.absent import absent_packages_reported
 from zbot.package.ros_variables import set_ros_variables
 from zbot.package.workspace import set_workspace_variable
 from zbot.suggestion import did_you_mean
 from zbot_cli.commands.run import find as find_executable
 from zbot_cli.output.listing import new_app
 from zbot_cli.packages import launch_file
+from zbot_cli.packages.executables import NOTED_VARIABLE, note_of_others
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
     from pathlib import Path
 
     from zbot.launch.actions.declare_argument import DeclareLaunchArgument
+    from zbot.launch.context import LaunchContext
 
 app = new_app("Run a launch file", has_verbs=False)
 
@@ -108,17 +113,26 @@ def launch(
         noninteractive=noninteractive or not sys.stdin or not sys.stdin.isatty(),
         debug=debug,
         strict=strict,
-        find_program=lambda package, executable: find_executable([package, executable]),
+        find_program=lambda package, executable: _find(service.context, package, executable),
     )
     options = {PREFIX: prefix, PREFIX_FILTER: prefix_filter}
     service.context.launch_configurations |= {key: one for key, one in options.items() if one}
     source = AnyLaunchDescriptionSource(str(path))
-    for text in _likely_typos(source, path, arguments):
-        service.context.writer.warning("launch", text)
+    with absent_packages_reported(partial(leave_out, service.context)):
+        for text in _likely_typos(source, path, arguments):
+            service.context.writer.warning("launch", text)
     include = IncludeLaunchDescription(source, launch_arguments=arguments.items())
     include.origin = None  # the command line includes it, not a line of a launch file
     service.include_launch_description(LaunchDescription([include]))
     return service.run() or int(service.context.program_failed)
+
+
+def _find(context: LaunchContext, package: str, executable: str) -> None:
+    found, _ = find_executable([package, executable])
+    note = note_of_others(found)
+    if note and NOTED_VARIABLE not in context.environment:
+        context.writer.warning("launch", note)
+        context.environment[NOTED_VARIABLE] = "1"  # the node does not show it again
 
 
 def _likely_typos(

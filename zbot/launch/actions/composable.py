@@ -1,29 +1,35 @@
-"""Actions for components (composable nodes). They report that zbot cannot load components."""
+"""Actions for components (composable nodes), which are C++ libraries in ROS 2.
+
+A component that zbot has as a bundled node runs as a program of its own. The other components, and
+the containers, cannot run and are left out.
+"""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Final
 
 from zbot.launch.action import Action
-from zbot.launch.substitution import describe, normalize, perform
+from zbot.launch.actions.node import Node
+from zbot.launch.left_out import leave_out
+from zbot.launch.substitution import describe, is_a_substitution, normalize, perform
+from zbot.package.bundled_nodes import BUNDLED_COMPONENTS
 from zbot.package.errors import NotRunnableError
-from zbot.package.unavailable import Unavailable
+from zbot.package.unavailable import COMPONENTS
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Sequence
 
     from zbot.launch.condition import Condition
     from zbot.launch.context import LaunchContext
+    from zbot.launch.entity import LaunchDescriptionEntity
     from zbot.launch.substitution import SomeSubstitutionsType
 
-_REASON = (
-    "components are C++ libraries, which zbot cannot load; start each as "
-    "Node(package=..., executable=...)"
-)
+_PACKAGE: Final = "rclcpp_components"
+_EXECUTABLE: Final = "component_container"
 
 
 class ComposableNode:
-    """Description of a component, which zbot does not load."""
+    """Description of a component."""
 
     def __init__(
         self,
@@ -43,36 +49,62 @@ class ComposableNode:
         self.parameters, self.remappings = list(parameters or ()), list(remappings or ())
         self.extra_arguments, self.condition = list(extra_arguments or ()), condition
 
+    def bundled(self, plugin: str) -> Node | None:
+        """Return the bundled node that does the same as a component, or None if there is none."""
+        if plugin not in BUNDLED_COMPONENTS:
+            return None
+        package, executable = BUNDLED_COMPONENTS[plugin]
+        return Node(
+            package=package,
+            executable=executable,
+            name=self.node_name,
+            namespace=self.node_namespace,
+            parameters=self.parameters,
+            remappings=self.remappings,
+        )
 
-class _UnsupportedComponents(Action):
-    """Reports components that zbot cannot load. The rest of the launch continues."""
 
-    def __init__(self, descriptions: Iterable[ComposableNode] | None, **options: Any) -> None:
-        super().__init__(**options)
-        self.composable_node_descriptions = list(descriptions or ())
+class _NotRunnableContainerError(NotRunnableError):
+    """A container cannot run in zbot, or some of its components cannot run."""
 
-    def execute(self, context: LaunchContext) -> None:
-        """Log an error and set the exit code of the launch to 1.
-
-        Raises:
-            NotRunnableError: The launch is strict.
-        """
-        where = f"{self.origin.path}:{self.origin.line}: " if self.origin else ""
-        plugins = [perform(context, one.node_plugin) for one in self.composable_node_descriptions]
+    def __init__(self, container: str, plugins: Sequence[str]) -> None:
         details = f" of {', '.join(plugins)}" if plugins else ""
-        text = f"{where}{self._subject(context)}{details} is left out: {_REASON}"
-        if context.strict:
-            kind = Unavailable("a C++ library", "start it as Node(package=..., executable=...)")
-            raise NotRunnableError(f"{self._subject(context)}{details}", kind)
-        context.writer.error("launch_ros", text)
-        context.failed = True
-
-    def _subject(self, context: LaunchContext) -> str:
-        raise NotImplementedError
+        super().__init__(f"the container '{container}'{details}", COMPONENTS)
 
 
-class ComposableNodeContainer(_UnsupportedComponents):
-    """A container for components. It has the arguments of `Node`, but zbot does not start it."""
+def _load(
+    context: LaunchContext, container: str, descriptions: Iterable[ComposableNode]
+) -> list[LaunchDescriptionEntity]:
+    """Return the bundled nodes of components. Leave out the other components.
+
+    Raises:
+        NotRunnableError: The launch is strict, and a component cannot run.
+    """
+    nodes: list[LaunchDescriptionEntity] = []
+    plugins = []
+    for one in descriptions:
+        if one.condition is not None and not one.condition.evaluate(context):
+            continue
+        plugin = perform(context, one.node_plugin)
+        node = one.bundled(plugin)
+        if node is None:
+            plugins.append(plugin)
+        else:
+            nodes.append(node)
+    if plugins or not nodes:
+        leave_out(context, _NotRunnableContainerError(container, plugins))
+    return nodes
+
+
+class ComposableNodeContainer(Node):
+    """A container for components. The components that zbot has run as programs of their own.
+
+    Args:
+        name: The container's name.
+        namespace: The container's namespace.
+        composable_node_descriptions: The components.
+        options: The options of `Node`.
+    """
 
     def __init__(
         self,
@@ -80,33 +112,58 @@ class ComposableNodeContainer(_UnsupportedComponents):
         name: SomeSubstitutionsType = "",
         namespace: SomeSubstitutionsType = "",
         composable_node_descriptions: Iterable[ComposableNode] | None = None,
-        condition: Condition | None = None,
+        package: SomeSubstitutionsType = _PACKAGE,
+        executable: SomeSubstitutionsType = _EXECUTABLE,
         **options: Any,
     ) -> None:
-        super().__init__(composable_node_descriptions, condition=condition)
-        self.name, self.namespace, self.options = normalize(name), normalize(namespace), options
+        super().__init__(
+            package=package, executable=executable, name=name, namespace=namespace, **options
+        )
+        self.name_of_container = normalize(name)
+        self.composable_node_descriptions = list(composable_node_descriptions or ())
 
-    def _subject(self, context: LaunchContext) -> str:
-        return f"the container '{perform(context, self.name)}'"
+    def execute(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity]:
+        """Return the bundled nodes of the components, and leave out the other components.
+
+        Raises:
+            NotRunnableError: The launch is strict, and a component cannot run.
+        """
+        name = perform(context, self.name_of_container)
+        return _load(context, name, self.composable_node_descriptions)
 
     def describe(self) -> str:
         """Return the name."""
-        return f"ComposableNodeContainer({describe(self.name)})"
+        return f"ComposableNodeContainer({describe(self.name_of_container)})"
 
 
-class LoadComposableNodes(_UnsupportedComponents):
-    """Components for a container. zbot does not load the components."""
+class LoadComposableNodes(Action):
+    """Components for a container. The components that zbot has run as programs of their own.
+
+    Args:
+        composable_node_descriptions: The components.
+        target_container: The name of the container, or the action that starts the container.
+        options: The options of `Action`.
+    """
 
     def __init__(
         self,
         *,
         composable_node_descriptions: Iterable[ComposableNode],
-        target_container: Any,
+        target_container: SomeSubstitutionsType | ComposableNodeContainer,
         **options: Any,
     ) -> None:
-        super().__init__(composable_node_descriptions, **options)
+        super().__init__(**options)
+        self.composable_node_descriptions = list(composable_node_descriptions)
         self.target_container = target_container
 
-    def _subject(self, context: LaunchContext) -> str:
-        del context
-        return "the loading"
+    def execute(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity]:
+        """Return the bundled nodes of the components, and leave out the other components.
+
+        Raises:
+            NotRunnableError: The launch is strict, and a component cannot run.
+        """
+        target: Any = self.target_container
+        if isinstance(target, ComposableNodeContainer):
+            target = target.name_of_container
+        name = perform(context, normalize(target)) if is_a_substitution(target) else ""
+        return _load(context, name, self.composable_node_descriptions)

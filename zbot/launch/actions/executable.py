@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import re
 import shlex
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, TypeAlias
 
+from zbot.launch.errors import ProgramError
 from zbot.launch.substitution import describe_list, normalize, perform
-from zbot.launch.zbot_command import add_ros2_to_path, run_scripts_with_zbot
+from zbot.package.zbot_command import add_ros2_to_path, find_on_path, run_scripts_with_zbot
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping, Sequence
@@ -32,6 +34,45 @@ class Prepared:
     name: str  #: name of the process, such as `talker`
     cwd: str | None
     env: dict[str, str]
+
+
+def check_program(prepared: Prepared) -> None:
+    """Check that the program and the working directory of a command line exist.
+
+    Raises:
+        ProgramError: One of them does not exist, or the program is not executable.
+    """
+    cwd, program = prepared.cwd, prepared.words[0]
+    if cwd is not None and not os.path.isdir(cwd):  # noqa: PTH112 - "" is not a folder
+        raise ProgramError(f"the working directory '{cwd}' of '{prepared.name}' does not exist")
+    here = os.path.join(cwd or "", program)  # noqa: PTH118 - a relative path starts in cwd
+    if find_on_path(program, prepared.env) is not None or os.access(here, os.X_OK):
+        return
+    if os.path.isfile(here):  # noqa: PTH113 - as above
+        raise ProgramError(f"'{program}' is not executable", f"type: chmod +x {shlex.quote(here)}")
+    hint = "with shell=True a shell splits the command line into words" if " " in program else ""
+    raise ProgramError(f"executable '{program}' not found on the PATH", hint)
+
+
+def not_started(prepared: Prepared, error: OSError) -> ProgramError:
+    """Return the error for a program that exists but that the system did not start."""
+    program = prepared.words[0]
+    first = _first_line(os.path.join(prepared.cwd or "", program))  # noqa: PTH118 - as above
+    if first.startswith("#!") and isinstance(error, FileNotFoundError):
+        reason = f"the program in its first line, {first}, does not exist"
+    elif isinstance(error, OSError) and error.errno == errno.ENOEXEC and not first.startswith("#!"):
+        reason = "it is no program of this machine, and its first line does not begin with #!"
+    else:
+        reason = error.strerror or str(error)
+    return ProgramError(f"cannot start '{program}': {reason}")
+
+
+def _first_line(path: str) -> str:
+    try:
+        with open(path, encoding="utf-8", errors="replace") as file:  # noqa: PTH123 - as above
+            return file.readline(200).strip()
+    except (OSError, ValueError):
+        return ""
 
 
 class Executable:

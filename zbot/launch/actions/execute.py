@@ -12,14 +12,13 @@ from zbot.launch.actions.executable import Executable, Prepared, Variable
 from zbot.launch.entity import LaunchDescriptionEntity
 from zbot.launch.errors import EntityTypeError, ProgramError
 from zbot.launch.event_handler import OnProcessExit
-from zbot.launch.left_out import leave_out
 from zbot.launch.process_event import ProcessExited, ProcessStarted
 from zbot.launch.sink import DEFAULT, parse_output
 from zbot.launch.substitution import Substitution, normalize, perform, to_bool
 from zbot.launch.supervisor import Policy, Supervisor
-from zbot.launch.zbot_command import find_on_path
 from zbot.package.errors import NotRunnableError
 from zbot.package.unavailable import ends_by_itself, unavailable_program
+from zbot.package.zbot_command import find_on_path
 
 if TYPE_CHECKING:
     import asyncio
@@ -138,8 +137,11 @@ class ExecuteLocal(Action):
     def execute(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity] | None:
         """Start the program, unless the launch is ending.
 
+        As in ROS 2, an error is logged if the program cannot be started, and the launch goes on.
+
         Raises:
-            ProgramError: The command line is empty, or the program or working directory is missing.
+            NotRunnableError: The program is well known and does not run in zbot.
+            ProgramError: The command line is empty.
             EntityTypeError: A text in `on_exit` is neither `shutdown` nor empty.
         """
         if context.is_shutdown:
@@ -147,11 +149,10 @@ class ExecuteLocal(Action):
         try:
             prepared = self.prepare(context)
             if not self.shell:
-                _check(prepared)
-        except NotRunnableError as error:
-            leave_out(context, error)
+                _check_known(prepared)
+        except NotRunnableError:
             self._skip(context)
-            return None
+            raise
         supervisor = Supervisor(self, context, prepared, self._policy(context))
         reaction = _reaction(self.on_exit, context)
         if reaction is not None:
@@ -278,19 +279,10 @@ def _exit_actions(one: Any, context: LaunchContext) -> list[LaunchDescriptionEnt
     return [Shutdown(reason="process ended")] if word else []
 
 
-def _check(prepared: Prepared) -> None:
-    cwd, program = prepared.cwd, prepared.words[0]
-    kind = unavailable_program(program)
-    if kind is not None and find_on_path(program, prepared.env) is None:
-        raise NotRunnableError(program, kind)
-    if cwd is not None and not os.path.isdir(cwd):  # noqa: PTH112 - "" is not a folder
-        raise ProgramError(f"the working directory '{cwd}' of '{prepared.name}' does not exist")
-    here = os.path.join(cwd or "", program)  # noqa: PTH118 - a relative path starts in cwd
-    if find_on_path(program, prepared.env) is None and not os.access(here, os.X_OK):
-        hint = (
-            "with shell=True a shell splits the command line into words" if " " in program else ""
-        )
-        raise ProgramError(f"executable '{program}' not found on the PATH", hint)
+def _check_known(prepared: Prepared) -> None:
+    kind = unavailable_program(prepared.words[0])
+    if kind is not None and find_on_path(prepared.words[0], prepared.env) is None:
+        raise NotRunnableError(prepared.words[0], kind)
 
 
 def _base_name(program: str) -> str:

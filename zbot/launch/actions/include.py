@@ -14,10 +14,9 @@ from zbot.launch.errors import (
     LaunchArgumentError,
     LaunchFileError,
 )
-from zbot.launch.left_out import as_not_runnable, leave_out
 from zbot.launch.source import LaunchDescriptionSource, file_locals
 from zbot.launch.substitution import is_a_substitution, normalize, perform
-from zbot.package import PackageNotFoundError
+from zbot.package.absent import absent_file
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping, Sequence
@@ -68,26 +67,21 @@ class IncludeLaunchDescription(Action):
     def execute(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity]:
         """Return the actions that set the file's arguments, and the file's entities.
 
-        If the file is in a well-known package that cannot run in zbot, log a warning and return no
-        entities.
-
         While the launch visits the file's entities, `ThisLaunchFile` and similar substitutions
         refer to the file.
 
         Raises:
+            AbsentFileError: The file is in a well-known package that does not run in zbot.
             IncludeLoopError: The file includes itself without end.
             LaunchArgumentError: The include does not give a required argument of the file.
             LaunchFileError: A required argument is missing, and this include is not in a launch
                 file. The error shows the line that declares the argument.
         """
-        try:
-            description = self.launch_description_source.get_launch_description(context)
-        except PackageNotFoundError as error:
-            missing = as_not_runnable(error)
-            if missing is None:
-                raise
-            leave_out(context, missing)
-            return []
+        path = self.launch_description_source.path(context)
+        absent = absent_file(path) if path is not None else None
+        if absent is not None:
+            raise absent
+        description = self.launch_description_source.get_launch_description(context)
         sets: list[LaunchDescriptionEntity] = []
         given = {}
         for name, value in self.launch_arguments:
@@ -95,7 +89,6 @@ class IncludeLaunchDescription(Action):
             given[key] = perform(context, _text(value))
             sets.append(SetLaunchConfiguration(key, given[key]))
         self._check(description, given)
-        path = self.launch_description_source.path(context)
         if path is None:
             return [*sets, description]
         extensions = {

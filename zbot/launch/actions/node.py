@@ -19,8 +19,8 @@ from zbot.launch.errors import EntityTypeError
 from zbot.launch.node_names import add_node_name
 from zbot.launch.parameters import normalize_parameters, to_words
 from zbot.launch.substitution import describe, normalize, perform
-from zbot.launch.zbot_command import zbot_command
-from zbot.package.workspace import search_roots
+from zbot.package.workspace import FIRST_VARIABLE, VARIABLE, search_roots
+from zbot.package.zbot_command import zbot_command
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
@@ -151,9 +151,9 @@ class Node(ExecuteProcess):
         name = perform(context, description.name) if description.name else ""
         name = name or executable.replace("\\", "/").rpartition("/")[2]
         prepared = description.prepare(context, [*words, *self._ros_words(context)], name)
-        if prepared.cwd is not None:  # in this folder, `zbot run` may not find the workspace
+        if prepared.cwd is not None:  # this folder may be in another workspace or in none
             roots = os.pathsep.join(str(root.absolute()) for root, _ in search_roots())
-            prepared.env.setdefault("ZBOT_WORKSPACE", roots)
+            prepared.env.update({VARIABLE: roots, FIRST_VARIABLE: "1"})
         return prepared
 
     def _quoted(self, words: list[str]) -> list[str]:

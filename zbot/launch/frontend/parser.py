@@ -93,7 +93,7 @@ class Parser:
             hint = did_you_mean(name, ACTIONS)
             raise entity.error(f"there is no action `{entity.type_name}`", hint)
         try:
-            condition = self._condition(entity)
+            condition = self.condition(entity)
             action = build(entity, self)
         except LaunchFileError:
             raise
@@ -105,7 +105,8 @@ class Parser:
             action.condition = condition or action.condition
         return action
 
-    def _condition(self, entity: Entity) -> Condition | None:
+    def condition(self, entity: Entity) -> Condition | None:
+        """Return the condition of the attributes `if` and `unless`, or None without them."""
         positive, negative = entity.text("if"), entity.text("unless")
         if positive is not None and negative is not None:
             raise entity.error(f"`{entity.type_name}` has both 'if' and 'unless': use one")

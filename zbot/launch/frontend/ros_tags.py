@@ -175,6 +175,7 @@ def _components(entity: Entity, parser: Parser) -> list[ComposableNode]:
                 namespace=text(one, parser, "namespace"),
                 parameters=_parameters(one, parser),
                 remappings=_remaps(one, parser),
+                condition=parser.condition(one),
             )
         )
         one.children_of_type("extra_arg")

@@ -9,7 +9,10 @@ from typing import TYPE_CHECKING
 
 from zbot.launch.errors import SubstitutionError
 from zbot.launch.substitution import Substitution, describe, normalize, perform
-from zbot.launch.zbot_command import find_on_path
+from zbot.package.absent import absent_file
+from zbot.package.errors import PACKAGE_NOT_FOUND, AbsentFileError
+from zbot.package.unavailable import unavailable_package
+from zbot.package.zbot_command import find_on_path
 
 if TYPE_CHECKING:
     from zbot.launch.context import LaunchContext
@@ -33,6 +36,8 @@ class Command(Substitution):
         """Run the command and return its output.
 
         Raises:
+            AbsentFileError: The command fails because it needs a file of a well-known package that
+                does not run in zbot.
             SubstitutionError: The command cannot start, or it fails. With `fail`, output on stderr
                 is an error too.
         """
@@ -41,6 +46,9 @@ class Command(Substitution):
         done = self._run(line, context)
         if done.returncode:
             output = done.stderr.strip() or done.stdout.strip()
+            absent = _absent_file(line, output)
+            if absent is not None:
+                raise absent
             raise SubstitutionError(f"command '{line}' failed with {done.returncode}: {output}")
         if done.stderr and mode == "capture":
             return done.stdout + done.stderr
@@ -64,6 +72,18 @@ class Command(Substitution):
     def describe(self) -> str:
         """Return the command line."""
         return f"Command({describe(self.command)})"
+
+
+def _absent_file(line: str, output: str) -> AbsentFileError | None:
+    """Return the file of an absent package that a failed command needed, or None."""
+    for word in line.split():
+        found = absent_file(word)
+        if found is not None:
+            return found
+    # The command may be `xacro`, and its file may use the share folder of a package.
+    named = PACKAGE_NOT_FOUND.search(output)
+    kind = unavailable_package(named[1]) if named else None
+    return AbsentFileError(named[1], kind) if named and kind else None
 
 
 class FindExecutable(Substitution):

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from zbot.launch.substitution import Substitution, describe, normalize, perform
-from zbot.launch.zbot_command import executable_wrapper
 from zbot.package import package_prefix, package_share
+from zbot.package.zbot_command import executable_wrapper
 
 if TYPE_CHECKING:
     from zbot.launch.context import LaunchContext

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, NoReturn
 
 from zbot.errors import ZbotError
 from zbot.package.errors import NotRunnableError
-from zbot.package.unavailable import Unavailable, unavailable_package
+from zbot.package.unavailable import Unavailable, unavailable_executable, unavailable_package
 from zbot_cli.commands.run import missing_file
 from zbot_cli.commands.run.execution import run_and_exit
 from zbot_cli.commands.run.missing_file import ProgramNotFoundError
@@ -29,11 +29,13 @@ if TYPE_CHECKING:
 USAGE = """\
 Usage: zbot run [--prefix COMMAND] [PACKAGE] EXECUTABLE [ARGS]...
        zbot run [--prefix COMMAND] PATH.py [ARGS]...
+       zbot run --where [PACKAGE] EXECUTABLE
 
   Run a node. The node gets all words after EXECUTABLE, also --ros-args.
 
 Options:
   --prefix COMMAND  Put a command before the program, e.g. --prefix 'nice -n 5'
+  --where           Print the file of the program, and do not run it
   -h, --help        Print this text
 
 Examples:
@@ -93,10 +95,7 @@ class SeveralExecutablesError(ZbotError):
     """Several packages have an executable of that name."""
 
     def __init__(self, found: Sequence[Executable]) -> None:
-        if len({one.package for one in found}) == 1:
-            self.hint = f"rename one of them: both are in {found[0].package}"
-        else:
-            self.hint = f"name the package too: zbot run {found[0].package} {found[0].name}"
+        self.hint = f"name the package too: zbot run {found[0].package} {found[0].name}"
         lines = "".join(f"\n- {one.package} {one.name} ({one.target})" for one in found)
         super().__init__(f"Multiple executables found:{lines}")
 
@@ -125,17 +124,29 @@ def run(words: list[str]) -> int | Callable[[], NoReturn]:
         nothing left to run. The caller must call the function outside of its error handling.
     """
     prefix: list[str] = []
+    only_where = False
     while words and words[0].startswith("-"):
         option, equals, value = words.pop(0).partition("=")
         if option in {"-h", "--help"}:
             print(USAGE)
             return Status.OK
+        if option == "--where":
+            only_where = True
+            continue
         if option != "--prefix":
             _exit_with_usage_error(f"No such option: {option}")
         prefix = _split(value if equals or not words else words.pop(0))
     if not words:
         _exit_with_usage_error("name a node to run: zbot run sensor")
     executable, arguments = find(words)
+    note = executables.note_of_others(executable)
+    if note:
+        print(f"note: {note}", file=sys.stderr)
+        os.environ[executables.NOTED_VARIABLE] = "1"
+    if only_where:
+        file = executables.program_file(executable)
+        print(Path(file).absolute() if executables.is_file(file) else file)
+        return Status.OK
     if prefix:
         return _run_behind(prefix, words)
     return lambda: run_and_exit(executable, arguments)
@@ -221,6 +232,9 @@ def _raise_not_found(name: str, inside: list[Package]) -> NoReturn:
         )
     if any(name in package.compiled for package in inside):
         raise CompiledProgramError(name, inside[0].name)
+    kind = unavailable_executable(inside[0].name, name)
+    if kind is not None:
+        raise NotRunnableError(f"{name} of package {inside[0].name}", kind)
     raise ExecutableNotFoundError(name, _names(inside), inside)
 
 

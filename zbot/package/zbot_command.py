@@ -1,8 +1,8 @@
 """Command line that starts zbot in child processes, and wrappers, e.g. `ros2`, that run zbot.
 
-A wrapper is a small script with the name of a missing program. Launch files start commands such as
-`ros2 topic echo ...`. If ROS 2 is not installed, the PATH of the child processes ends with a folder
-that contains the wrapper `ros2`.
+A wrapper is a small script with the name of a missing program. Programs and launch files start
+commands such as `ros2 topic echo ...`. If ROS 2 is not installed, the PATH ends with a folder that
+contains the wrapper `ros2`.
 """
 
 from __future__ import annotations
@@ -17,8 +17,8 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from zbot.launch.errors import ProgramError
 from zbot.package.bundled_nodes import BUNDLED_PROGRAMS
+from zbot.package.errors import WrapperError
 from zbot.package.user_folders import cache_folder
 
 if TYPE_CHECKING:
@@ -90,7 +90,7 @@ def _wrapper(name: str, words: Sequence[str]) -> Path:
         if not path.is_file():
             _write(path, words)
     except OSError as error:
-        raise ProgramError(f"cannot write {path}: {error.strerror}") from error
+        raise WrapperError(path, error) from error
     return path
 
 

@@ -1,0 +1,102 @@
+"""Tests of the folders of well-known packages that are not here, during a launch."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+
+from zbot.package import PackageNotFoundError, package_prefix, package_share
+from zbot.package.absent import absent_file, absent_packages_reported
+from zbot.package.ament_index import (
+    ResourceNotFoundError,
+    get_package_share_directory,
+    get_packages_with_prefixes,
+    get_resource,
+    has_resource,
+)
+from zbot.package.unavailable import unavailable_executable, unavailable_packages
+
+if TYPE_CHECKING:
+    from zbot.package.errors import NotRunnableError
+
+NAME = "ros_gz_sim"
+SHARE = Path(sys.prefix, "share", NAME)
+
+
+@pytest.fixture(autouse=True)
+def empty(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+
+
+@pytest.mark.filterwarnings("error")
+def test_a_launch_gets_the_folders_of_a_package_that_is_not_here() -> None:
+    reports: list[NotRunnableError] = []
+    with absent_packages_reported(reports.append):
+        assert package_share(NAME) == SHARE
+        assert package_prefix(NAME) == Path(sys.prefix)
+        assert get_package_share_directory(NAME) == str(SHARE)
+        assert get_resource("packages", NAME) == ("", sys.prefix)
+        assert get_packages_with_prefixes()[NAME] == sys.prefix
+    assert [one.name for one in reports] == [NAME] * 5
+    assert not SHARE.exists()
+
+
+def test_a_question_whether_a_package_is_here_gets_no() -> None:
+    with absent_packages_reported():
+        assert has_resource("packages", NAME) is False
+        assert NAME not in get_packages_with_prefixes()
+        assert get_packages_with_prefixes().get(NAME) is None
+        with pytest.raises(ResourceNotFoundError):
+            get_resource("rosidl_interfaces", NAME)
+
+
+@pytest.mark.parametrize("name", [NAME, "no_such_package"])
+def test_other_programs_get_an_error(name: str) -> None:
+    for question in (package_share, package_prefix, get_package_share_directory):
+        with pytest.raises(PackageNotFoundError):
+            question(name)
+    with pytest.raises(ResourceNotFoundError):
+        get_resource("packages", name)
+    with pytest.raises(KeyError):
+        get_packages_with_prefixes()[name]
+
+
+def test_an_unknown_package_is_an_error_also_during_a_launch() -> None:
+    with absent_packages_reported(), pytest.raises(PackageNotFoundError) as caught:
+        package_share("nav2_bringp")
+    assert caught.value.hint == "did you mean 'nav2_bringup'?"
+
+
+def test_an_outer_report_is_kept() -> None:
+    reports: list[NotRunnableError] = []
+    with absent_packages_reported(reports.append), absent_packages_reported():
+        package_share(NAME)
+    assert len(reports) == 1
+
+
+@pytest.mark.parametrize(
+    ("path", "file"),
+    [
+        (SHARE / "launch" / "gz_sim.launch.py", "launch/gz_sim.launch.py"),
+        (SHARE, ""),
+        (str(SHARE / "a"), "a"),
+    ],
+)
+def test_a_path_in_such_a_folder_is_known(path: Path | str, file: str) -> None:
+    error = absent_file(path)
+    assert error is not None
+    assert (error.name, error.file) == (NAME, file)
+
+
+@pytest.mark.parametrize("path", [SHARE.parent, SHARE.parent / "no_such" / "a", Path("a"), "", "/"])
+def test_other_paths_are_not(path: Path | str) -> None:
+    assert absent_file(path) is None
+
+
+def test_the_tables_agree() -> None:
+    assert {"rclcpp_components", NAME, "ur_description"} <= set(unavailable_packages())
+    assert unavailable_executable("demo_nodes_cpp", "talker_loaned_message") is not None
+    assert unavailable_executable("demo_nodes_cpp", "talker") is None
