@@ -224,21 +224,44 @@ def test_a_description_that_uses_a_known_package_is_left_out(
     assert "still here" in program.output
 
 
-def test_an_included_file_that_reads_a_file_of_a_known_package_is_left_out(
-    launch: Launch, tmp_path: Path
+NEEDS = {
+    "opened": ("open(share('ur_description') + '/x.yaml')", "x.yaml of ur_description"),
+    "imported": (
+        "sys.path.append(share('ur_description') + '/launch'); import ur_launch",
+        "launch/ur_launch.py of ur_description",
+    ),
+    "module": ("import clearpath_config.parser", "the module clearpath_config of clearpath_config"),
+    "exit": (
+        "try: open(share('ur_description') + '/x.urdf')\n    except OSError: sys.exit(2)",
+        "x.urdf of ur_description",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", NEEDS)
+@pytest.mark.parametrize("is_function", [False, True])
+def test_a_file_or_function_that_needs_a_file_of_a_known_package_is_left_out(
+    launch: Launch, tmp_path: Path, name: str, is_function: bool
 ) -> None:
-    inner = tmp_path / "inner.launch.py"
-    inner.write_text(
-        "from ament_index_python import get_package_share_directory as share\n"
-        "def generate_launch_description():\n"
-        "    return open(share('ur_description') + '/config/x.yaml').read()\n"
-    )
-    program = launch(f"IncludeLaunchDescription({str(inner)!r}), done")
+    code, file = NEEDS[name]
+    text = "import sys\nfrom ament_index_python import get_package_share_directory as share\n"
+    if is_function:
+        (tmp_path / "helper.py").write_text(f"{text}def fail(context):\n    {code}\n")
+        path = f"sys.path.insert(0, {str(tmp_path)!r})"
+        program = launch(f"{path} or OpaqueFunction(function=__import__('helper').fail), done")
+    else:
+        inner = tmp_path / "inner.launch.py"
+        inner.write_text(f"{text}def generate_launch_description():\n    {code}\n")
+        program = launch(f"IncludeLaunchDescription({str(inner)!r}), done")
     assert program.wait() == 0
-    assert "16: this line is left out, because it needs config/x.yaml of ur_description" in (
-        program.output
-    )
+    assert f"16: this line is left out, because it needs {file}" in program.output
     assert "still here" in program.output
+
+
+def test_a_file_that_calls_exit_is_an_error_with_a_line(launch: Launch) -> None:
+    program = launch("OpaqueFunction(function=lambda context: sys.exit('set ROBOT')), done")
+    assert program.wait() == 1
+    assert "a.launch.py:16: SystemExit: set ROBOT" in program.output
 
 
 def test_a_file_that_cannot_be_read_without_a_known_package_is_an_error(launch: Launch) -> None:

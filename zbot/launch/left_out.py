@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from zbot.package.absent import absent_file
 from zbot.package.errors import AbsentFileError, NotRunnableError
+from zbot.package.unavailable import unavailable_package
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -52,6 +53,7 @@ def missing_file(error: BaseException | None) -> AbsentFileError | None:
         if isinstance(error, AbsentFileError):
             return error
         found = next(filter(None, map(absent_file, _missing_paths(error))), None)
+        found = found or _missing_module(error)
         if found is not None:
             return found
         error = error.__cause__ or error.__context__
@@ -65,3 +67,10 @@ def _missing_paths(error: BaseException) -> Iterator[str]:
     if isinstance(error, ModuleNotFoundError) and error.name:
         # A launch file may add the share folder of a package to Python's path.
         yield from (f"{folder}/{error.name}.py" for folder in sys.path)
+
+
+def _missing_module(error: BaseException) -> AbsentFileError | None:
+    name = error.name if isinstance(error, ModuleNotFoundError) else None
+    package = (name or "").partition(".")[0]
+    kind = unavailable_package(package)
+    return None if kind is None else AbsentFileError(package, kind, f"the module {name}")
