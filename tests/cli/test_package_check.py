@@ -214,6 +214,13 @@ def test_a_compiled_program_is_a_warning(write: Write, zbot_command: Command) ->
     )
 
 
+def test_a_python_package_that_zbot_has_itself_is_a_warning(write: Write) -> None:
+    folder = write(**{"tf2_ros/__init__.py": "", "other/__init__.py": ""})
+    assert "tf2_ros/__init__.py: warning: programs import zbot's own tf2_ros and not this one" in (
+        problems(folder)
+    )
+
+
 def test_undeclared_imports_are_warnings(write: Write) -> None:
     folder = write(
         more="<exec_depend>rclpy</exec_depend>\n",

@@ -21,7 +21,8 @@ if TYPE_CHECKING:
 
 _ZBOT = Path(__file__).parents[1]
 _DEFINITIONS = (_ZBOT / "interfaces" / "defs", _ZBOT / "interfaces" / "robot_defs")
-_COMPAT_PACKAGES = _ZBOT / "compat" / "packages"
+#: Folder of the Python packages that zbot has under the import names of ROS 2.
+COMPAT_PACKAGES = _ZBOT / "compat" / "packages"
 _SHARE = _ZBOT / "share"
 #: Package names under which zbot's own nodes and launch files can be used.
 BUNDLED_NAMES = ("zbot", "zbot_nodes", "demo_nodes_py", "demo_nodes_cpp")
@@ -101,7 +102,7 @@ def _bundled() -> Iterator[Package]:
         yield Package(
             name, own if has_own else share, Origin.BUNDLED, only=() if has_own else _OURS
         )
-    for parent in (*_DEFINITIONS, _COMPAT_PACKAGES):
+    for parent in (*_DEFINITIONS, COMPAT_PACKAGES):
         if parent.is_dir():
             folders = (entry for entry in parent.iterdir() if entry.name.isidentifier())
             yield from (_bundled_package(one, share) for one in folders if one.is_dir())

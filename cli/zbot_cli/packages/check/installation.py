@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 
 from zbot.package.cmake_file import read_cmake
 from zbot.package.errors import SetupFileError
-from zbot.package.finder import Origin, Package
+from zbot.package.finder import COMPAT_PACKAGES, Origin, Package
+from zbot.package.python_finder import import_paths
 from zbot.package.setup_file import setup_arguments
 from zbot.package.symlink_install import files_below, installed_files
 from zbot.package.workspace import MANIFEST
@@ -50,11 +51,20 @@ def check_installation(subject: Subject) -> Iterator[Problem]:
     except SetupFileError as error:
         yield Problem(error.path, error.line, error.reason)
         return
+    yield from _check_names_of_zbot(subject)
     for name, line in installation.missing.items():
         yield Problem(cmake, line, f"install() names {name}, which does not exist")
     for name, line in installation.compiled.items():
         text = f"{name} is not compiled: C++ needs ROS 2, zbot runs Python programs"
         yield Problem(cmake, line, text, is_error=False)
+
+
+def _check_names_of_zbot(subject: Subject) -> Iterator[Problem]:
+    for place in map(Path, import_paths(subject.folder)):
+        for file in sorted(place.glob("*/__init__.py")):
+            if (COMPAT_PACKAGES / file.parent.name).is_dir():
+                text = f"programs import zbot's own {file.parent.name} and not this one"
+                yield Problem(file, 0, text, is_error=False)
 
 
 def _check_setup(subject: Subject, path: Path) -> Iterator[Problem]:
