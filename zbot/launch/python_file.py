@@ -81,8 +81,11 @@ def _with_line(path: Path, error: Exception | SystemExit) -> LaunchFileError:
         for frame in traceback.extract_tb(error.__traceback__)
         if frame.filename == str(path)
     ]
-    cause = missing_file(error) or error
-    reason = str(cause) if isinstance(cause, ZbotError) else describe(error)
+    line = (lines[-1] if lines else 0) or 0
+    absent = missing_file(error)
+    if absent is not None:
+        return LaunchFileError(str(path), line, str(absent))
+    reason = str(error) if isinstance(error, ZbotError) else describe(error)
     hint = getattr(error, "hint", "") or ""
     if not isinstance(error, ZbotError):
         hint = advice(error)
@@ -90,4 +93,4 @@ def _with_line(path: Path, error: Exception | SystemExit) -> LaunchFileError:
         hint = f'pip install "zbot[{_EXTRAS[error.name]}]"'
     elif isinstance(error, ModuleNotFoundError) and not hint:
         hint = "`zbot pkg deps` shows what is missing, and where it is"
-    return LaunchFileError(str(path), (lines[-1] if lines else 0) or 0, reason, hint)
+    return LaunchFileError(str(path), line, reason, hint)
