@@ -129,8 +129,8 @@ _PACKAGES: Final = (
         irobot_create_gz_toolbox irobot_create_gz_plugins irobot_create_gz_sim
         irobot_create_ignition_bringup irobot_create_ignition_toolbox irobot_create_ignition_plugins
         irobot_create_ignition_sim irobot_create_gazebo_bringup irobot_create_gazebo_plugins
-        irobot_create_gazebo_sim nav2_minimal_tb3_sim nav2_minimal_tb4_sim nav2_loopback_sim
-        clearpath_gz clearpath_simulator leo_gz_bringup leo_gz_plugins leo_gz_worlds leo_simulator
+        irobot_create_gazebo_sim nav2_minimal_tb3_sim nav2_minimal_tb4_sim clearpath_gz
+        clearpath_simulator leo_gz_bringup leo_gz_plugins leo_gz_worlds leo_simulator
         husarion_gz_worlds tiago_gazebo pmb2_gazebo pal_gazebo_worlds ur_simulation_gz
         ur_simulation_ignition rmf_building_sim_gz_plugins velodyne_gazebo_plugins
         velodyne_simulator mujoco_ros2_control mujoco_vendor dolly_gazebo dolly_ignition
@@ -139,7 +139,7 @@ _PACKAGES: Final = (
     (
         _NAVIGATION,
         """
-        nav2_amcl nav2_behaviors nav2_bringup nav2_bt_navigator nav2_collision_monitor nav2_common
+        nav2_amcl nav2_behaviors nav2_bringup nav2_bt_navigator nav2_collision_monitor
         nav2_controller nav2_costmap_2d nav2_docking nav2_planner nav2_recoveries nav2_route
         nav2_smoother nav2_velocity_smoother nav2_waypoint_follower opennav_docking slam_toolbox
         cartographer_ros slam_gmapping rtabmap_launch rtabmap_slam rtabmap_odom rtabmap_viz
@@ -233,7 +233,7 @@ _PACKAGES: Final = (
         image_proc stereo_image_proc depth_image_proc image_view image_rotate image_tools
         image_publisher apriltag_ros apriltag_detector aruco_ros aruco_opencv
         camera_calibration_parsers darknet_ros opencv_apps image_pipeline find_object_2d apriltag
-        apriltag_draw apriltag_mit aruco camera_calibration tracetools_image_pipeline
+        apriltag_draw apriltag_mit aruco tracetools_image_pipeline
         """,
     ),
     (
@@ -299,8 +299,8 @@ _PACKAGES: Final = (
         _DEMO,
         """
         composition dummy_map_server dummy_sensors dummy_robot_bringup intra_process_demo
-        pendulum_control quality_of_service_demo_cpp quality_of_service_demo_py logging_demo
-        topic_statistics_demo demo_nodes_cpp_native turtle_tf2_cpp examples_rclcpp_minimal_publisher
+        pendulum_control quality_of_service_demo_cpp logging_demo topic_statistics_demo
+        demo_nodes_cpp_native turtle_tf2_cpp examples_rclcpp_minimal_publisher
         examples_rclcpp_minimal_subscriber examples_rclcpp_minimal_client
         examples_rclcpp_minimal_service examples_rclcpp_minimal_timer
         examples_rclcpp_minimal_composition examples_rclcpp_minimal_action_client
@@ -312,10 +312,9 @@ _PACKAGES: Final = (
         _CONTROL,
         """
         ros2_control ros2_controllers hardware_interface joint_limits controller_interface
-        transmission_interface ros2_control_test_assets ros2_controllers_test_nodes
-        ros2_control_demos ros2controlcli force_torque_sensor_broadcaster imu_sensor_broadcaster
-        joint_trajectory_controller diff_drive_controller topic_based_ros2_control
-        interactive_marker_twist_server
+        transmission_interface ros2_control_test_assets ros2_control_demos ros2controlcli
+        force_torque_sensor_broadcaster imu_sensor_broadcaster joint_trajectory_controller
+        diff_drive_controller topic_based_ros2_control interactive_marker_twist_server
         """,
     ),
     (
@@ -328,10 +327,11 @@ _PACKAGES: Final = (
     (
         _OTHER,
         """
-        ackermann_mux joy_teleop key_teleop mouse_teleop teleop_tools teleop_twist_keyboard
-        twist_stamper system_modes robot_upstart topic_monitor turtle_tf2_py rmf_demos rmf_demos_gz
-        audio_capture audio_play audio_common sound_play smach_ros executive_smach clearpath_config
-        clearpath_generator_common picknik_ament_copyright
+        ros2_controllers_test_nodes camera_calibration nav2_loopback_sim nav2_common
+        quality_of_service_demo_py ackermann_mux joy_teleop key_teleop mouse_teleop teleop_tools
+        teleop_twist_keyboard twist_stamper system_modes robot_upstart topic_monitor turtle_tf2_py
+        rmf_demos rmf_demos_gz audio_capture audio_play audio_common sound_play smach_ros
+        executive_smach clearpath_config clearpath_generator_common picknik_ament_copyright
         """,
     ),
 )
