@@ -110,6 +110,16 @@ def test_pytest_runs_a_file_without_a_description(start: Start, tmp_path: Path) 
     assert "1 passed" in program.output
 
 
+def test_a_launch_test_may_name_a_package_that_is_not_here(start: Start, tmp_path: Path) -> None:
+    share = "__import__('ament_index_python').get_package_share_directory('ros_gz_sim')"
+    world = f"launch.actions.IncludeLaunchDescription({share} + '/launch/gz_sim.launch.py')"
+    program = start(
+        "zbot", "test", gate(tmp_path, f"{world}, launch_testing.actions.ReadyToTest()")
+    )
+    assert program.wait(TIMEOUT_S) == 0, program.output
+    assert "ros_gz_sim is left out: it is a simulator in C++" in program.output
+
+
 def test_a_missing_file_is_reported(start: Start) -> None:
     program = start("zbot", "test", "missing")
     assert program.wait(TIMEOUT_S) == 1

@@ -10,6 +10,7 @@ import pytest
 from zbot.launch.description import LaunchDescription
 from zbot.launch.testing.error import LaunchTestError
 from zbot.launch.testing.running_launch import RunningLaunch, ready_actions
+from zbot.package.absent import absent_packages_reported
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -36,9 +37,10 @@ def fixture(
         name = options.get("name") or function.__name__
 
         def launched(**given: Any) -> Iterator[Any]:
-            made = function(**given)
-            rest = made if inspect.isgenerator(made) else iter((made,))
-            value = next(rest)
+            with absent_packages_reported():  # the launch says what it leaves out
+                made = function(**given)
+                rest = made if inspect.isgenerator(made) else iter((made,))
+                value = next(rest)
             description = _description(name, value)
             launch = RunningLaunch(description, keep_alive=not auto_shutdown, must_get_ready=False)
             running[name] = launch

@@ -19,6 +19,7 @@ from zbot.launch.testing.running_launch import (
     on_ready_to_test,
     ready_actions,
 )
+from zbot.package.absent import absent_packages_reported
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -163,7 +164,8 @@ class TestRun:
         return result
 
     def _describe(self) -> tuple[LaunchDescription, dict[str, Any]]:
-        returned = self._function(**self._parameters)
+        with absent_packages_reported():  # the launch says what it leaves out
+            returned = self._function(**self._parameters)
         pair = returned if isinstance(returned, tuple) else (returned, {})
         if len(pair) != 2 or not isinstance(pair[0], LaunchDescription):
             what = "a LaunchDescription, alone or in a pair with a dict of arguments for the tests"
