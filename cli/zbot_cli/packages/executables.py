@@ -18,7 +18,7 @@ from zbot.package.setup_file import data_files, declared_scripts, setup_argument
 from zbot.package.workspace import package_name, packages_by_name, read_text
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Mapping, Sequence
 
 #: Group of the entry points with which an installed package declares its nodes.
 GROUP = "zbot.nodes"
@@ -102,11 +102,12 @@ def _programs(folder: Path) -> list[tuple[str, str]]:
     The order is that of an installation of ROS 2: the scripts of setup.py, its entry points, its
     data files and the programs of CMakeLists.txt.
     """
+    installed = _installed_programs(folder)
     return [
-        *((name, str(path)) for name, path in _scripts(folder).items()),
+        *((name, str(path)) for name, path in _scripts(folder, installed).items()),
         # The `zbot` command itself is in zbot's own sources.
         *(one for one in declared_scripts(folder).items() if not one[1].startswith(_COMMAND)),
-        *((name, str(path)) for name, path in _installed_programs(folder).items()),
+        *((name, str(path)) for name, path in installed.items()),
     ]
 
 
@@ -116,7 +117,8 @@ def program_files(folder: Path) -> dict[str, Path]:
     Raises:
         SetupFileError: The package's setup.py cannot be read.
     """
-    return {**_scripts(folder), **_installed_programs(folder)}
+    installed = _installed_programs(folder)
+    return {**_scripts(folder, installed), **installed}
 
 
 def _installed_programs(folder: Path) -> dict[str, Path]:
@@ -126,13 +128,14 @@ def _installed_programs(folder: Path) -> dict[str, Path]:
     return {name: path for name, path in found.items() if is_python(path)}
 
 
-def _scripts(folder: Path) -> dict[str, Path]:
+def _scripts(folder: Path, installed: Mapping[str, Path]) -> dict[str, Path]:
     """Return the files in the folder `scripts` and the `scripts` of setup.py by name.
 
     A file that is installed under another name is left out.
     """
-    known = {path.resolve() for path in _installed_programs(folder).values()}
-    given = setup_arguments(folder / "setup.py", "scripts").get("scripts")
+    known = {path.resolve() for path in installed.values()}
+    # Every setup.py contains "console_scripts". To parse them all here would take too long.
+    given = setup_arguments(folder / "setup.py", "scripts=").get("scripts")
     names = [one for one in given if isinstance(one, str)] if isinstance(given, list) else []
     listed = [folder / name for name in names if _is_present(folder / name)]
     paths = [*sorted((folder / "scripts").glob("*.py")), *listed]
