@@ -11,6 +11,7 @@ from tests.cli.conftest import write_package
 from zbot.package import PackageNotFoundError, package_share
 from zbot.package.ament_index import get_package_share_directory
 from zbot.package.bundled_nodes import BUNDLED_NODES
+from zbot.package.finder import COMPAT_PACKAGES
 from zbot.package.unavailable import _BY_PACKAGE, _BY_PROGRAM, _PACKAGES
 from zbot.package.zbot_command import find_on_path
 
@@ -391,7 +392,7 @@ def test_run_says_the_same_sentence(zbot_command: Command) -> None:
 def test_the_table_names_each_package_once_and_no_package_of_zbot() -> None:
     names = [name for _, text in _PACKAGES for name in text.split()]
     assert len(names) == len(set(names))
-    assert not set(names) & set(BUNDLED_NODES)
+    assert not set(names) & {*BUNDLED_NODES, *(one.name for one in COMPAT_PACKAGES.iterdir())}
     for kind in {*_BY_PACKAGE.values(), *_BY_PROGRAM.values()}:
         assert not kind.what.endswith(".")
         assert not kind.instead.endswith(".")

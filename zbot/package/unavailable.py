@@ -327,11 +327,12 @@ _PACKAGES: Final = (
     (
         _OTHER,
         """
-        ros2_controllers_test_nodes camera_calibration nav2_loopback_sim nav2_common
-        quality_of_service_demo_py ackermann_mux joy_teleop key_teleop mouse_teleop teleop_tools
-        teleop_twist_keyboard twist_stamper system_modes robot_upstart topic_monitor turtle_tf2_py
-        rmf_demos rmf_demos_gz audio_capture audio_play audio_common sound_play smach_ros
-        executive_smach clearpath_config clearpath_generator_common picknik_ament_copyright
+        moveit_configs_utils launch_param_builder ros2_controllers_test_nodes camera_calibration
+        nav2_loopback_sim quality_of_service_demo_py ackermann_mux key_teleop mouse_teleop
+        teleop_tools teleop_twist_keyboard twist_stamper system_modes robot_upstart topic_monitor
+        turtle_tf2_py rmf_demos rmf_demos_gz audio_capture audio_play audio_common sound_play
+        smach_ros executive_smach clearpath_config clearpath_generator_common
+        picknik_ament_copyright
         """,
     ),
 )
