@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import json
 import os
+import signal
 import subprocess
 import sys
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -107,6 +108,21 @@ class Computer:
         known = self.membership
         return credentials(known["user"], Secret(known["secret"]))
 
+    @property
+    def identity(self) -> dict[str, Any]:
+        """What this user's hub introduces itself with at the class."""
+        return {**self.credentials, "id": self.membership["hub_id"]}
+
+    @contextmanager
+    def without_hub(self) -> Iterator[None]:
+        """End this user's hub for the length of a block."""
+        state = json.loads((self.folder / "zbot" / "hub.json").read_text())
+        os.kill(state["pid"], getattr(signal, "SIGKILL", signal.SIGTERM))
+        try:
+            yield
+        finally:
+            self.do("join")
+
 
 class AttackedClass:
     """A class with a PIN, Ana (17), and Ben (18), who is the attacker."""
@@ -145,15 +161,22 @@ class AttackedClass:
 
     @contextmanager
     def as_ben(self, *, directly: bool) -> Iterator[zenoh.Session]:
-        """Open a session with Ben's credentials: at the teacher's hub, or behind his own."""
-        port = self.port if directly else self.ben.port
-        with open_session(dialling(port, self.ben.credentials)) as session:
+        """Open a session of Ben: in the place of his hub, or behind it."""
+        with ExitStack() as stack:
+            known = dialling(self.ben.port, self.ben.credentials)
+            if directly:
+                stack.enter_context(self.ben.without_hub())
+                known = dialling(self.port, self.ben.identity)
+            session = stack.enter_context(open_session(known))
+            here = session.liveliness().declare_token(here_key(18)) if directly else None
             yield self.talk.add(session, 18)
+            if here is not None:
+                here.undeclare()
             self.talk.remove(session)
 
     @contextmanager
     def as_guest_of_ben(self) -> Iterator[zenoh.Session]:
-        """Open a session behind a router that Ben has configured himself.
+        """Open a session behind a router that Ben has configured himself, in the place of his hub.
 
         It has Ben's credentials and no access rules, accepts a user of its own, listens on all
         networks and dials all hubs that it knows.
@@ -161,17 +184,21 @@ class AttackedClass:
         port, guest = free_port(), Secret("guest")
         accepted = self.ben.folder / "guests"
         accepted.write_bytes(accepted_users({"guest": guest}))
-        known = self.ben.membership
         own = {
             "mode": "router",
             "listen/endpoints": [f"tcp/0.0.0.0:{port}"],
             "connect/endpoints": [f"tcp/{HERE}:{one}" for one in (self.port, self.ana.port)],
             "connect/timeout_ms": -1,
             "connect/exit_on_failure": False,
-            **credentials(known["user"], Secret(known["secret"]), accepted),
+            "transport/auth/usrpwd/dictionary_file": str(accepted),
+            **self.ben.identity,
         }
         as_guest = dialling(port, credentials("guest", guest))
-        with open_session(own) as router, open_session(as_guest) as session:
+        with (
+            self.ben.without_hub(),
+            open_session(own) as router,
+            open_session(as_guest) as session,
+        ):
             self.talk.add(router, 18)
             yield self.talk.add(session, 18)
             self.talk.remove(session)
@@ -187,7 +214,7 @@ class AttackedClass:
             claim = {"op": "claim", **client.claim(challenge, request)}
             given = client.opened(self.ask_admission(lobby_user, claim))
         known = credentials(given["user"], Secret(given["secret"]))
-        with open_session(dialling(self.port, known)) as session:
+        with open_session(dialling(self.port, {**known, "id": given["hub_id"]})) as session:
             here = session.liveliness().declare_token(here_key(19))
             yield self.talk.add(session, 19)
             self.talk.remove(session)

@@ -68,9 +68,13 @@ class LocalMachine:
 
     def kill_hub(self) -> None:
         """Kill its hub, as switching it off does; wait until that is so."""
-        pid = json.loads((self.folder() / "hub.json").read_text())["pid"]
-        os.kill(pid, getattr(signal, "SIGKILL", signal.SIGTERM))
+        os.kill(self.hub_state()["pid"], getattr(signal, "SIGKILL", signal.SIGTERM))
         assert wait_until(lambda: not json.loads(self.succeed("status", "--json"))["hub"])
+
+    def hub_state(self) -> dict[str, Any]:
+        """Return the process id of its hub, when the hub was opened, and so on."""
+        state: dict[str, Any] = json.loads((self.folder() / "hub.json").read_text())
+        return state
 
     def folder(self) -> Path:
         """Return its settings."""

@@ -61,6 +61,12 @@ class RecordingProxy:
                 target.sendall(change(chunk))
             target.shutdown(socket.SHUT_WR)
 
+    def cut(self) -> None:
+        """Break all connections that are open now."""
+        for one in self._open[1:]:
+            with contextlib.suppress(OSError):
+                one.shutdown(socket.SHUT_RDWR)
+
     def close(self) -> None:
         """Close all connections."""
         for one in self._open:

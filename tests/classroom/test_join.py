@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 from tests.classroom.local_machine import LocalMachine
-from tests.classroom.talk import free_port
+from tests.classroom.recording_proxy import RecordingProxy
+from tests.classroom.talk import free_port, open_session
 from tests.conftest import wait_until
 
 if TYPE_CHECKING:
@@ -258,6 +259,57 @@ def test_joining_tells_what_the_environment_says_against_it(
     assert sentence in joined.err
 
 
+def test_a_number_changes_hands_while_the_others_stay_linked(school: School) -> None:
+    school.open()
+    ben = school.join("Ben", "--number", "18")
+    opened_ns = school.teacher.hub_state()["started_ns"]
+    for name in ("Ana", "Cem", "Dora"):
+        student = school.join(name, "--number", "17")
+        assert is_linked(student)
+        assert school.listed()[17]["name"] == name
+        student.succeed("leave")
+    assert is_linked(ben)
+    assert school.teacher.hub_state()["started_ns"] == opened_ns
+
+
+def test_a_number_may_have_many_owners(school: School) -> None:
+    school.open()
+    opened_ns = school.teacher.hub_state()["started_ns"]
+    for name in ("Ana", "Ben", "Cem"):  # the hub knows two owners of such a high number
+        student = school.join(name, "--number", "200")
+        assert is_linked(student)
+        student.succeed("leave")
+    assert school.teacher.hub_state()["started_ns"] != opened_ns
+
+
+def test_a_new_period_frees_all_numbers_and_keeps_code_and_pin(
+    school: School, tmp_path: Path
+) -> None:
+    opened = school.open()
+    ana = school.join("Ana", "--number", "17")
+    roster = tmp_path / "roster.csv"
+    roster.write_text("17,Ben\n")
+    told = school.teacher.succeed("class", "next", "--students", str(roster))
+    assert "1 number of the last period is free again" in told
+    assert f"PIN: {PIN}" in told
+    assert json.loads(school.teacher.succeed("class", "list", "--json"))["join"] == opened
+    assert school.listed() == {}
+    assert wait_until(lambda: "does not accept this laptop" in ana.succeed("status"))
+    ben = school.join("Ben")
+    assert is_linked(ben)
+    assert school.listed()[17]["name"] == "Ben"
+
+
+def test_two_students_with_the_same_name_are_told(school: School) -> None:
+    school.open()
+    first = school.join("Ana", "--number", "17")
+    second = school._make("other")
+    joined = second.zbot("join", school.address, "--name", "Ana", "--number", "18", ZBOT_PIN=PIN)
+    assert joined.code == 0
+    assert 'number 17 of the class has the name "Ana" too' in joined.err
+    assert 'number 18 of the class has the name "Ana" too' in first.succeed("status")
+
+
 def test_leaving_releases_the_number(school: School) -> None:
     school.open()
     ana = school.join("Ana", "--number", "17")
@@ -298,6 +350,86 @@ def test_a_laptop_that_was_switched_off_joins_again(school: School) -> None:
     assert "the hub of this machine is not running" in ana.succeed("status")
     ana.succeed("join", school.address, ZBOT_PIN=PIN)
     assert "number 17" in ana.succeed("status")
+
+
+def test_a_laptop_that_was_switched_off_goes_on(school: School, domain: int) -> None:
+    school.open()
+    ana = school.join("Ana", "--number", str(domain))
+    ana.kill_hub()
+    listed = ana.zbot("node", "list")
+    assert listed.code == 0
+    assert "the hub of this machine is not running" in listed.err
+    assert "`zbot join` starts it again" in listed.err
+    program = school.run(ana, TALKER)
+    program.wait_for("the hub of this machine is not running")
+    assert "linked" in ana.succeed("join").splitlines()
+    assert wait_until(lambda: school.listed()[domain]["nodes"] == ["/talker"])
+    assert "linked" in ana.succeed("join").splitlines()  # nothing has to be done
+
+
+def test_there_is_nothing_to_continue_without_a_class(school: School) -> None:
+    stranger = school._make("Eve").zbot("join")
+    assert stranger.code == 1
+    assert "has not joined anything: join with `zbot join CODE`" in stranger.err
+    assert school._make("Eve").zbot("join", "--name", "Eve").code == 2
+    school.open()
+    teacher = school.teacher.zbot("join")
+    assert teacher.code == 1
+    assert "`zbot class start` shows or continues it" in teacher.err
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows does not suspend processes")
+def test_a_suspended_class_is_not_taken_for_a_refusal(school: School) -> None:
+    school.open()
+    ana = school.join("Ana", "--number", "17")
+    pid = school.teacher.hub_state()["pid"]
+    os.kill(pid, signal.SIGSTOP)
+    try:
+        assert wait_until(lambda: not is_linked(ana))
+        told = ana.succeed("status")
+        assert "the other machine does not answer at the moment" in told
+        assert "leave" not in told
+        refused = school._make("Ben").zbot("join", school.address, ZBOT_PIN=PIN)
+        assert refused.code == 1
+        assert "does not answer: it is busy or suspended" in refused.err
+        assert not school._make("Ben").has_joined
+        assert "the class does not answer" in ana.zbot("leave").err
+    finally:
+        os.kill(pid, signal.SIGCONT)
+
+
+def test_a_freed_laptop_is_told_what_to_do(school: School) -> None:
+    school.open()
+    ana = school.join("Ana", "--number", "17")
+    assert wait_until(lambda: school.listed()[17]["here"])
+    freed = school.teacher.succeed("class", "free", "17")
+    assert "number 17 is free; Ana had it" in freed
+    assert "was connected, and is out of the class now" in freed
+    told = ana.succeed("status")
+    assert "the class does not accept this laptop" in told
+    assert "type `zbot leave`, and join again" in told
+    assert ana.zbot("leave").err == ""
+
+
+@pytest.mark.parametrize("link", ["class", "router"])
+def test_a_link_that_comes_back_at_once_does_not_hide_nodes(
+    school: School, domain: int, link: str
+) -> None:
+    school.teacher.succeed("class", "start", "Robots")
+    proxy = RecordingProxy(school.teacher.port)
+    ana = school._make("Ana")
+    ana.succeed("join", f"127.0.0.1:{proxy.port}", "--number", str(domain))
+    school.run(ana, TALKER).wait_for("ready")
+    assert wait_until(lambda: school.listed()[domain]["nodes"] == ["/talker"])
+    for _ in range(3):
+        # The hub of the laptop, or of the class, has another change within 0.1 s.
+        port = ana.port if link == "router" else school.teacher.port
+        paths = {"mode": "router", "connect/endpoints": [f"tcp/127.0.0.1:{port}"]}
+        open_session({**paths, "listen/endpoints": []}).close()
+        proxy.cut()
+        assert wait_until(lambda: school.listed()[domain]["nodes"] == ["/talker"], 20)
+        assert wait_until(lambda: is_linked(ana), 20)
+    proxy.close()
 
 
 def test_a_class_goes_on_after_the_teachers_machine_was_switched_off(school: School) -> None:

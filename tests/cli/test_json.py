@@ -30,7 +30,15 @@ ROWS = dict(
     re.findall(r"^\| `zbot (.+?)` \| (.+) \|$", (ROOT / "docs/json.md").read_text(), re.MULTILINE)
 )
 #: Commands whose rows other tests check, because they need a class, a keystore or a call.
-ELSEWHERE = ("bag info", "class start", "security", "action echo", "service echo", "pkg deps")
+ELSEWHERE = (
+    "bag info",
+    "class start",
+    "class next",
+    "security",
+    "action echo",
+    "service echo",
+    "pkg deps",
+)
 #: Commands whose dictionaries belong to the classroom.
 OWN_KEYS = {"class list", "class check"}
 STREAMS = ("topic hz", "topic bw", "topic delay")

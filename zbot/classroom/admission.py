@@ -2,7 +2,8 @@
 
 Each query and reply is a JSON object. `hello` returns the name of the class. `enrol` and `claim`
 are the two steps of the PIN check (`zbot.security.pin`). After these steps the student has a number
-and a secret. `release` frees a number. A class without a PIN uses the same steps with an empty PIN.
+and a secret. `release` frees a number. `member` returns whether a laptop is still in the class. A
+class without a PIN uses the same steps with an empty PIN.
 """
 
 from __future__ import annotations
@@ -11,7 +12,7 @@ import hmac
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from zbot.classroom.errors import ClassroomError
+from zbot.classroom.errors import ClassroomError, ReopeningError
 from zbot.classroom.register import Register, SimilarNameError, TakenError, clean_name
 from zbot.errors import SetupError
 from zbot.security.pin import PinServer, TooManyGuessesError, WrongPinError
@@ -20,6 +21,8 @@ from zbot.version import __version__
 
 if TYPE_CHECKING:
     from collections.abc import Callable
+
+    from zbot.classroom.register import Student
 
 _MACHINE_LENGTH = 64
 
@@ -41,6 +44,7 @@ class CopiedMachineError(ClassroomError):
 _REFUSALS: tuple[tuple[type[SetupError], str], ...] = (
     (WrongPinError, "pin"),
     (TooManyGuessesError, "wait"),
+    (ReopeningError, "wait"),
     (TakenError, "taken"),
     (SimilarNameError, "similar"),
     (CopiedMachineError, "copied"),
@@ -78,7 +82,7 @@ def proof(claim: str, purpose: str) -> str:
 
     Args:
         claim: The claim of the number.
-        purpose: What the query asks for: `release` or `nodes`.
+        purpose: What the query asks for: `release`, `member` or `nodes`.
     """
     return hmac.new(claim.encode(), purpose.encode(), "sha256").hexdigest()
 
@@ -99,6 +103,7 @@ class AdmissionService:
         is_own_hub: Takes the identity of the hub that a laptop has connected to (see
             `hub_identity`), and returns whether this hub is the class's hub.
         credentials: Takes a number and returns the credentials that its laptop needs for the hub.
+            If the hub does not accept them yet, it raises `ReopeningError`.
         changed: Called with a student's number after the register has changed.
         is_here: Takes a number, and returns whether its laptop is connected now.
     """
@@ -129,6 +134,7 @@ class AdmissionService:
             "enrol": self._pin_server.challenge,
             "claim": self._claim,
             "release": self._release,
+            "member": self._member,
         }
         step = steps.get(str(question.get("op")))
         if step is None:
@@ -168,12 +174,20 @@ class AdmissionService:
                 raise CopiedMachineError(student.number, student.name)
 
     def _release(self, question: Document) -> Document:
-        number = question.get("number")
-        student = self._register.students.get(number) if isinstance(number, int) else None
+        student = self._owner(question, "release")
         if student is None:
-            return {"released": False}
-        if not is_proof(question.get("proof"), student.claim, "release"):
             return {"released": False}
         self._register.free(student.number)
         self._changed(student.number)
         return {"released": True}
+
+    def _member(self, question: Document) -> Document:
+        return {"member": self._owner(question, "member") is not None}
+
+    def _owner(self, question: Document, purpose: str) -> Student | None:
+        """Return the student whose laptop sent a query, or `None` if the proof is wrong."""
+        number = question.get("number")
+        student = self._register.students.get(number) if isinstance(number, int) else None
+        if student is None or not is_proof(question.get("proof"), student.claim, purpose):
+            return None
+        return student

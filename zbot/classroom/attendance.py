@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import queue
 import threading
 import time
@@ -69,10 +70,12 @@ class Attendance:
         with self._lock:
             if serving is None or number in self._watched:
                 return
-            # `history` means that tokens which exist already are reported too.
-            self._watched[number] = serving.session.liveliness().declare_subscriber(
-                here_key(number), self._token_callback(number), history=True
-            )
+            # If the hub is being reopened, `attach` watches the laptop afterwards.
+            with contextlib.suppress(zenoh.ZError):
+                # `history` means that tokens which exist already are reported too.
+                self._watched[number] = serving.session.liveliness().declare_subscriber(
+                    here_key(number), self._token_callback(number), history=True
+                )
 
     def _token_callback(self, number: int) -> Any:
         @called_by_zenoh
@@ -94,7 +97,8 @@ class Attendance:
             self._laptops.pop(number, None)
             watched = self._watched.pop(number, None)
         if watched is not None:
-            watched.undeclare()
+            with contextlib.suppress(zenoh.ZError):  # the hub is being reopened
+                watched.undeclare()
 
     def laptop(self, number: int) -> ConnectedLaptop:
         """Return the facts about a laptop."""

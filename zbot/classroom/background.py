@@ -73,7 +73,7 @@ def hub_lock() -> Iterator[None]:
         AlreadyJoinedError: Another hub runs.
     """
     make_private_folder(folder())
-    with (folder() / "hub.lock").open("w", encoding="utf-8") as file:
+    with background_process.hub_lock_path().open("w", encoding="utf-8") as file:
         if not _lock_within_timeout(file):
             running = find()
             raise AlreadyJoinedError(f"has a hub already ({running.role if running else 'busy'})")
@@ -95,21 +95,13 @@ def find() -> RunningHub | None:
 
     A hub of another machine, container or network namespace with the same home folder is not found.
     """
-    if not _is_locked():
+    if not background_process.is_hub_locked():
         return None
     try:
         hub = RunningHub(**read_json_object(_state_path().read_text(encoding="utf-8")))
     except (OSError, ValueError, TypeError):
         return None  # the hub is starting or ending
     return hub if hub.space in {"", process_space()} else None
-
-
-def _is_locked() -> bool:
-    try:
-        with (folder() / "hub.lock").open("r+", encoding="utf-8") as file:
-            return not background_process.lock(file)
-    except OSError:
-        return False
 
 
 def start(role: str) -> None:
@@ -160,7 +152,7 @@ def stop() -> bool:
     with contextlib.suppress(ProcessLookupError):
         os.kill(hub.pid, signal.SIGTERM)
     deadline = time.monotonic() + _STOP_TIMEOUT_S
-    while _is_locked():
+    while background_process.is_hub_locked():
         if time.monotonic() > deadline:
             os.kill(hub.pid, getattr(signal, "SIGKILL", signal.SIGTERM))
             deadline += _STOP_TIMEOUT_S

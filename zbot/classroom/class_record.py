@@ -6,18 +6,15 @@ import hashlib
 import hmac
 import json
 from dataclasses import asdict, dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from zbot.classroom.errors import ClassroomError, NoClassError
 from zbot.classroom.register import Register, Student
 from zbot.json_reader import read_json_object
-from zbot.security.access import LOBBY, LOBBY_SECRET, TEACHER
 from zbot.security.secret import make_private_folder, write_private
-from zbot.transport.config import MAX_DOMAIN_ID
 from zbot.transport.membership import folder
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
     from pathlib import Path
 
 #: Maximum number of notices that are kept for students who join later.
@@ -33,12 +30,20 @@ class RecordError(ClassroomError, ValueError):
         super().__init__(f"cannot read {path} ({reason}): remove it with `zbot class stop`")
 
 
+class Identity(NamedTuple):
+    """Identity of one owner of a number. The teacher's hub accepts the owner's laptop with it."""
+
+    user: str
+    secret: str
+    hub_id: str  #: Zenoh id of the laptop's hub in lower-case hex digits. It begins with `f`
+
+
 @dataclass
 class ClassRecord:
     """Data of an open class."""
 
     name: str
-    master: str = field(repr=False)  #: the key from which every user's secret is derived
+    master: str = field(repr=False)  #: the key from which all secrets are derived
     pin: str = field(default="", repr=False)
     keystore: str = ""  #: folder of the teacher's certificate (empty without certificates)
     register: Register = field(default_factory=Register)
@@ -46,13 +51,13 @@ class ClassRecord:
     shares: list[tuple[int, int]] = field(default_factory=list)  #: (owner, reader) of a domain
     notices: list[dict[str, Any]] = field(default_factory=list)
     holders: dict[int, str] = field(default_factory=dict)  #: the machine that has a number's secret
-    renewals: dict[int, int] = field(default_factory=dict)  #: how often a secret was renewed
+    renewals: dict[int, int] = field(default_factory=dict)  #: how often a number was renewed
 
     def assign(self, number: int, machine: str) -> bool:
         """Assign a number to a machine. If another machine knows the number's secret, renew it.
 
         Returns:
-            Whether the secret was renewed. If it was, the hub must be reopened.
+            Whether the secret was renewed.
         """
         is_new = self.holders.get(number, machine) != machine
         if is_new:
@@ -61,21 +66,31 @@ class ClassRecord:
         return is_new
 
     def renew(self, number: int) -> None:
-        """Renew a number's secret, so that the hub rejects the number's former owner."""
+        """Give a number its next identity. The identity of the number's former owner ends."""
         self.renewals[number] = self.renewals.get(number, 0) + 1
         self.holders.pop(number, None)
 
-    def _student_secret(self, purpose: str, number: int) -> str:
-        renewed = self.renewals.get(number, 0)
-        return self.secret_of(f"{purpose}{user_of(number)}" + f" {renewed}" * bool(renewed))
+    def begin_period(self, expected: dict[int, str]) -> None:
+        """Forget the students, what they share, and the notices. Keep the class's name and PIN.
+
+        Args:
+            expected: Names of the students of the new period, by number.
+        """
+        for number in list(self.holders):
+            self.renew(number)
+        # The register stays the same object, because the admission service uses it too.
+        self.register.students, self.register.expected = {}, expected
+        self.shares, self.notices, self.is_open = [], [], False
 
     def secret_of(self, user: str) -> str:
         """Return a user's secret. Calls with the same name return the same secret."""
         return hmac.new(self.master.encode(), user.encode(), hashlib.sha256).hexdigest()
 
-    def hub_id(self, number: int) -> str:
-        """Return the Zenoh id of a student's hub in lower-case hex digits. It begins with `f`."""
-        return "f" + self._student_secret("hub of ", number)[:_ID_DIGITS]
+    def identity(self, number: int, renewals: int) -> Identity:
+        """Return the identity that a number has after some renewals."""
+        user = user_of(number) + f"-{renewals}" * bool(renewals)
+        hub_id = "f" + self.secret_of(f"hub of {user}")[:_ID_DIGITS]
+        return Identity(user, self.secret_of(user), hub_id)
 
     def credentials(self, number: int) -> dict[str, str]:
         """Return the credentials with which the teacher's hub accepts a student's laptop.
@@ -83,17 +98,8 @@ class ClassRecord:
         With a PIN, the credentials are the id of the laptop's hub, a user name and a secret.
         Without a PIN, they are only the id, because a Zenoh program then needs no secret.
         """
-        found = {"hub_id": self.hub_id(number)}
-        if self.pin:
-            found |= {"user": user_of(number), "secret": self._student_secret("", number)}
-        return found
-
-    def users(self) -> Iterator[tuple[str, str]]:
-        """Yield the name and the secret of every user of the hub."""
-        yield LOBBY, LOBBY_SECRET.reveal()
-        yield TEACHER, self.secret_of(TEACHER)
-        for number in range(1, MAX_DOMAIN_ID + 1):
-            yield user_of(number), self._student_secret("", number)
+        found = self.identity(number, self.renewals.get(number, 0))._asdict()
+        return found if self.pin else {"hub_id": found["hub_id"]}
 
     def save(self) -> None:
         """Write the file of the class. Only the file's owner can read it."""

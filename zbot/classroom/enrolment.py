@@ -7,12 +7,14 @@ import time
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
+from zbot.classroom.address import Address
 from zbot.classroom.admission import proof
 from zbot.classroom.errors import NoHubError, PinNeededError, RefusedError, SilentHubError
 from zbot.classroom.hub_identity import certificate_identity, dialled_identity
 from zbot.classroom.hub_queries import ask
 from zbot.classroom.keys import ADMISSION_KEY
 from zbot.classroom.link import PLAINTEXT, Link
+from zbot.classroom.probe import problem_at
 from zbot.classroom.register import clean_name, clean_sentence
 from zbot.security.access import LOBBY, LOBBY_SECRET, credentials
 from zbot.security.pin import PinClient, WrongPinError
@@ -26,7 +28,6 @@ if TYPE_CHECKING:
 
     import zenoh
 
-    from zbot.classroom.address import Address
     from zbot.classroom.admission import AdmissionRequest
 
     AskPin = Callable[[str], str | None]
@@ -34,7 +35,18 @@ if TYPE_CHECKING:
 _ANSWER_TIMEOUT_S = 5.0
 _WORD = re.compile("[0-9A-Za-z_-]{0,128}")
 _RELEASE_TIMEOUT_S = 1.0
+_MEMBER_TIMEOUT_S = 1.0
 _LONGEST_WAIT_S = 30.0  # after too many wrong PINs in the class, every laptop must wait
+_REOPENING_S = 5.0  # longest time for which a hub is closed while it is opened again
+_SILENT_S = 0.4  # a program that is not a hub usually closes the connection sooner
+_MOST_FRUITLESS = 3  # attempts at a hub or a class that does not answer
+_GREETINGS = 3
+_GREETING_PAUSE_S = 0.2
+# These override the user name of a class that this machine has joined before.
+_NOBODY: dict[str, Any] = {
+    "transport/auth/usrpwd/user": None,
+    "transport/auth/usrpwd/password": None,
+}
 
 
 def request_admission(
@@ -64,19 +76,70 @@ def request_admission(
         PinNeededError: `ask_pin` returned `None`.
         RefusedError: The number is taken or invalid.
         SilentHubError: The class does not answer.
+        ClosedPortError: The hub was closed meanwhile.
+    """
+    # The hub may be reopened meanwhile. A class that is asked again by the same laptop gives the
+    # same number.
+    deadline, fruitless = time.monotonic() + _LONGEST_WAIT_S, 0
+    while True:
+        try:
+            return _request_once(address, request, ask_pin, link, certificate)
+        except RefusedError as error:
+            if error.wait_s is None or time.monotonic() + error.wait_s > deadline:
+                raise
+            time.sleep(error.wait_s)
+        except (NoHubError, SilentHubError):
+            fruitless += 1
+            if fruitless == _MOST_FRUITLESS:
+                raise
+            problem = problem_at(address, _REOPENING_S)
+            if problem is not None:
+                raise problem from None
+
+
+def _request_once(
+    address: Address, request: AdmissionRequest, ask_pin: AskPin, link: Link, certificate: str
+) -> Membership:
+    session, is_class = open_lobby(address, link)
+    with session:
+        hub = certificate_identity(certificate) if certificate else dialled_identity(session)
+        return _Enrolment(session, address, hub, is_class=is_class).enrol(request, ask_pin)
+
+
+def open_lobby(address: Address, link: Link) -> tuple[zenoh.Session, bool]:
+    """Open a session at a hub as a laptop that has not joined.
+
+    Returns:
+        The session, and whether the hub has users, which only the hub of a class has.
+
+    Raises:
+        NoHubError: No hub answers at the address.
     """
     # A hub with users refuses clients without a user name. A hub without users refuses clients
     # with a user name.
-    for settings in ({}, credentials(LOBBY, LOBBY_SECRET)):
+    begun = time.monotonic()
+    for settings in (_NOBODY, credentials(LOBBY, LOBBY_SECRET)):
         session = open_hub_client(link.endpoint(address), {**settings, **link.settings})
         if session is not None:
-            with session:
-                hub = (
-                    certificate_identity(certificate) if certificate else dialled_identity(session)
-                )
-                enrolment = _Enrolment(session, address, hub, is_class=bool(settings))
-                return enrolment.enrol(request, ask_pin)
-    raise NoHubError(address.host, address.port)
+            return session, settings != _NOBODY
+    is_silent = time.monotonic() - begun > _SILENT_S
+    raise NoHubError(address.host, address.port, is_silent=is_silent)
+
+
+def is_member(joined: Membership) -> bool | None:
+    """Ask a class whether this laptop is still in it. Return `None` if the class does not answer.
+
+    Args:
+        joined: This laptop's membership in the class.
+    """
+    try:
+        session, _ = open_lobby(Address(joined.host, joined.port), Link(joined.keystore))
+    except NoHubError:
+        return None
+    with session:
+        answers = _ask_as_owner(session, joined, "member", _MEMBER_TIMEOUT_S)
+    known = answers[0].get("member") if answers else None
+    return known if isinstance(known, bool) else None
 
 
 class _Enrolment:
@@ -89,14 +152,9 @@ class _Enrolment:
         self._is_class = is_class  # only the hub of a class has users
 
     def enrol(self, request: AdmissionRequest, ask_pin: AskPin) -> Membership:
-        begun = time.monotonic()
-        greetings = ask(self._session, ADMISSION_KEY, {"op": "hello"}, timeout_s=_ANSWER_TIMEOUT_S)
-        if not greetings:
-            if self._is_class or time.monotonic() - begun > _ANSWER_TIMEOUT_S / 2:
-                raise SilentHubError(self._address.host, self._address.port)
-            # The query ended before its timeout, so there is no queryable for admission.
+        hello = self._greeting()
+        if hello is None:
             return Membership("partner", self._address.host, self._address.port)
-        hello = greetings[0]
         class_name = str(hello.get("class"))
         pin = ask_pin(clean_name(class_name)) if hello.get("pin") else ""
         if pin is None:
@@ -110,17 +168,26 @@ class _Enrolment:
         except (KeyError, TypeError, ValueError) as exc:
             raise NoHubError(self._address.host, self._address.port) from exc
 
-    def _ask(self, verb: str, question: dict[str, Any]) -> dict[str, Any]:
-        deadline = time.monotonic() + _LONGEST_WAIT_S
-        while True:
-            question["op"] = verb
-            answers = ask(self._session, ADMISSION_KEY, question, timeout_s=_ANSWER_TIMEOUT_S)
-            if not answers:
+    def _greeting(self) -> dict[str, Any] | None:
+        """Return the class's answer to `hello`, or `None` if the hub has no class."""
+        # A query that ends before its timeout shows that nothing answers queries for admission.
+        # The hub of a class accepts clients a short time before it answers these queries.
+        for _ in range(_GREETINGS):
+            begun = time.monotonic()
+            found = ask(self._session, ADMISSION_KEY, {"op": "hello"}, timeout_s=_ANSWER_TIMEOUT_S)
+            if found:
+                return found[0]
+            if self._is_class or time.monotonic() - begun > _ANSWER_TIMEOUT_S / 2:
                 raise SilentHubError(self._address.host, self._address.port)
-            wait_s = _wait_s(answers[0])
-            if wait_s is None or time.monotonic() + wait_s > deadline:
-                return _checked(answers[0])
-            time.sleep(wait_s)
+            time.sleep(_GREETING_PAUSE_S)
+        return None
+
+    def _ask(self, verb: str, question: dict[str, Any]) -> dict[str, Any]:
+        question["op"] = verb
+        answers = ask(self._session, ADMISSION_KEY, question, timeout_s=_ANSWER_TIMEOUT_S)
+        if not answers:
+            raise SilentHubError(self._address.host, self._address.port)
+        return _checked(answers[0])
 
 
 def _wait_s(answer: dict[str, Any]) -> float | None:
@@ -136,7 +203,8 @@ def _checked(answer: dict[str, Any]) -> dict[str, Any]:
         raise WrongPinError
     if kind is not None:
         known = clean_name(str(answer.get("known") or ""))
-        raise RefusedError(str(kind), clean_sentence(str(answer.get("sentence"))), known)
+        sentence = clean_sentence(str(answer.get("sentence")))
+        raise RefusedError(str(kind), sentence, known, _wait_s(answer))
     return answer
 
 
@@ -171,17 +239,29 @@ def _word(value: object) -> str:
     return value
 
 
-def release(session: zenoh.Session, joined: Membership) -> bool:
-    """Release this laptop's number. Return whether the class confirmed the release.
+def release(joined: Membership) -> bool:
+    """Release this laptop's number. Return whether the class has answered.
+
+    If the class does not know this laptop any more, nothing has to be released.
 
     Args:
-        session: A client of this machine's hub.
         joined: The membership in the class.
     """
-    question = {
-        "op": "release",
-        "number": joined.number,
-        "proof": proof(joined.claim, "release"),
-    }
-    answers = ask(session, ADMISSION_KEY, question, timeout_s=_RELEASE_TIMEOUT_S)
-    return any(answer.get("released") is True for answer in answers)
+    address = Address(joined.host, joined.port)
+    if problem_at(address) is not None:
+        return False
+    try:
+        session, _ = open_lobby(address, Link(joined.keystore))
+    except NoHubError:
+        return False
+    with session:
+        answers = _ask_as_owner(session, joined, "release", _RELEASE_TIMEOUT_S)
+    return bool(answers)
+
+
+def _ask_as_owner(
+    session: zenoh.Session, joined: Membership, verb: str, timeout_s: float
+) -> list[dict[str, Any]]:
+    """Send a query to the class, with the proof that this laptop owns its number."""
+    question = {"op": verb, "number": joined.number, "proof": proof(joined.claim, verb)}
+    return ask(session, ADMISSION_KEY, question, timeout_s=timeout_s)

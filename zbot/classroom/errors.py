@@ -59,12 +59,19 @@ class ClosedPortError(ClassroomError, ConnectionError):
 
 
 class NoHubError(ClassroomError, ConnectionError):
-    """The program that listens on a port is not a hub."""
+    """The program that listens on a port is not a hub, or does not answer.
 
-    def __init__(self, host: str, port: int) -> None:
-        self.host, self.port = host, port
+    Attributes:
+        is_silent: Whether the program accepted the connection and did not answer.
+    """
+
+    def __init__(self, host: str, port: int, *, is_silent: bool = False) -> None:
+        self.host, self.port, self.is_silent = host, port, is_silent
         super().__init__(
-            f"the program at {host}:{port} is not a zbot hub, or is a hub that requires a "
+            f"the program at {host}:{port} does not answer: it is busy or suspended, or it is not "
+            "a zbot hub: try again in a moment, or ask the teacher"
+            if is_silent
+            else f"the program at {host}:{port} is not a zbot hub, or is a hub that requires a "
             "certificate: ask the teacher"
         )
 
@@ -168,11 +175,26 @@ class RefusedError(ClassroomError, PermissionError):
     Attributes:
         kind: Kind of the reason, e.g. `taken`.
         known: A similar name in the teacher's list of students, or an empty text.
+        wait_s: Seconds after which the machine may ask again, or `None`.
     """
 
-    def __init__(self, kind: str, sentence: str, known: str = "") -> None:
-        self.kind, self.known = kind, known
+    def __init__(
+        self, kind: str, sentence: str, known: str = "", wait_s: float | None = None
+    ) -> None:
+        self.kind, self.known, self.wait_s = kind, known, wait_s
         super().__init__(sentence)
+
+
+class ReopeningError(ClassroomError):
+    """The hub of the class is opened again before it accepts this laptop.
+
+    Attributes:
+        wait_s: Seconds after which the laptop may ask again.
+    """
+
+    def __init__(self) -> None:
+        self.wait_s = 0.5
+        super().__init__("the class is being opened again: try again in a moment")
 
 
 class SilentHubError(ClassroomError, TimeoutError):
@@ -181,6 +203,17 @@ class SilentHubError(ClassroomError, TimeoutError):
     def __init__(self, host: str, port: int) -> None:
         self.host, self.port = host, port
         super().__init__(f"the class at {host}:{port} does not answer: try again in a moment")
+
+
+class UnlinkedError(ClassroomError, TimeoutError):
+    """A class or hub admitted this machine, but the two hubs were not linked in time."""
+
+    def __init__(self, host: str, port: int) -> None:
+        self.host, self.port = host, port
+        super().__init__(
+            f"this machine was not linked with {host}:{port} in time, so it has not joined: join "
+            "again"
+        )
 
 
 class ClassCommandError(ClassroomError):

@@ -8,11 +8,13 @@ import signal
 import socket
 import sys
 import threading
+import time
 from typing import TYPE_CHECKING, Any
 
 from zbot.classroom import background
 from zbot.classroom.hub import HubSettings, dialled_links, open_router
 from zbot.classroom.hub_queries import HubQueries
+from zbot.classroom.keys import HUB_KEY
 from zbot.transport.router_renewal import RouterRenewal
 from zbot.version import __version__
 
@@ -21,10 +23,10 @@ if TYPE_CHECKING:
 
     import zenoh
 
-#: A hub answers queries on `@hub/<process id>` with facts about itself.
-HUB_KEY = "@hub"
-
 _JOIN_TIMEOUT_S = 2.0
+# Other routers need up to 0.1 s to note that their links to this hub are lost. Before that, they
+# would not repeat their declarations on new links (see `link_check`).
+_REOPENING_PAUSE_S = 0.3
 # On Windows, Ctrl-C does not interrupt a wait without a timeout.
 _WAIT_S = 0.5 if sys.platform == "win32" else None
 
@@ -46,10 +48,12 @@ class HubProcess:
         self._settings = settings
         self._threads: list[threading.Thread] = []
         self._queries: list[HubQueries] = []
+        self._ends: list[Callable[[], None]] = []
         #: Functions that return further facts for `zbot status`. The keys are names of facts.
         self.extra_facts: dict[str, Callable[[], Any]] = {}
         self._renewal = RouterRenewal(session, reopen)
         self.answer_queries(f"{HUB_KEY}/{os.getpid()}", self._facts)
+        self.answer_queries(f"{HUB_KEY}/{os.getpid()}/link", lambda _question: {})
 
     def answer_queries(
         self, key: str, answer: Callable[[dict[str, Any]], dict[str, Any] | None]
@@ -63,17 +67,27 @@ class HubProcess:
         """Let `close` wait for a thread that ends when the session is closed."""
         self._threads.append(thread)
 
+    def call_on_close(self, end: Callable[[], None]) -> None:
+        """Let `close` call a function before it closes the session."""
+        self._ends.append(end)
+
+    def is_linked(self) -> bool:
+        """Return whether this hub has a link to the hub that it dials."""
+        return bool(dialled_links(self.session, self._settings))
+
     def _facts(self, _question: dict[str, Any]) -> dict[str, Any]:
         return {
             "pid": os.getpid(),
             "host": socket.gethostname(),
             "version": __version__,
-            "linked": bool(dialled_links(self.session, self._settings)),
+            "linked": self.is_linked(),
             **{name: find() for name, find in self.extra_facts.items()},
         }
 
     def close(self) -> None:
         """Finish the query in progress, close the session, then wait for the threads."""
+        for end in self._ends:
+            end()
         for queries in self._queries:
             queries.finish()
         self.session.close()
@@ -147,6 +161,8 @@ def serve(
             finally:
                 serving.close()
             report = _do_nothing
+            if not signals.is_over:
+                time.sleep(_REOPENING_PAUSE_S)
 
 
 def serve_session(open_session: Callable[[], zenoh.Session], on_ready: Callable[[], None]) -> None:

@@ -95,7 +95,7 @@ def decode(text: str, own_addresses: Iterable[str]) -> list[Address]:
 def _long_address(text: str, value: int) -> Address:
     payload = value >> _CHECK_BITS
     if _check(payload, 36) != value & 0xF:
-        raise CodeError(text, "its checksum is wrong")
+        raise CodeError(text, "a character is wrong")
     return Address(str(ipaddress.IPv4Address(payload >> 4)), PORTS[payload & 0xF])
 
 
@@ -106,8 +106,8 @@ def _short_addresses(text: str, value: int, own_addresses: Iterable[str]) -> lis
     if not found:
         raise CodeError(
             text,
-            "its checksum is wrong here (if the code is right, this machine is in another network "
-            "than the teacher's: use the teacher's address)",
+            "a character is wrong, or this machine is in another network than the teacher's (then "
+            "use the teacher's address)",
         )
     return [Address(str(ipaddress.IPv4Address(number))) for number in found]
 

@@ -8,6 +8,8 @@ HERE = "here"
 ADMISSION_KEY = f"{LOBBY_SPACE}/door"  #: queries from laptops that join or leave
 NOTICES_KEY = f"{TEACHER_SPACE}/notices"  #: queries for earlier notices
 ROBOTS_KEY = f"{TEACHER_SPACE}/robots"  #: messages with the driver of each robot
+#: A hub answers queries on `@hub/<process id>` with facts about itself.
+HUB_KEY = "@hub"
 COMMAND_KEY = "@class/desk"  #: queries from the teacher's commands
 
 

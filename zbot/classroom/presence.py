@@ -61,7 +61,7 @@ class Presence:
         self._notices = serving.session.declare_subscriber(
             NOTICE_KEY, called_by_zenoh(self._hear_notice)
         )
-        serving.extra_facts["of_class"] = self._of_class
+        serving.extra_facts["of_class"] = self.of_class
         serving.extra_facts["closed"] = lambda: self._is_closed
         serving.answer_queries(facts_key(number), self._facts)
         self._token = serving.session.liveliness().declare_token(here_key(number))
@@ -69,12 +69,12 @@ class Presence:
     def _hear_notice(self, sample: zenoh.Sample) -> None:
         self._is_closed = document_of(sample.payload).get("closed") is True
 
-    def _of_class(self) -> dict[str, Any] | None:
-        """Ask the class for its notices, and for the nodes of this laptop that the class sees.
+    def of_class(self) -> dict[str, Any] | None:
+        """Ask the class for its notices, and for what only the owner of the number may know.
 
-        Return `None` if the class does not answer.
-
-        A class does not answer a laptop that it does not accept.
+        The owner gets the nodes of this laptop that the class sees, the numbers of the other
+        students with the same name, and whether the class sees this laptop. Return `None` if the
+        class does not answer. A class does not answer a laptop that it does not accept.
         """
         number = self._joined.number
         question = {"number": number, "proof": proof(self._joined.claim, "nodes")}
@@ -84,7 +84,12 @@ class Presence:
         notices = answers[0].get("notices")
         notices = notices if isinstance(notices, list) else []
         texts = [notice_text(json.dumps(one).encode()) for one in notices]
-        return {"notices": texts, "nodes": answers[0].get("nodes")}
+        return {
+            "notices": texts,
+            "nodes": answers[0].get("nodes"),
+            "namesakes": answers[0].get("namesakes"),
+            "here": answers[0].get("here"),
+        }
 
     def _facts(self, _question: dict[str, Any]) -> dict[str, Any]:
         self._query_earlier_logs()

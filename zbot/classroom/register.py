@@ -180,6 +180,15 @@ class Register:
             raise FullClassError
         return found
 
+    def namesakes(self, student: Student) -> list[int]:
+        """Return the numbers of the other students who have the name of this student."""
+        name = student.name.casefold()
+        return sorted(
+            number
+            for number, one in self.students.items()
+            if one.name.casefold() == name and number != student.number
+        )
+
     def free(self, number: int) -> Student | None:
         """Free a number. Return the student who had it, or `None` if it was free."""
         freed = self.students.get(number)

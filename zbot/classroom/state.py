@@ -7,9 +7,11 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.classroom import background
 from zbot.classroom.address import Address
-from zbot.classroom.hub_process import HUB_KEY
+from zbot.classroom.enrolment import is_member, open_lobby
+from zbot.classroom.errors import NoHubError
 from zbot.classroom.hub_queries import ask
 from zbot.classroom.invitation import invitation
+from zbot.classroom.keys import HUB_KEY
 from zbot.classroom.link import Link
 from zbot.classroom.probe import problem_at
 from zbot.security.errors import SecurityError
@@ -20,16 +22,27 @@ from zbot.transport.session import open_hub_client
 if TYPE_CHECKING:
     from zbot.transport.membership import Membership
 
-#: Problem of a laptop whose number or secret the class does not know.
-NOT_ACCEPTED = (
-    "the class does not accept this laptop: it was started anew, or it has given the number to "
-    "another laptop; type `zbot leave`, and join again"
+#: Problem of a laptop that the class does not know.
+NOT_A_MEMBER = (
+    "the class does not accept this laptop: the teacher has freed its number, has begun a new "
+    "period, or has started the class anew; type `zbot leave`, and join again"
 )
-#: Problem of a machine whose hub cannot link to a hub that answers.
+#: Problem of a laptop that the class knows, but whose hub is not linked.
+NOT_LINKED_YET = (
+    "the class knows this laptop, but the link is not there yet: the laptop links by itself; if "
+    "it has no link after a minute, type `zbot leave`, and join again"
+)
+#: Problem of a machine whose hub is not linked, while the other hub does not answer.
+UNKNOWN = (
+    "the other machine does not answer at the moment, it may be busy or suspended: this machine "
+    "links by itself as soon as the other machine answers"
+)
+#: Problem of a machine that has joined a hub without a class, if that hub is now another one.
 NOT_LINKED = (
     "the other machine answers, but its hub does not accept this machine: "
     "type `zbot leave`, and join again"
 )
+_PASSING = (NOT_A_MEMBER, NOT_LINKED_YET, UNKNOWN, NOT_LINKED)
 
 _RECONNECTED_S = 2.0
 _PAUSE_S = 0.2
@@ -53,6 +66,7 @@ def present_state() -> dict[str, Any]:
         "problem": problem,
         "join": invitation().document() if joined and joined.role == "teacher" else None,
         "notices": of_class.get("notices", []),
+        "namesakes": of_class.get("namesakes") or [],
         "outside": running_programs.outside_text(),
         "differences": [one.text for one in environment.differences()],
     }
@@ -61,13 +75,13 @@ def present_state() -> dict[str, Any]:
 def _settled_facts(joined: Membership | None, pid: int) -> tuple[dict[str, Any], str | None]:
     """Return the facts of the hub, and the problem of its link.
 
-    A hub that reconnects now is not linked for a moment, so a refusal counts only after 2 s.
+    A hub that reconnects now is not linked for a moment, so this counts only after 2 s.
     """
     deadline = time.monotonic() + _RECONNECTED_S
     while True:
         facts = hub_facts(pid)
         problem = link_problem(joined, facts) if joined else None
-        if problem not in {NOT_ACCEPTED, NOT_LINKED} or time.monotonic() > deadline:
+        if problem not in _PASSING or time.monotonic() > deadline:
             return facts, problem
         time.sleep(_PAUSE_S)
 
@@ -83,15 +97,38 @@ def link_problem(joined: Membership, facts: dict[str, Any]) -> str | None:
         return "the hub of this machine does not answer: `zbot leave` ends it"
     if joined.role == "teacher":
         return None
-    if facts.get("linked"):
-        is_accepted = not joined.in_class or facts.get("of_class") is not None
-        return None if is_accepted else NOT_ACCEPTED
+    if is_accepted(joined, facts):
+        return None
     unreachable = problem_at(Address(joined.host, joined.port))
     if unreachable is not None and facts.get("closed"):
         return "the teacher has closed the class: `zbot leave` leaves it"
     if unreachable is not None:
         return str(unreachable)
-    return certificate_problem(joined) or (NOT_ACCEPTED if joined.in_class else NOT_LINKED)
+    return certificate_problem(joined) or _refusal(joined)
+
+
+def is_accepted(joined: Membership, facts: dict[str, Any]) -> bool:
+    """Return whether this machine's hub is linked, and a class has given it the owner's facts.
+
+    Args:
+        joined: This machine's membership in the class or hub.
+        facts: The facts that this machine's hub reports.
+    """
+    is_owner = (facts.get("of_class") or {}).get("nodes") is not None
+    return bool(facts.get("linked")) and (is_owner or not joined.in_class)
+
+
+def _refusal(joined: Membership) -> str:
+    """Return why a hub whose port is open is not linked with this machine."""
+    if joined.in_class:
+        known = is_member(joined)
+        return UNKNOWN if known is None else NOT_LINKED_YET if known else NOT_A_MEMBER
+    try:
+        session, _ = open_lobby(Address(joined.host, joined.port), Link(joined.keystore))
+    except NoHubError as error:
+        return UNKNOWN if error.is_silent else NOT_LINKED
+    session.close()
+    return NOT_LINKED
 
 
 def certificate_problem(joined: Membership) -> str | None:

@@ -8,37 +8,62 @@ import secrets
 import socket
 import time
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from zbot.classroom import background, teacher
 from zbot.classroom.address import Address, own_addresses, parse_address
 from zbot.classroom.admission import AdmissionRequest
 from zbot.classroom.enrolment import release, request_admission
-from zbot.classroom.errors import AlreadyJoinedError, RefusedError
+from zbot.classroom.errors import (
+    AlreadyJoinedError,
+    NotJoinedError,
+    OtherClassError,
+    RefusedError,
+    UnlinkedError,
+)
 from zbot.classroom.hub import HubSettings
 from zbot.classroom.hub_process import serve
 from zbot.classroom.join_code import decode, looks_like_code
 from zbot.classroom.link import Link
+from zbot.classroom.link_check import LinkCheck
 from zbot.classroom.presence import Presence
 from zbot.classroom.probe import first_reachable
-from zbot.classroom.state import hub_facts
+from zbot.classroom.state import hub_facts, is_accepted
 from zbot.security.secret import make_private_folder, write_private
 from zbot.transport import membership
-from zbot.transport.config import hub_port
-from zbot.transport.session import hub_endpoint, open_hub_client
+from zbot.transport.config import domain_id, hub_port
+from zbot.transport.session import hub_endpoint
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
     from pathlib import Path
 
     from zbot.classroom.enrolment import AskPin
+    from zbot.classroom.hub_process import HubProcess
     from zbot.transport.membership import Membership
 
     AskName = Callable[[str, str], bool | None]
 
 _MACHINE_BYTES = 8
+_LINKED_S = 20.0  # a hub usually links within 0.3 s, but thirty hubs may start together
+_RESUMED_S = 3.0
+_LINK_PAUSE_S = 0.05
 _NOTICED_S = 5.0  # a hub notices within 4 s that a laptop is away
 _PAUSE_S = 0.5
+
+
+class Joined(NamedTuple):
+    """What `join` has joined."""
+
+    membership: Membership
+    namesakes: list[int]  #: numbers of other students who have the same name
+
+
+class Left(NamedTuple):
+    """What `leave` has left."""
+
+    membership: Membership
+    is_released: bool  #: whether the class knows that this machine has left
 
 
 def find_hub(target: str) -> Address:
@@ -65,8 +90,11 @@ def join(
     keystore: Path | None = None,
     ask_pin: AskPin = lambda _class_name: None,
     ask_name: AskName = lambda _given, _known: None,
-) -> Membership:
+) -> Joined:
     """Join the class or hub at a code or address, and start a hub in the background.
+
+    The machine has joined when its hub is linked and the class has accepted it. If this fails, the
+    machine has joined nothing, and the class frees the number.
 
     Args:
         target: Code or address, as the teacher gives it.
@@ -79,10 +107,14 @@ def join(
         ask_name: Takes the given name and a similar name in the teacher's list. Returns whether the
             similar name is meant, or `None` if nobody can be asked.
 
+    Returns:
+        The membership, and the students who have the same name.
+
     Raises:
         AlreadyJoinedError: This machine has joined a class or hub, or runs a hub.
         ClassroomError: The hub cannot be found (see `find_hub`), or it refuses this machine
             (see `request_admission`).
+        UnlinkedError: The hub admits this machine, but is not linked with it within 20 s.
         SecurityError: This machine and the hub do not accept each other's certificates.
     """
     _check_not_joined()
@@ -96,17 +128,61 @@ def join(
         return request_admission(address, request, pin, link, certificate)
 
     with _without_membership():
-        joined = _admitted(request, send, ask_name)
-    joined = replace(joined, keystore=link.keystore, hub_port=hub_port())
-    background.stop()
-    membership.save(joined, [(joined.user, joined.secret)])
+        admitted = _admitted(request, send, ask_name)
+    admitted = replace(admitted, keystore=link.keystore, hub_port=hub_port())
     try:
-        background.start(joined.role)
+        background.stop()
+        membership.save(admitted, [(admitted.user, admitted.secret)])
+        background.start(admitted.role)
+        namesakes = _linked_namesakes(admitted)
     except BaseException:
-        membership.forget()
+        leave()
         raise
     background.end_router()
-    return joined
+    return Joined(admitted, namesakes)
+
+
+def _linked_namesakes(joined: Membership) -> list[int]:
+    """Wait until a class or hub has accepted this machine. Return the numbers of namesakes.
+
+    Raises:
+        UnlinkedError: This machine's hub was not linked in time.
+    """
+    deadline = time.monotonic() + _LINKED_S
+    while True:
+        hub = background.find()
+        facts = hub_facts(hub.pid) if hub is not None else {}
+        if is_accepted(joined, facts):
+            return list((facts.get("of_class") or {}).get("namesakes") or [])
+        if hub is None or time.monotonic() > deadline:
+            raise UnlinkedError(joined.host, joined.port)
+        time.sleep(_LINK_PAUSE_S)
+
+
+def resume() -> None:
+    """Start this machine's hub again, e.g. after the machine was switched off.
+
+    Return as soon as the hub is linked with the class or hub that this machine has joined, or after
+    3 s. The hub goes on trying. Do nothing if the hub runs.
+
+    Raises:
+        NotJoinedError: This machine has not joined a class or hub.
+        OtherClassError: This machine has a class of its own.
+        HubStartError: The hub cannot be started.
+    """
+    joined = membership.load()
+    if joined is None:
+        raise NotJoinedError
+    if joined.role == "teacher":
+        raise OtherClassError(joined.class_name)
+    if background.find() is None:
+        background.start(joined.role)
+    deadline = time.monotonic() + _RESUMED_S
+    while time.monotonic() < deadline:
+        hub = background.find()
+        if hub is None or is_accepted(joined, hub_facts(hub.pid)):
+            return
+        time.sleep(_LINK_PAUSE_S)
 
 
 def _admitted(
@@ -179,26 +255,27 @@ def _write_machine_id(machine: str) -> None:
     write_private(membership.folder() / "machine", machine.encode())
 
 
-def leave() -> Membership | None:
-    """Release the number, end this machine's hub, and remove and return the membership.
+def leave() -> Left | None:
+    """End this machine's hub, remove the membership, and release the number.
 
     On the teacher's machine, this closes the class.
+
+    Returns:
+        The former membership, or `None` if there was none.
     """
     try:
         present = membership.load()
     except membership.MembershipError:
         present = None
     if present is not None and present.role == "teacher":
-        return teacher.stop()
-    if present is not None and present.role == "student":
-        session = open_hub_client()
-        if session is not None:
-            with session:
-                release(session, present)
+        return Left(teacher.stop(), is_released=True)
     background.stop()
     membership.forget()
     background.end_router()
-    return present
+    if present is None:
+        return None
+    is_released = present.role != "student" or release(present)
+    return Left(present, is_released=is_released)
 
 
 def run_student(joined: Membership, on_ready: Callable[[], None]) -> None:
@@ -209,4 +286,11 @@ def run_student(joined: Membership, on_ready: Callable[[], None]) -> None:
         extra |= {"id": joined.hub_id}
     settings = HubSettings((hub_endpoint(),), (link.endpoint(dialled),), extra)
     presence = Presence(joined) if joined.in_class else None
-    serve(joined.role, lambda: settings, on_ready, presence.attach if presence else None)
+    links = LinkCheck(domain_id(), presence.of_class if presence else None)
+
+    def attach(serving: HubProcess) -> None:
+        if presence is not None:
+            presence.attach(serving)
+        links.attach(serving)
+
+    serve(joined.role, lambda: settings, on_ready, attach)

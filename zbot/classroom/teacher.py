@@ -142,7 +142,7 @@ def _open(
     if record.pin:
         opened = replace(opened, user=TEACHER, secret=record.secret_of(TEACHER))
     record.save()
-    membership.save(opened, record.users())
+    membership.save(opened)
     try:
         background.start("teacher")
     except BaseException:

@@ -3,7 +3,7 @@
 The functions return paths and values of Zenoh's configuration, in the form that
 `SessionConfig.build` takes. The rules use Zenoh's access control and allow nothing by default. They
 identify a student by the user name with which the laptop's hub logs in. So a student's programs
-cannot act as another user.
+cannot act as another user. `zbot.classroom.accepted_identities` adds the id of the laptop's hub.
 
 A class has these key spaces. `<n>` is the student's domain:
 
@@ -27,8 +27,8 @@ and returns a secret.
 Zenoh does not forward a declaration if its key expression includes keys that the receiver's rules
 do not allow. So the teacher's tools subscribe and query each domain (`17/**`), never `**`.
 
-Zenoh reads the rules when a session opens. So the hub's session must be reopened after every
-change.
+Zenoh reads the rules when a session opens. So the hub's session must be reopened after a change of
+the rules.
 """
 
 from __future__ import annotations

@@ -63,6 +63,20 @@ def lock(file: IO[str]) -> bool:
     return True
 
 
+def hub_lock_path() -> Path:
+    """Return the file that the hub of this user's machine locks as long as it runs."""
+    return membership.folder() / "hub.lock"
+
+
+def is_hub_locked() -> bool:
+    """Return whether the hub of this user's machine runs."""
+    try:
+        with hub_lock_path().open("r+", encoding="utf-8") as file:
+            return not lock(file)
+    except OSError:
+        return False
+
+
 def start(module: str, *words: str, **options: Any) -> subprocess.Popen[str]:
     """Start `python -m module words` without a terminal. Ctrl-C does not reach the process.
 

@@ -7,7 +7,7 @@ import os
 from typing import TYPE_CHECKING, NamedTuple
 
 from zbot.log import get_logger
-from zbot.transport import config, membership
+from zbot.transport import background_process, config, membership
 from zbot.transport.config import DiscoveryRange
 
 if TYPE_CHECKING:
@@ -45,9 +45,25 @@ def differences(domain_id: int | None = None) -> list[Difference]:
     return [one for one in (*found, _localhost_only(joined)) if one is not None]
 
 
+def missing_hub() -> str:
+    """Return a sentence if this machine has joined, but its hub does not run. Otherwise `""`.
+
+    Raises:
+        MembershipError: The membership file is damaged.
+    """
+    joined = membership.load()
+    if joined is None or background_process.is_hub_locked():
+        return ""
+    missing = "the hub of this machine is not running, so"
+    if joined.role == "teacher":
+        return f"{missing} {place(joined)} is closed: `zbot class start` continues it"
+    return f"{missing} {place(joined)} does not see its nodes: `zbot join` starts it again"
+
+
 def warn(domain_id: int | None) -> None:
-    """Log the differences that have `is_logged`. A process logs them only once."""
+    """Log the differences that have `is_logged`, and a missing hub. A process logs them once."""
     texts = [one.text for one in differences(domain_id) if one.is_logged]
+    texts += filter(None, [missing_hub()])
     if texts:
         get_logger("zbot").warning("\n".join(texts), once=True)
 
@@ -127,7 +143,7 @@ def _localhost_only(joined: Membership) -> Difference | None:
 
 def _configuration(joined: Membership) -> Difference | None:
     file = config.load()
-    if not _connects_elsewhere(file, joined):
+    if not _connects_elsewhere(file):
         return None
     text = (
         f"{file.source} sets `connect`, so {place(joined)} does not see these nodes: "
@@ -136,12 +152,10 @@ def _configuration(joined: Membership) -> Difference | None:
     return Difference(f"the Zenoh configuration {file.source}", text, hides=True)
 
 
-def _connects_elsewhere(file: config.SessionConfig, joined: Membership) -> bool:
+def _connects_elsewhere(file: config.SessionConfig) -> bool:
     endpoints = json.loads(file.build({}).get_json("connect/endpoints"))
     lists = [endpoints] if isinstance(endpoints, list) else endpoints.values()
     listed = [str(one) for found in lists for one in found]
     ports = (config.MEETING_PORT + config.domain_id(), config.hub_port())
     own = {f"{host}:{port}" for host in _LOOPBACK for port in ports}
-    # A session with a user name may also connect directly to the joined hub.
-    own |= {f"{joined.host}:{joined.port}"} if joined.user else set()
     return bool(listed) and not any(any(one in endpoint for one in own) for endpoint in listed)

@@ -255,8 +255,7 @@ def _class() -> Finding:
         return Finding("class", "this machine has joined nothing")
     where = f"{state['class'] or 'a hub'} as {state['role']}"
     if not state["hub"]:
-        advice = "the hub of this machine is not running: `zbot status` says how to start it"
-        return Finding("class", f"joined {where}", advice)
+        return Finding("class", f"joined {where}", environment.missing_hub())
     if state["problem"]:
         link = "linked" if state["linked"] else "not linked"
         return Finding("class", f"joined {where}, {link}", state["problem"])

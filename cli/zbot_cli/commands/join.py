@@ -9,6 +9,7 @@ from typing import Annotated
 
 import typer
 
+from zbot_cli.output.exit_status import Status
 from zbot_cli.output.listing import new_app
 
 app = new_app("Join a class or another machine", has_verbs=False)
@@ -17,8 +18,12 @@ app = new_app("Join a class or another machine", has_verbs=False)
 @app.command()
 def join(
     target: Annotated[
-        str, typer.Argument(metavar="CODE|HOST[:PORT]", help="The teacher's code, or an address")
-    ],
+        str | None,
+        typer.Argument(
+            metavar="CODE|HOST[:PORT]",
+            help="The teacher's code, or an address; leave it out to continue after a restart",
+        ),
+    ] = None,
     name: Annotated[str | None, typer.Option("--name", help="Your name")] = None,
     number: Annotated[
         int | None, typer.Option("--number", help="Your number in the class, 1 to 232")
@@ -30,11 +35,20 @@ def join(
         Path | None, typer.Option("--keystore", help="Folder of this machine's certificate")
     ] = None,
 ) -> None:
-    """Join a class or another machine that runs `zbot hub`."""
+    """Join a class or another machine that runs `zbot hub`.
+
+    Without a code or an address, start the hub of this machine again, e.g. after a restart.
+    """
     from zbot.classroom import student  # noqa: PLC0415 - not needed by `--help`
+    from zbot_cli.commands.status import namesakes_text  # noqa: PLC0415 - as above
     from zbot_cli.domain.client import print_programs_outside  # noqa: PLC0415 - as above
 
-    joined = student.join(
+    if target is None:
+        if name or number or new_student or keystore:
+            raise typer.BadParameter("type the teacher's code, or an address, before the options")
+        _resume()
+        return
+    joined, namesakes = student.join(
         target,
         name=name,
         number=number,
@@ -48,8 +62,23 @@ def join(
         print("`zbot leave` leaves the class")
     else:
         print(f"joined {joined.host}:{joined.port}; `zbot leave` leaves it")
+    if namesakes:
+        print(namesakes_text(joined.name, namesakes), file=sys.stderr)
     _print_differences()
     print_programs_outside()
+
+
+def _resume() -> None:
+    """Start the hub of this machine again, and print what `zbot status` prints."""
+    from zbot.classroom import student  # noqa: PLC0415 - not needed by `--help`
+    from zbot.classroom.state import present_state  # noqa: PLC0415 - as above
+    from zbot_cli.commands.status import lines  # noqa: PLC0415 - as above
+
+    student.resume()
+    state = present_state()
+    print("\n".join(lines(state)))
+    if not state["linked"]:
+        raise typer.Exit(Status.ERROR)
 
 
 def _print_differences() -> None:

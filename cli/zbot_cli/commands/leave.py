@@ -30,7 +30,14 @@ def leave(
     left = student.leave()
     if left is None:
         raise NotJoinedError
-    print(f"left {left.class_name or left.host}")
+    former = left.membership
+    print(f"left {former.class_name or former.host}")
+    if not left.is_released:
+        print(
+            f"the class does not answer, so it may keep number {former.number} for this laptop: "
+            f"the teacher can free it with `zbot class free {former.number}`",
+            file=sys.stderr,
+        )
     print_programs_outside()
 
 

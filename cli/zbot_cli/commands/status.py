@@ -16,24 +16,36 @@ def status(as_json: AsJson = False) -> None:
     from zbot.classroom.state import present_state  # noqa: PLC0415 - not needed by `--help`
 
     state = present_state()
-    print_json(state) if as_json else print("\n".join(_lines(state)))
+    print_json(state) if as_json else print("\n".join(lines(state)))
 
 
-def _lines(state: dict[str, Any]) -> list[str]:
+def lines(state: dict[str, Any]) -> list[str]:
+    """Return the state of this machine's membership as text.
+
+    Args:
+        state: What `present_state` returns.
+    """
     outside = [escape_control_characters(state["outside"])] if state["outside"] else []
     if state["role"] is None:
         return ["this machine has joined nothing: its nodes see only each other", *outside]
-    lines = [_role(state), *_invitation(state["join"])]
+    found = [_role(state), *_invitation(state["join"])]
     if not state["hub"]:
         again = "zbot class start" if state["role"] == "teacher" else "zbot join"
-        lines.append(f"the hub of this machine is not running: `{again}` starts it again")
+        found.append(f"the hub of this machine is not running: `{again}` starts it again")
     elif state["role"] in {"student", "partner"}:
-        link = "linked" if state["linked"] else "not linked"
-        lines.append(f"{link}: {state['problem']}" if state["problem"] else link)
+        found.append(_link(state["problem"], is_linked=state["linked"]))
     elif state["problem"]:
-        lines.append(state["problem"])
-    lines += [*state["differences"], *outside]
-    return lines + [f"the teacher said: {text}" for text in state["notices"]]
+        found.append(state["problem"])
+    if state["namesakes"]:
+        found.append(namesakes_text(state["name"], state["namesakes"]))
+    found += [*state["differences"], *outside]
+    return found + [f"the teacher said: {text}" for text in state["notices"]]
+
+
+def _link(problem: str | None, *, is_linked: bool) -> str:
+    if problem is None:
+        return "linked" if is_linked else "not linked"
+    return f"linked, but {problem}" if is_linked else f"not linked: {problem}"
 
 
 def _invitation(join: dict[str, Any] | None) -> list[str]:
@@ -62,3 +74,13 @@ def _role(state: dict[str, Any]) -> str:
         case "partner":
             return f"joined {where}"
     return "a hub that other machines can join"
+
+
+def namesakes_text(name: str, numbers: list[int]) -> str:
+    """Return a sentence about the other students of the class who have the same name."""
+    is_one = len(numbers) == 1
+    who = f"number{'' if is_one else 's'} {', '.join(map(str, numbers))}"
+    return (
+        f'{who} of the class {"has" if is_one else "have"} the name "{name}" too: to use another '
+        "name, type `zbot leave`, and join again with --name"
+    )

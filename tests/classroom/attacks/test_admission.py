@@ -11,7 +11,7 @@ import zenoh
 from tests.classroom.attacked import PIN, AttackedClass, pin_client
 from tests.classroom.attacks.conftest import asked, claimed
 from tests.classroom.recording_proxy import RecordingProxy
-from tests.classroom.talk import HERE, accepts
+from tests.classroom.talk import HERE, accepts, dialling, open_session
 from tests.conftest import wait_until
 from zbot.classroom.keys import ADMISSION_KEY
 
@@ -92,6 +92,24 @@ def test_a_reassigned_number_rejects_the_old_secret(room: AttackedClass) -> None
     # The hub is open again, with the new credentials, only when it accepts Emil.
     assert wait_until(lambda: accepts(room.port, emil.credentials), 10)
     assert not accepts(room.port, had)
+    emil.do("leave")
+
+
+def test_a_former_owner_of_a_number_gets_nothing(room: AttackedClass) -> None:
+    dora = room.student("dora who left", 43)
+    had, user = dora.identity, dora.credentials
+    dora.do("leave")
+    emil = room.student("emil who came", 43)
+    heard = room.teacher_session.declare_subscriber("43/work", zenoh.handlers.FifoChannel(10))
+    with open_session(dialling(room.port, user)) as former:  # with another id than the laptop's
+        former.put("43/work", b"x")
+        room.talk.settle()
+        assert heard.try_recv() is None
+    heard.undeclare()
+    # With the id, the hub is opened again, and then does not know the former owner.
+    assert wait_until(lambda: not accepts(room.port, had), 10)
+    assert not accepts(room.port, user)
+    assert wait_until(lambda: room.listed()[43]["here"], 20)
     emil.do("leave")
 
 

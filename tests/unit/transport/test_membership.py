@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from zbot.transport import config, environment, membership
+from zbot.transport import background_process, config, environment, membership
 from zbot.transport.membership import Membership, MembershipError, Role
 
 STUDENT = Membership(
@@ -91,7 +91,7 @@ def test_settings_that_differ_from_the_class_are_listed(
         ('{ peer: ["tcp/10.9.9.9:7447"] }', False),
         ('["tcp/127.0.0.1:7467"]', True),  # domain 17
         ('["tcp/127.0.0.1:7447"]', True),  # this machine's hub
-        ('["tcp/10.0.0.1:7447"]', True),  # the class itself
+        ('["tcp/10.0.0.1:7447"]', False),  # the class itself accepts only the hubs of laptops
         ("[]", True),
     ],
 )
@@ -147,3 +147,16 @@ def test_sessions_log_in_only_with_a_user_name() -> None:
     assert membership.session_settings(None) == {}
     assert membership.session_settings(Membership("partner", "h", 1)) == {}
     assert membership.session_settings(STUDENT)["transport/auth/usrpwd/user"] == "student17"
+
+
+def test_a_hub_that_does_not_run_is_named() -> None:
+    assert environment.missing_hub() == ""
+    membership.save(STUDENT)
+    assert "`zbot join` starts it again" in environment.missing_hub()
+    membership.save(replace(STUDENT, role="partner"))
+    assert "the hub at 10.0.0.1" in environment.missing_hub()
+    membership.save(replace(STUDENT, role="teacher"))
+    assert "`zbot class start` continues it" in environment.missing_hub()
+    with background_process.hub_lock_path().open("w", encoding="utf-8") as file:
+        assert background_process.lock(file)
+        assert environment.missing_hub() == ""

@@ -247,7 +247,36 @@ def free(
     """Free a student's number for another laptop."""
     from zbot.classroom.teacher import command  # noqa: PLC0415 - not needed by `--help`
 
-    print(f"number {number} is free; {command({'op': 'free', 'number': number})['name']} had it")
+    freed = command({"op": "free", "number": number})
+    was = "was connected, and is out of the class now" if freed["here"] else "was not connected"
+    print(f"number {number} is free; {freed['name']} had it: the laptop {freed['host']} {was}")
+
+
+@app.command("next")
+def begin_next_period(
+    students: Annotated[
+        Path | None,
+        typer.Option("--students", help="File with NUMBER,NAME in each line, for the next period"),
+    ] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Begin a new period: free all numbers, and keep the code and the PIN."""
+    from zbot.classroom.invitation import invitation  # noqa: PLC0415 - not needed by `--help`
+    from zbot.classroom.register import load_roster  # noqa: PLC0415 - as above
+    from zbot.classroom.teacher import command  # noqa: PLC0415 - as above
+
+    expected = load_roster(students) if students else None
+    freed = command({"op": "next", "expected": expected})["freed"]
+    if as_json:
+        print_json({"freed": freed, "join": invitation().document()})
+        return
+    what = (
+        "1 number of the last period is"
+        if freed == 1
+        else f"{freed} numbers of the last period are"
+    )
+    print(f"{what} free again")
+    print(_join_text(invitation()))
 
 
 @app.command("stop")
