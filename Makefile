@@ -1,4 +1,4 @@
-.PHONY: check docs pictures test bench bags classroom torture chaos soak ends holders churn zenoh-faults
+.PHONY: check docs pictures test bench bags classroom torture chaos soak ends holders churn periods zenoh-faults
 
 # Tests use what only POSIX has. What is shipped is checked for Windows and macOS, too.
 SHIPPED = zbot cli nodes
@@ -56,6 +56,11 @@ churn: RUNS = 24000
 STARTS = 200000
 churn:
 	python -m tests.torture.churn --runs $(RUNS) --starts $(STARTS)
+
+# Students of a class who leave while others join. Needs root.
+periods: ROUNDS = 20
+periods:
+	python -m tests.torture.periods --rounds $(ROUNDS) --seed "$(SEED)"
 
 # Which faults of Zenoh are still there (docs/design/zenoh-faults.md).
 zenoh-faults:

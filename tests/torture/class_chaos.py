@@ -16,6 +16,7 @@ from tests.classroom.lesson import hub_pid
 from tests.classroom.testbed import LanTestbed, missing_requirement
 from tests.torture.faults import Fault, Schedule, plan
 from tests.torture.report import times
+from zbot.transport.config import DROP_WAIT_US
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -31,6 +32,12 @@ _PAUSE_S = 4.0
 _TRUE_LIST_S = 3.0
 #: Hubs notice a cut after at most this time (docs/wire.md), and then lists become true.
 _CUT_S = 4.0
+#: Zenoh closes a link without messages after 10 s. On a link without data, the last message may be
+#: 2.5 s old when a laptop begins to sleep. After a longer sleep, nodes of the laptop lose links.
+_SLEEP_S = 7.0
+_WOKEN_S = 3.0
+#: A lost message is noticed with the next message, which comes within this time.
+_GAP_S = 2.0
 #: A new watcher gets all tokens of a hub within this time.
 _WATCHED_S = 2.0
 _COMMAND_PERIOD_S = 9.0
@@ -59,6 +66,7 @@ class _Laptop:
     since: float = 0.0
     is_faulty: bool = False
     is_reported: bool = False
+    broken_until: float = 0.0  #: until then, its nodes may lose messages
 
     def change(self) -> None:
         """Note that its state has changed now."""
@@ -84,8 +92,7 @@ class ClassChaos:
         self._plan = plan(f"{seed}/class", _KINDS, seconds, _PAUSE_S)
         self._later = Schedule()
         self._seen: set[tuple[int, str]] = set()
-        self._programs: list[tuple[str, Program]] = []
-        self._lost = 0
+        self._programs: list[tuple[_Laptop, str, Program]] = []
         self._teacher_since = 0.0
         self._teacher_is_faulty = False
         self._listed_s: list[float] = []
@@ -129,20 +136,32 @@ class ClassChaos:
         self._read_programs()
         note = self._report.note
         note(f"class: {len(self._plan)} faults in {time.monotonic() - begin:.0f} s")
-        note(f"class: {self._lost} messages lost between nodes of one laptop (depth 10)")
         note(f"class: `zbot class list`: {times(self._listed_s)}")
 
     def _read_programs(self) -> None:
         """Report what the nodes have printed since the last call."""
-        for name, program in self._programs:
+        for laptop, name, program in self._programs:
             for line in program.new_lines():
                 if any(crash in line for crash in _CRASHES):
                     self._report.violation(f"{name} printed: {line}")
                 words = line.split()
                 # A neighbour that was started again begins with 1.
                 if words[:1] == ["gap"] and int(words[2]) > int(words[1]):
-                    self._lost += int(words[2]) - int(words[1]) - 1
-                    self._report.violation(f"{name} missed messages of its neighbour: {line}")
+                    self._note_gap(laptop, f"{name} missed messages of its neighbour: {line}")
+
+    def _note_gap(self, laptop: _Laptop, text: str) -> None:
+        """Report lost messages, unless the laptop or the machine explains them."""
+        # A publisher drops a message if no thread sends the earlier ones for `DROP_WAIT_US`.
+        waited_s = self._stall.allowed(0.0, time.monotonic() - _GAP_S)
+        if time.monotonic() < laptop.broken_until:
+            why = "after a long sleep"
+        elif waited_s > DROP_WAIT_US / 1e6:
+            why = "on a busy machine"
+        else:
+            self._report.violation(text)
+            return
+        self._report.count(f"class gap {why}")
+        self._report.note(f"class: {why}, {text}")
 
     def _check_end(self, program: Program) -> None:
         begin = time.monotonic()
@@ -183,7 +202,8 @@ class ClassChaos:
         neighbour = f"pupil{(int(name[-1]) + 1) % _NODES}"
         words = ("pupil.py", name, neighbour, "--hz", str(_HZ))
         laptop.nodes[name] = laptop.machine.start(*words)
-        self._programs.append((f"{name} of laptop {laptop.number}", laptop.nodes[name]))
+        named = f"{name} of laptop {laptop.number}"
+        self._programs.append((laptop, named, laptop.nodes[name]))
         laptop.change()
 
     def _list_class(self) -> None:
@@ -256,20 +276,29 @@ class ClassChaos:
         return f"{name} of laptop {laptop.number} for {4 * fault.size:.1f} s"
 
     def _disturb(
-        self, fault: Fault, begin: Callable[[Machine], None], end: Callable[[Machine], None]
+        self,
+        fault: Fault,
+        begin: Callable[[Machine], None],
+        end: Callable[[Machine], None],
+        longest_s: float = 60.0,
     ) -> str:
+        """Disturb a laptop. After more than `longest_s`, its own links may be lost too."""
         laptop = self._victim(fault)
         if laptop is None:
             return "nobody"
         laptop.is_faulty = True
         begin(laptop.machine)
 
+        seconds = 0.5 + 8 * fault.size**2
+
         def undo() -> None:
+            if time.monotonic() - begun > longest_s:
+                laptop.broken_until = time.monotonic() + self._stall.allowed(_WOKEN_S, begun)
             end(laptop.machine)
             laptop.is_faulty = False
             laptop.change()
 
-        seconds = 0.5 + 8 * fault.size**2
+        begun = time.monotonic()
         self._later.add(seconds, undo)
         return f"of laptop {laptop.number} for {seconds:.1f} s"
 
@@ -280,7 +309,7 @@ class ClassChaos:
         return self._disturb(fault, lambda one: one.unplug(), lambda one: one.plug_in())
 
     def _fault_sleep(self, fault: Fault) -> str:
-        return self._disturb(fault, lambda one: one.sleep(), lambda one: one.wake_up())
+        return self._disturb(fault, lambda one: one.sleep(), lambda one: one.wake_up(), _SLEEP_S)
 
     def _fault_hub_killed(self, fault: Fault) -> str:
         """Kill the hub of a laptop. The student joins again later, as `zbot status` says."""
