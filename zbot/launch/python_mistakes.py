@@ -41,7 +41,7 @@ _OF_RCLPY = re.compile(r"Node\.__init__\(\) got an unexpected keyword argument '
 _TAKES_ARGUMENTS = re.compile(rf"{FUNCTION}\(\) missing \d+ required positional")
 
 
-def advice(error: Exception) -> str:
+def advice(error: Exception | SystemExit) -> str:
     """Return what to write in place of the code that raised an error, or an empty string."""
     text = str(error)
     if isinstance(error, ModuleNotFoundError):

@@ -75,7 +75,8 @@ class PinholeCameraModel:
         roi = self.raw_roi
         if not (roi.x_offset or roi.y_offset or roi.width or roi.height):
             roi.width, roi.height = msg.width, msg.height
-        self._k, self._p = self._full_k.copy(), self._full_p.copy()
+        self._k: Matrix = self._full_k.copy()
+        self._p: Matrix = self._full_p.copy()
         for matrix in (self._k, self._p):
             matrix[0, 2] -= roi.x_offset
             matrix[1, 2] -= roi.y_offset

@@ -5,14 +5,13 @@ This module needs numpy (`pip install "zbot[numpy]"`).
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from zbot.libraries.point_cloud import create_cloud, dtype_from_fields
 
 from sensor_msgs.msg import PointField
 
 if TYPE_CHECKING:
-    import numpy as np
     from numpy.typing import NDArray
 
     from sensor_msgs.msg import LaserScan, PointCloud2
@@ -54,12 +53,13 @@ class LaserProjection:
         """
         import numpy as np  # noqa: PLC0415 - part of an extra
 
-        ranges = np.array(scan_in.ranges, np.float64)
+        ranges: NDArray[Any] = np.array(scan_in.ranges, np.float64)
         limit = scan_in.range_max if range_cutoff < 0 else min(range_cutoff, scan_in.range_max)
         (rays,) = np.nonzero((ranges >= scan_in.range_min) & (ranges < limit))
         angles, ranges = scan_in.angle_min + rays * scan_in.angle_increment, ranges[rays]
         none = np.zeros(len(rays))
-        columns = {"x": ranges * np.cos(angles), "y": ranges * np.sin(angles), "z": none}
+        x, y = ranges * np.cos(angles), ranges * np.sin(angles)
+        columns: dict[str, NDArray[Any]] = {"x": x, "y": y, "z": none}
         option = self.ChannelOption
         if channel_options & option.INTENSITY and len(scan_in.intensities):
             columns["intensity"] = np.array(scan_in.intensities)[rays]
@@ -74,7 +74,7 @@ class LaserProjection:
         return _cloud(scan_in, columns)
 
 
-def _cloud(scan: LaserScan, columns: dict[str, NDArray[np.generic]]) -> PointCloud2:
+def _cloud(scan: LaserScan, columns: dict[str, NDArray[Any]]) -> PointCloud2:
     import numpy as np  # noqa: PLC0415 - part of an extra
 
     fields = [
