@@ -38,7 +38,7 @@ class Joint:
     parent: str  #: name of the parent link
     child: str  #: name of the child link
     origin: Rigid = field(default_factory=Rigid)  #: the joint's frame in the parent link
-    axis: Vector = (1.0, 0.0, 0.0)  #: length 1 if the joint moves
+    axis: Vector = (1.0, 0.0, 0.0)  #: length 1, or 0 for a joint that never moves
     lower: float = 0.0
     upper: float = 0.0
     soft_lower: float | None = None  #: from <safety_controller>
@@ -50,7 +50,7 @@ class Joint:
         if self.type == "prismatic":
             x, y, z = (position * part for part in self.axis)
             return self.origin @ Rigid((x, y, z))
-        if self.type not in MOVING:
+        if self.type not in MOVING or not any(self.axis):
             return self.origin
         sine = math.sin(position / 2)
         x, y, z = (sine * part for part in self.axis)
@@ -149,8 +149,6 @@ def _axis(element: Element | None, type_: str, where: str) -> Vector:
         return (1.0, 0.0, 0.0)
     axis = numbers(element.get("xyz", "1 0 0"), 3, f"the axis of {where}")
     length = math.hypot(*axis)
-    if length == 0 and type_ in MOVING:
-        raise DescriptionError(f"the axis of {where} has the length 0")
     return cast("Vector", tuple(part / (length or 1) for part in axis))
 
 
