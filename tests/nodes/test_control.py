@@ -442,6 +442,12 @@ def test_a_spawner_takes_parameters_of_the_launch_file(tmp_path: Path) -> None:
     assert (arm.name, arm.inactive, arm.param_file) == ("arm", True, [str(path)])
 
 
+def test_a_spawner_takes_empty_words_of_a_launch_file() -> None:
+    options = read_arguments(["arm", "", "--namespace", "", "-c", "/cm"])
+    assert (options.namespace, options.controller_manager) == ("", "/cm")
+    assert [one.name for one in options.controllers] == ["arm"]
+
+
 def test_each_controller_of_a_spawner_has_options_of_its_own(tmp_path: Path) -> None:
     path = tmp_path / "arm.yaml"
     path.write_text("")

@@ -37,7 +37,9 @@ def read_arguments(words: Sequence[str]) -> argparse.Namespace:
 
     The attribute `controllers` of the result has the options of each controller.
     """
-    given = [word for word in remove_ros_args(["spawner", *words])[1:] if word]
+    # Launch files write an empty word for an option that is left out, and for no namespace.
+    every = pairwise(remove_ros_args(["spawner", *words]))
+    given = [word for before, word in every if word or before in {"-n", "--namespace"}]
     common = _common_parser()
     if _EACH in given:
         options, controllers = _read_each(common, given)
