@@ -408,3 +408,12 @@ def test_a_unique_short_name_is_enough() -> None:
 @pytest.mark.parametrize("word", ["{data: 1}", "data: 1", "linear.x=2", "data"])
 def test_values_are_not_taken_for_types(word: str) -> None:
     assert not looks_like_type(word)
+
+
+def test_quotes_of_a_word_processor_are_told(capsys: pytest.CaptureFixture[str]) -> None:
+    assert make(String, "{data: “hi”}").data == "“hi”"
+    assert capsys.readouterr().err == (
+        "note: the text is “hi”: type ' in place of “ and ” if they are not a part of it\n"
+    )
+    make(String, "{data: 'he said “hi” to me'}")
+    assert capsys.readouterr().err == ""

@@ -40,6 +40,11 @@ def advice_for_words(words: Iterable[str]) -> str:
     return advice(wrong[:1])
 
 
+def is_quoted(text: str) -> bool:
+    """Return whether a text begins and ends with quotes that are not those of the keyboard."""
+    return len(text) > 1 and _QUOTES.keys() >= {text[0], text[-1]}
+
+
 def _advice_for(character: str) -> str:
     typed, code = _TYPED[character], f"U+{ord(character):04X}"
     if character in _INVISIBLE:

@@ -6,12 +6,14 @@ import base64
 import binascii
 import itertools
 import re
+import sys
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Union
 
 from zbot.errors import ZbotError
 from zbot.interfaces import get_message, spec_of, yaml_text
 from zbot.suggestion import did_you_mean
+from zbot.terminal.typographic import is_quoted
 from zbot_cli.input import yaml_mistakes
 
 if TYPE_CHECKING:
@@ -86,6 +88,7 @@ class Template:
         #: Whether a message contains the current time. If so, each publication needs a new message.
         self.is_stamped = False
         self.make(self._note_time_use)
+        _note_quotes(self._values)
 
     def make(self, now_ns: Callable[[], int]) -> Any:
         """Return a message.
@@ -106,6 +109,18 @@ class Template:
 def split_documents(text: str) -> list[str]:
     """Return the documents of a YAML stream, such as saved output of `zbot topic echo`."""
     return [part for part in _SEPARATOR.split(text) if part.strip()]
+
+
+def _note_quotes(tree: Tree) -> None:
+    """Say that quotes of a word processor are a part of the first text that has them."""
+    if isinstance(tree, Word):
+        text = tree.text
+        if is_quoted(text):
+            quotes = f"type ' in place of {text[0]} and {text[-1]} if they are not a part of it"
+            print(f"note: the text is {text}: {quotes}", file=sys.stderr)
+        return
+    for inner in tree.values() if isinstance(tree, dict) else tree:
+        _note_quotes(inner)
 
 
 # -- from text to a tree -----------------------------------------------------------------------
