@@ -11,7 +11,7 @@ from zbot.errors import ZbotError
 from zbot.launch.description import LaunchDescription
 from zbot.launch.errors import LaunchFileError, describe
 from zbot.launch.left_out import missing_file
-from zbot.launch.python_mistakes import FUNCTION, advice, missing_function
+from zbot.launch.python_mistakes import FUNCTION, advice, corrected_import, missing_function
 from zbot.package import python_finder
 from zbot.terminal.typographic import advise_of_syntax
 
@@ -89,8 +89,10 @@ def _with_line(path: Path, error: Exception | SystemExit) -> LaunchFileError:
     hint = getattr(error, "hint", "") or ""
     if not isinstance(error, ZbotError):
         hint = advice(error)
+    elif isinstance(error, ImportError):
+        reason, hint = corrected_import(reason)
     if isinstance(error, ModuleNotFoundError) and error.name in _EXTRAS:
         hint = f'pip install "zbot[{_EXTRAS[error.name]}]"'
-    elif isinstance(error, ModuleNotFoundError) and not hint:
+    elif isinstance(error, ModuleNotFoundError) and not (hint or isinstance(error, ZbotError)):
         hint = "`zbot pkg deps` shows what is missing, and where it is"
     return LaunchFileError(str(path), line, reason, hint)

@@ -34,6 +34,7 @@ _MODULES = (
     "ament_index_python.packages",
 )
 _NO_NAME = re.compile(r"cannot import name '(\w+)' from '([\w.]+)'")
+_WRONG_CLASS = re.compile(r"cannot import '([A-Z]\w*)' from '([\w.]+)'")
 _UNDEFINED = re.compile(r"name '(\w+)' is not defined")
 _MISSING_ARGUMENT = re.compile(r"__init__\(\) missing \d+ required keyword-only argument: '(\w+)'")
 _TOO_MANY = re.compile(r"LaunchDescription\.__init__\(\) takes from 1 to 2 positional arguments")
@@ -61,6 +62,17 @@ def advice(error: Exception | SystemExit) -> str:
     if isinstance(error, AttributeError) and error.name and error.obj is not None:
         return did_you_mean(error.name, _public(error.obj))
     return ""
+
+
+def corrected_import(text: str) -> tuple[str, str]:
+    """Return the sentence and the hint for the text of zbot's error about a wrong import.
+
+    A class of `launch` may be imported from `launch_ros`, and the other way round. The error of the
+    import looks only into one of them.
+    """
+    match = _WRONG_CLASS.match(text)
+    hint = _import_of(match[1]) or _similar_of(match[1], match[2]) if match else ""
+    return (match[0], hint) if match and hint else (text, "")
 
 
 def missing_function(module: ModuleType) -> str:

@@ -49,7 +49,7 @@ _ALL = f"LaunchDescription([{_NODE}])"
             "write: from launch.actions import ExecuteProcess",
         ),
         (_IMPORT, "from launch_ros.actions import Nod", "cannot import", "did you mean 'Node'?"),
-        (_IMPORT, "import launch_ros.action", "No module", "did you mean 'launch_ros.actions'?"),
+        (_IMPORT, "import launch_ros.action", "did you mean 'launch_ros.actions'?", ""),
         (_IMPORT, "import lauch_ros", "No module", "did you mean 'launch_ros'?"),
         (_IMPORT, "from rclpy.node import Node", "unexpected", f"write: {_IMPORT}"),
         ("LaunchDescription([", "LaunchDescripton([", "not defined", "'LaunchDescription'?"),
