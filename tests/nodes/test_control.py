@@ -13,7 +13,8 @@ from tests.conftest import wait_until
 from zbot.action import ActionClient
 from zbot.qos import DurabilityPolicy, QoSProfile
 from zbot_nodes.control.controller import Controller
-from zbot_nodes.control.controller_manager import TYPES, ControllerManager
+from zbot_nodes.control.controller_manager import ControllerManager
+from zbot_nodes.control.controller_types import TYPES
 from zbot_nodes.control.spawner import read_arguments
 
 from control_msgs.action import FollowJointTrajectory
@@ -189,7 +190,7 @@ def test_controllers_have_states_and_claim_interfaces(robot: Robot) -> None:
         (
             "position_controllers/JointGroupPositionController",
             {"joints": ["left"]},
-            "needs the interface 'left/position', which the hardware does not have",
+            "needs the interface 'left/position', which neither the hardware nor another",
         ),
     ],
 )

@@ -39,6 +39,7 @@ class Controller(zbot.Node):
     """
 
     kind = ""  #: the class of ROS 2's plugin, e.g. `diff_drive_controller/DiffDriveController`
+    is_chainable = False  #: whether the controller has references for other controllers
 
     def __init__(
         self, name: str, hardware: SimulatedHardware, description: str, **options: Any
@@ -46,6 +47,7 @@ class Controller(zbot.Node):
         super().__init__(name, **options)
         self.hardware, self.description = hardware, description
         self.state = State.UNCONFIGURED
+        self.is_chained = False  #: whether another active controller commands the references
 
     def setting(self, name: str, default: Any) -> Any:
         """Return a parameter, and declare it at the first call.
@@ -101,6 +103,14 @@ class Controller(zbot.Node):
 
     def state_interfaces(self) -> list[str]:
         """Return the interfaces to read."""
+        return []
+
+    def reference_interfaces(self) -> list[str]:
+        """Return the interfaces `NAME/...` by which other controllers command this one."""
+        return []
+
+    def exported_interfaces(self) -> list[str]:
+        """Return the interfaces `NAME/...` with states that other controllers can read."""
         return []
 
     def configure(self) -> None:

@@ -10,37 +10,15 @@ Parameters: update_rate (100 Hz), robot_description (""), NAME.type: the class o
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import zbot
 from zbot.qos import DurabilityPolicy, QoSProfile
+from zbot_nodes.control import chain
 from zbot_nodes.control.controller import Controller, ControllerError, State
-from zbot_nodes.control.diff_drive_controller import DiffDriveController
-from zbot_nodes.control.forward_command_controller import (
-    ForwardCommandController,
-    JointGroupEffortController,
-    JointGroupPositionController,
-    JointGroupVelocityController,
-    MultiInterfaceForwardCommandController,
-)
-from zbot_nodes.control.gpio_controller import GpioCommandController
-from zbot_nodes.control.gripper_controller import (
-    GripperActionController,
-    ParallelGripperActionController,
-)
+from zbot_nodes.control.controller_types import TYPES
 from zbot_nodes.control.hardware import SimulatedHardware, read_components
-from zbot_nodes.control.joint_state_broadcaster import JointStateBroadcaster
-from zbot_nodes.control.joint_trajectory_controller import JointTrajectoryController
-from zbot_nodes.control.sensor_broadcasters import (
-    ForceTorqueSensorBroadcaster,
-    IMUSensorBroadcaster,
-    RangeSensorBroadcaster,
-)
-from zbot_nodes.control.steering_controllers import (
-    AckermannSteeringController,
-    BicycleSteeringController,
-    TricycleSteeringController,
-)
 from zbot_nodes.description.urdf import read_urdf
 from zbot_nodes.description.xml_text import DescriptionError
 from zbot_nodes.startup.program import ParameterError, run_node
@@ -50,28 +28,6 @@ from controller_manager_msgs.msg import ControllerState, HardwareComponentState,
 from lifecycle_msgs.msg import State as LifecycleState
 from std_msgs.msg import String
 
-TYPES: dict[str, type[Controller]] = {
-    one.kind: one
-    for one in (
-        AckermannSteeringController,
-        BicycleSteeringController,
-        DiffDriveController,
-        ForceTorqueSensorBroadcaster,
-        ForwardCommandController,
-        GpioCommandController,
-        GripperActionController,
-        IMUSensorBroadcaster,
-        JointGroupEffortController,
-        JointGroupPositionController,
-        JointGroupVelocityController,
-        JointStateBroadcaster,
-        JointTrajectoryController,
-        MultiInterfaceForwardCommandController,
-        ParallelGripperActionController,
-        RangeSensorBroadcaster,
-        TricycleSteeringController,
-    )
-}
 _KEPT = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 
 
@@ -95,6 +51,7 @@ class ControllerManager(zbot.Node):
             raise ParameterError("the parameter update_rate must be a whole number above 0")
         self.rate_hz = rate_hz
         self.controllers: dict[str, Controller] = {}
+        self.active: list[Controller] = []  # in the order of their updates
         self.hardware: SimulatedHardware | None = None
         self.description = ""
         self.updated_ns = 0
@@ -165,14 +122,12 @@ class ControllerManager(zbot.Node):
         if not before_ns or period_s <= 0:
             return  # the first period, or a jump back of simulated time
         self.hardware.read(period_s)
-        for one in list(self.controllers.values()):
-            if one.state is State.ACTIVE:
-                one.update(period_s)
+        for one in self.active:
+            one.update(period_s)
 
     def claimed(self) -> set[str]:
         """Return the command interfaces of the active controllers."""
-        active = (one for one in self.controllers.values() if one.state is State.ACTIVE)
-        return {name for one in active for name in one.command_interfaces()}
+        return {name for one in self.active for name in one.command_interfaces()}
 
     # -- controllers ---------------------------------------------------------------------------
 
@@ -231,6 +186,8 @@ class ControllerManager(zbot.Node):
         except Exception:
             self.cleanup(name)  # removes the topics that the node has already created
             raise
+        assert self.hardware is not None
+        self.hardware.add(one.reference_interfaces(), one.exported_interfaces())
         one.state = State.INACTIVE
         self.get_logger().info(f"Configuring controller '{name}'")
         self.name_unknown(one)
@@ -262,6 +219,8 @@ class ControllerManager(zbot.Node):
         one = self.known(name)
         if one.state is State.ACTIVE:
             raise ControllerError(f"Could not unload controller '{name}' because it is active")
+        if one.state is State.INACTIVE and self.hardware is not None:
+            self.hardware.remove(one.reference_interfaces(), one.exported_interfaces())
         del self.controllers[name]
         if self.executor is not None:
             self.executor.remove_node(one)
@@ -285,31 +244,39 @@ class ControllerManager(zbot.Node):
         for names, found, check in ((end, stopping, self.stops), (begin, starting, self.starts)):
             for name in names:
                 try:
-                    check(name, end)
+                    check(name, stopping, starting)
                 except ControllerError as error:
-                    if is_strict:
-                        raise
-                    self.get_logger().warn(str(error))
+                    self.refuse(str(error), is_strict=is_strict)
                 else:
                     found.append(self.controllers[name])
+        self.keep_chains(starting, stopping, is_strict=is_strict)
         for one in stopping:
             one.deactivate()
             one.state = State.INACTIVE
             self.get_logger().info(f"Deactivated controller '{one.get_name()}'")
         for one in starting:
-            one.activate()
+            self.activate(one)
             one.state = State.ACTIVE
             self.get_logger().info(f"Activated controller '{one.get_name()}'")
+        active = [one for one in self.controllers.values() if one.state is State.ACTIVE]
+        self.active = chain.in_order(active)
+        self.connect_chains()
 
-    def stops(self, name: str, _end: list[str]) -> None:
+    def refuse(self, reason: str, *, is_strict: bool) -> None:
+        """Refuse the whole switch if it is strict. Otherwise only warn."""
+        if is_strict:
+            raise ControllerError(reason)
+        self.get_logger().warn(reason)
+
+    def stops(self, name: str, _stopping: list[Controller], _starting: list[Controller]) -> None:
         """Check that a controller can be deactivated."""
         if self.known(name).state is not State.ACTIVE:
             raise ControllerError(f"Controller '{name}' can not be deactivated: it is not active")
 
-    def starts(self, name: str, end: list[str]) -> None:
-        """Check that a controller can be activated after the controllers in `end` have stopped."""
+    def starts(self, name: str, stopping: list[Controller], starting: list[Controller]) -> None:
+        """Check that a controller can be activated with others, after some have stopped."""
         one = self.known(name)
-        if one.state is not State.INACTIVE and name not in end:
+        if one.state is not State.INACTIVE and one not in stopping:
             raise ControllerError(
                 f"Controller '{name}' can not be activated from its state {one.state.value}"
             )
@@ -320,21 +287,55 @@ class ControllerManager(zbot.Node):
         ]
         if missing:
             raise ControllerError(
-                f"Controller '{name}' needs the interface '{min(missing)}', which the hardware "
-                "does not have"
+                f"Controller '{name}' needs the interface '{min(missing)}', which neither the "
+                "hardware nor another configured controller has"
             )
-        going = {
-            o
-            for other in end
-            if other in self.controllers
-            for o in self.controllers[other].command_interfaces()
-        }
-        taken = set(one.command_interfaces()) & (self.claimed() - going)
+        others = [other for other in self.active if other not in stopping] + starting
+        taken = {name for other in others for name in other.command_interfaces()}
+        taken &= set(one.command_interfaces())
         if taken:
             raise ControllerError(
                 f"Controller '{name}' can not be activated: another controller commands "
                 f"'{min(taken)}'"
             )
+
+    # -- chains --------------------------------------------------------------------------------
+
+    def keep_chains(
+        self, starting: list[Controller], stopping: list[Controller], *, is_strict: bool
+    ) -> None:
+        """Leave out controllers that would break a chain.
+
+        Raises:
+            ControllerError: The switch is strict, and would break a chain.
+        """
+        while True:
+            active = [one for one in self.active if one not in stopping] + starting
+            broken = chain.broken_link(self.controllers.values(), active)
+            if broken is None:
+                return
+            self.refuse(broken.reason(starting), is_strict=is_strict)
+            if broken.user in starting:
+                starting.remove(broken.user)
+            else:
+                stopping.remove(broken.provider)
+
+    def connect_chains(self) -> None:
+        """Tell controllers whether another controller commands them from now on."""
+        claimed = self.claimed()
+        for one in self.controllers.values():
+            is_chained = one in self.active and not claimed.isdisjoint(one.reference_interfaces())
+            if is_chained != one.is_chained:
+                one.is_chained = is_chained
+                if one in self.active:
+                    self.activate(one)
+
+    def activate(self, one: Controller) -> None:
+        """Forget a controller's references, and prepare its first update."""
+        assert self.hardware is not None
+        references = one.reference_interfaces()
+        self.hardware.commands.update(dict.fromkeys(references, math.nan))
+        one.activate()
 
     # -- services ------------------------------------------------------------------------------
 
@@ -376,19 +377,32 @@ class ControllerManager(zbot.Node):
 
     def on_list(self, _request: Any, response: Any) -> Any:
         """List the controllers."""
-        response.controller = [self.described(one) for one in self.controllers.values()]
+        links = chain.links(self.controllers.values())
+        response.controller = [self.described(one, links) for one in self.controllers.values()]
         return response
 
-    def described(self, one: Controller) -> ControllerState:
+    def described(self, one: Controller, links: list[chain.Link]) -> ControllerState:
         """Return the message about a controller."""
         message = ControllerState(
-            name=one.get_name(), state=one.state.value, type=one.kind, update_rate=self.rate_hz
+            name=one.get_name(),
+            state=one.state.value,
+            type=one.kind,
+            update_rate=self.rate_hz,
+            is_chainable=one.is_chainable,
+            is_chained=one.is_chained,
         )
         if one.state is not State.UNCONFIGURED:
             message.required_command_interfaces = one.command_interfaces()
             message.required_state_interfaces = one.state_interfaces()
+            start = f"{one.get_name()}/"
+            for field, names in (
+                ("reference_interfaces", one.reference_interfaces()),
+                ("exported_state_interfaces", one.exported_interfaces()),
+            ):
+                setattr(message, field, [name.removeprefix(start) for name in names])
         if one.state is State.ACTIVE:
             message.claimed_interfaces = one.command_interfaces()
+        message.chain_connections = [link.message() for link in links if link.user is one]
         return message
 
     def on_list_types(self, _request: Any, response: Any) -> Any:
@@ -424,17 +438,21 @@ class ControllerManager(zbot.Node):
 
     def interfaces(self, names: Any) -> list[HardwareInterface]:
         """Return the messages about interfaces."""
-        claimed, hardware = self.claimed(), self.hardware
-        commands = hardware.commands if hardware is not None else {}
+        claimed, closed = self.claimed(), self.closed()
         return [
             HardwareInterface(
                 name=one,
                 data_type="double",
-                is_available=True,
-                is_claimed=one in claimed and one in commands,
+                is_available=one not in closed,
+                is_claimed=one in claimed,
             )
             for one in names
         ]
+
+    def closed(self) -> set[str]:
+        """Return the references that no controller commands now."""
+        ready = (one for one in self.controllers.values() if one.state is not State.UNCONFIGURED)
+        return {name for one in ready if not one.is_chained for name in one.reference_interfaces()}
 
 
 def main() -> None:

@@ -2,12 +2,13 @@
 
 Types:      forward_command_controller/ForwardCommandController,
             forward_command_controller/MultiInterfaceForwardCommandController,
+            passthrough_controller/PassthroughController,
             position_controllers/JointGroupPositionController,
             velocity_controllers/JointGroupVelocityController,
             effort_controllers/JointGroupEffortController
 Subscribes: ~/commands (std_msgs/Float64MultiArray): a value for each joint or interface
 Parameters: joints; interface_name (ForwardCommandController only); joint and interface_names
-            (MultiInterfaceForwardCommandController)
+            (MultiInterfaceForwardCommandController); interfaces (PassthroughController)
 """
 
 from __future__ import annotations
@@ -80,6 +81,31 @@ class MultiInterfaceForwardCommandController(ForwardCommandController):
         if not joint:
             raise ControllerError(f"the parameter joint of {self.get_name()} is empty")
         return [f"{joint}/{interface}" for interface in self.joints("interface_names")]
+
+
+class PassthroughController(ForwardCommandController):
+    """Writes messages, or the commands of another controller, to its interfaces."""
+
+    kind = "passthrough_controller/PassthroughController"
+    is_chainable = True
+
+    def read_names(self) -> list[str]:
+        """Return the interfaces, in the order of the values."""
+        return self.joints("interfaces")
+
+    def reference_interfaces(self) -> list[str]:
+        """Return a reference for each interface."""
+        return [f"{self.get_name()}/{one}" for one in self.names]
+
+    def update(self, period_s: float) -> None:
+        """Write the references that were commanded."""
+        del period_s
+        commands, references = self.hardware.commands, self.reference_interfaces()
+        if not self.is_chained:
+            commands.update(zip(references, self.values, strict=False))
+        for name, reference in zip(self.names, references, strict=True):
+            if math.isfinite(commands[reference]):
+                commands[name] = commands[reference]
 
 
 class JointGroupPositionController(ForwardCommandController):

@@ -121,6 +121,18 @@ class SimulatedHardware:
         self.commands = dict.fromkeys((n for one in components for n in one.commands), math.nan)
         self._mimics = mimics
 
+    def add(self, commands: list[str], states: list[str]) -> None:
+        """Add the interfaces of a controller. Other controllers use them."""
+        self.commands.update(dict.fromkeys(commands, math.nan))
+        self.states.update(dict.fromkeys(states, math.nan))
+
+    def remove(self, commands: list[str], states: list[str]) -> None:
+        """Remove the interfaces of a controller."""
+        for name in commands:
+            del self.commands[name]
+        for name in states:
+            del self.states[name]
+
     def read(self, period_s: float) -> None:
         """Move everything for one period."""
         for component in self.components:

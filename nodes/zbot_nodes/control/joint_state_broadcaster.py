@@ -35,7 +35,7 @@ class JointStateBroadcaster(Controller):
             kind: str(self.setting(f"map_interface_to_joint_state.{kind}", kind)) for kind in _KINDS
         }
         wanted, kinds = self.setting("joints", []), self.setting("interfaces", [])
-        names = list(self.hardware.states)
+        names = [name for one in self.hardware.components for name in one.states]
         if wanted and kinds:
             names = [f"{joint}/{kind}" for joint in wanted for kind in kinds]
         known = set(read_urdf(self.description).joints)

@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any, cast
 from zbot import Future
 from zbot.action import ActionServer, CancelResponse, GoalResponse
 from zbot_nodes.control.controller import Controller, ControllerError, State
+from zbot_nodes.control.pid import read_pid
 from zbot_nodes.control.trajectory import Point, Trajectory, problem, read_points, seconds
 
 from control_msgs.action import FollowJointTrajectory
@@ -34,23 +35,6 @@ if TYPE_CHECKING:
 _DEPTH = 10
 _COMMANDS = frozenset({"position", "velocity", "acceleration", "effort"})
 Result = FollowJointTrajectory.Result
-
-
-@dataclass
-class Gains:
-    """PID gains of a joint, for commands that are not positions."""
-
-    p: float
-    i: float
-    d: float
-    feed_forward: float
-    integral: float = 0.0
-
-    def output(self, error: float, speed_error: float, wanted: float, period_s: float) -> float:
-        """Return the command for a period."""
-        self.integral += error * period_s
-        correction = self.p * error + self.i * self.integral + self.d * speed_error
-        return self.feed_forward * wanted + correction
 
 
 @dataclass
@@ -92,17 +76,12 @@ class JointTrajectoryController(Controller):
         self.stopped = self.number("constraints.stopped_velocity_tolerance", 0.01)
         self.path = {one: self.number(f"constraints.{one}.trajectory", 0.0) for one in self.names}
         self.ends = {one: self.number(f"constraints.{one}.goal", 0.0) for one in self.names}
-        self.gains = {one: self.read_gains(one) for one in self.names}
+        self.pids = {one: read_pid(self, f"gains.{one}", "ff_velocity_scale") for one in self.names}
         self.setting("allow_partial_joints_goal", False)
         self.setting("allow_nonzero_velocity_at_trajectory_end", False)
         self.goal: ActiveGoal | None = None
         self.trajectory: Trajectory | None = None
         self.create_ports()
-
-    def read_gains(self, joint: str) -> Gains:
-        """Return the gains of a joint."""
-        p, i, d = (self.number(f"gains.{joint}.{one}", 0.0) for one in "pid")
-        return Gains(p, i, d, self.number(f"gains.{joint}.ff_velocity_scale", 0.0))
 
     def create_ports(self) -> None:
         """Create the topics, the service and the action."""
@@ -249,11 +228,18 @@ class JointTrajectoryController(Controller):
         time_s = self.now_s() - self.started_s
         wanted = self.trajectory.sample(time_s, is_smooth=self.is_smooth)
         actual = Point(time_s, self.measured("position"), self.measured("velocity"))
-        error = _difference(wanted, actual)
+        error = self.difference(wanted, actual)
         output = self.command(wanted, error, period_s)
         self.publish_state(wanted, actual, error, output)
         if self.goal is not None:
             self.judge_goal(self.goal, time_s, wanted, actual, error)
+
+    def difference(self, wanted: Point, actual: Point) -> Point:
+        """Return the errors of the positions and of the speeds."""
+        pairs = zip(self.names, wanted.positions, actual.positions, strict=True)
+        positions = tuple(self.pids[joint].error(a, b) for joint, a, b in pairs)
+        speeds = zip(wanted.velocities or (), actual.velocities or (), strict=True)
+        return Point(wanted.time_s, positions, tuple(a - b for a, b in speeds))
 
     def command(self, wanted: Point, error: Point, period_s: float) -> dict[str, list[float]]:
         """Write the commands, and return them by kind."""
@@ -261,8 +247,11 @@ class JointTrajectoryController(Controller):
         speeds, wanted_accelerations = wanted.velocities or (), wanted.accelerations or ()
         speed_errors = error.velocities or ()
         for number, joint in enumerate(self.names):
-            correction = self.gains[joint].output(
-                error.positions[number], speed_errors[number], speeds[number], period_s
+            correction = self.pids[joint].command(
+                error.positions[number],
+                period_s,
+                rate=speed_errors[number],
+                wanted=speeds[number],
             )
             values = {
                 "position": wanted.positions[number],
@@ -353,12 +342,6 @@ class JointTrajectoryController(Controller):
 def _tolerances(messages: Any) -> dict[str, float]:
     """Return the tolerances of positions, by joint. A negative tolerance becomes 0: no check."""
     return {one.name: max(0.0, one.position) for one in messages if one.position}
-
-
-def _difference(wanted: Point, actual: Point) -> Point:
-    positions = tuple(a - b for a, b in zip(wanted.positions, actual.positions, strict=True))
-    speeds = zip(wanted.velocities or (), actual.velocities or (), strict=True)
-    return Point(wanted.time_s, positions, tuple(a - b for a, b in speeds))
 
 
 def _message(point: Point) -> JointTrajectoryPoint:

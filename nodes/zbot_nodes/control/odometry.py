@@ -25,6 +25,7 @@ class DrivingController(Controller):
     Subclasses command the wheels, and call `integrate` and `publish` in `update`.
     """
 
+    is_chainable = True
     feedback_is_position = True  #: the default of the parameter `position_feedback`
     odometry_topic, frame_topic = "~/odom", "/tf"
     timeout_s: float  #: how long a velocity is valid; 0 means without end
@@ -115,8 +116,16 @@ class DrivingController(Controller):
         if all(math.isfinite(one) for one in command):
             self.command, self.received_ns = command, stamp_ns
 
+    def reference_interfaces(self) -> list[str]:
+        """Return the speeds in m/s and rad/s, which another controller may command."""
+        return [f"{self.get_name()}/{one}/velocity" for one in ("linear", "angular")]
+
     def wanted(self) -> tuple[float, float]:
-        """Return the last velocity in m/s and rad/s, or zero if it is too old."""
+        """Return the wanted velocity in m/s and rad/s. It is zero if the last one is too old."""
+        if self.is_chained:
+            speeds = [self.hardware.commands[one] for one in self.reference_interfaces()]
+            linear, angular = (one if math.isfinite(one) else 0.0 for one in speeds)
+            return linear, angular
         age_s = (self.get_clock().now().nanoseconds - self.received_ns) / 1e9
         return (0.0, 0.0) if self.timeout_s and age_s > self.timeout_s else self.command
 
