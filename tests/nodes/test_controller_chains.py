@@ -164,7 +164,7 @@ def test_a_differential_drive_commands_the_wheels_by_pids(robot: Robot) -> None:
     robot.bench.publisher(TwistStamped, "/drive/cmd_vel").publish(twist)
     assert wait_until(lambda: bool(states) and states[-1].dof_states[0].feedback == 10.0)
     hardware: Any = robot.node.hardware  # type: ignore[attr-defined]
-    assert hardware.states["pid_right/right/velocity"] == 10.0
+    assert wait_until(lambda: hardware.states["pid_right/right/velocity"] == 10.0)
     (connection, _) = listed(robot)["drive"].chain_connections
     assert list(connection.reference_interfaces) == ["left/velocity"]
 

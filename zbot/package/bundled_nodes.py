@@ -26,6 +26,7 @@ BUNDLED_NODES: Final[dict[str, dict[str, str]]] = {
     "action_tutorials_cpp": _FIBONACCI,
     "action_tutorials_py": _FIBONACCI,
     "controller_manager": {
+        "hardware_spawner": "control.hardware_spawner",
         "ros2_control_node": "control.controller_manager",
         "spawner": "control.spawner",
         "spawner.py": "control.spawner",

@@ -4,8 +4,10 @@ Run:        zbot run controller_manager ros2_control_node --ros-args --params-fi
 Subscribes: robot_description (std_msgs/String), unless the parameter robot_description is set
 Serves:     ~/load_controller, ~/configure_controller, ~/switch_controller, ~/unload_controller,
             ~/cleanup_controller, ~/list_controllers, ~/list_controller_types,
-            ~/list_hardware_components, ~/list_hardware_interfaces (controller_manager_msgs)
-Parameters: update_rate (100 Hz), robot_description (""), NAME.type: the class of a controller
+            ~/list_hardware_components, ~/list_hardware_interfaces,
+            ~/set_hardware_component_state (controller_manager_msgs)
+Parameters: update_rate (100 Hz), robot_description (""), NAME.type: the class of a controller,
+            hardware_components_initial_state.unconfigured and .inactive: names of components
 """
 
 from __future__ import annotations
@@ -19,13 +21,13 @@ from zbot_nodes.control import chain
 from zbot_nodes.control.controller import Controller, ControllerError, State
 from zbot_nodes.control.controller_types import TYPES
 from zbot_nodes.control.hardware import SimulatedHardware, read_components
+from zbot_nodes.control.hardware_services import HardwareServices
 from zbot_nodes.description.urdf import read_urdf
 from zbot_nodes.description.xml_text import DescriptionError
 from zbot_nodes.startup.program import ParameterError, run_node
 
 from controller_manager_msgs import srv
-from controller_manager_msgs.msg import ControllerState, HardwareComponentState, HardwareInterface
-from lifecycle_msgs.msg import State as LifecycleState
+from controller_manager_msgs.msg import ControllerState
 from std_msgs.msg import String
 
 _KEPT = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
@@ -91,8 +93,10 @@ class ControllerManager(zbot.Node):
                     f"{one.plugin} is a compiled driver, which does not run here: the hardware "
                     f"'{one.name}' is simulated"
                 )
-            self.get_logger().info(f"Successful 'activate' of hardware '{one.name}'")
+        services = HardwareServices(self, self.hardware)
+        services.set_first_states()
         self.create_services()
+        services.create_services()
         self.create_timer(1 / self.rate_hz, self.update)
 
     def create_services(self) -> None:
@@ -105,8 +109,6 @@ class ControllerManager(zbot.Node):
             (srv.SwitchController, "switch_controller", self.on_switch),
             (srv.ListControllers, "list_controllers", self.on_list),
             (srv.ListControllerTypes, "list_controller_types", self.on_list_types),
-            (srv.ListHardwareComponents, "list_hardware_components", self.on_list_components),
-            (srv.ListHardwareInterfaces, "list_hardware_interfaces", self.on_list_interfaces),
         ):
             service: Any = kind
             self.create_service(service, f"~/{name}", callback)
@@ -290,6 +292,13 @@ class ControllerManager(zbot.Node):
                 f"Controller '{name}' needs the interface '{min(missing)}', which neither the "
                 "hardware nor another configured controller has"
             )
+        needed = {*one.command_interfaces(), *one.state_interfaces()}
+        closed = {name: owner for name, owner in self.hardware.closed().items() if name in needed}
+        if closed:
+            raise ControllerError(
+                f"Controller '{name}' needs the interface '{min(closed)}', but the hardware "
+                f"'{closed[min(closed)]}' is not configured"
+            )
         others = [other for other in self.active if other not in stopping] + starting
         taken = {name for other in others for name in other.command_interfaces()}
         taken &= set(one.command_interfaces())
@@ -336,6 +345,11 @@ class ControllerManager(zbot.Node):
         references = one.reference_interfaces()
         self.hardware.commands.update(dict.fromkeys(references, math.nan))
         one.activate()
+
+    def unused_references(self) -> set[str]:
+        """Return the references that no controller commands now."""
+        ready = (one for one in self.controllers.values() if one.state is not State.UNCONFIGURED)
+        return {name for one in ready if not one.is_chained for name in one.reference_interfaces()}
 
     # -- services ------------------------------------------------------------------------------
 
@@ -410,49 +424,6 @@ class ControllerManager(zbot.Node):
         response.types = sorted(TYPES)
         response.base_classes = ["controller_interface::ControllerInterface"] * len(TYPES)
         return response
-
-    def on_list_components(self, _request: Any, response: Any) -> Any:
-        """List the hardware components."""
-        assert self.hardware is not None
-        active = LifecycleState(id=LifecycleState.PRIMARY_STATE_ACTIVE, label="active")
-        response.component = [
-            HardwareComponentState(
-                name=one.name,
-                type=one.kind,
-                rw_rate=self.rate_hz,
-                plugin_name=one.plugin,
-                state=active,
-                command_interfaces=self.interfaces(one.commands),
-                state_interfaces=self.interfaces(one.states),
-            )
-            for one in self.hardware.components
-        ]
-        return response
-
-    def on_list_interfaces(self, _request: Any, response: Any) -> Any:
-        """List the interfaces of the hardware."""
-        assert self.hardware is not None
-        response.command_interfaces = self.interfaces(self.hardware.commands)
-        response.state_interfaces = self.interfaces(self.hardware.states)
-        return response
-
-    def interfaces(self, names: Any) -> list[HardwareInterface]:
-        """Return the messages about interfaces."""
-        claimed, closed = self.claimed(), self.closed()
-        return [
-            HardwareInterface(
-                name=one,
-                data_type="double",
-                is_available=one not in closed,
-                is_claimed=one in claimed,
-            )
-            for one in names
-        ]
-
-    def closed(self) -> set[str]:
-        """Return the references that no controller commands now."""
-        ready = (one for one in self.controllers.values() if one.state is not State.UNCONFIGURED)
-        return {name for one in ready if not one.is_chained for name in one.reference_interfaces()}
 
 
 def main() -> None:

@@ -19,6 +19,8 @@ MOCKS = frozenset({"mock_components/GenericSystem", "fake_components/GenericSyst
 _KINDS = ("system", "actuator", "sensor")
 _PARTS = ("joint", "sensor", "gpio")
 _TRUE = frozenset({"true", "1", "yes"})
+#: States of a component. The numbers are those of lifecycle_msgs/State.
+COMPONENT_STATES = {1: "unconfigured", 2: "inactive", 3: "active", 4: "finalized"}
 POSITION, VELOCITY, ACCELERATION = "position", "velocity", "acceleration"
 
 
@@ -107,7 +109,7 @@ class SimulatedHardware:
     """Hardware in which each state becomes equal to the command of the same name.
 
     With the parameter `calculate_dynamics`, and for every plugin that is not a mock, a commanded
-    velocity moves the position too.
+    velocity moves the position too. Only active components move.
 
     Args:
         components: The components of the robot.
@@ -119,7 +121,26 @@ class SimulatedHardware:
         self.states = {name: at for one in components for name, at in one.states.items()}
         #: Commands by interface. NaN means that no controller has commanded yet.
         self.commands = dict.fromkeys((n for one in components for n in one.commands), math.nan)
+        self.component_states = {one.name: "active" for one in components}
         self._mimics = mimics
+
+    def set_component_state(self, name: str, state: str) -> None:
+        """Change the state of a component. One that becomes active waits for new commands."""
+        if state == "active" != self.component_states[name]:
+            own = (
+                command for one in self.components if one.name == name for command in one.commands
+            )
+            self.commands.update(dict.fromkeys(own, math.nan))
+        self.component_states[name] = state
+
+    def closed(self) -> dict[str, str]:
+        """Return the interfaces of components that are not configured, with their components."""
+        return {
+            interface: one.name
+            for one in self.components
+            if self.component_states[one.name] not in {"inactive", "active"}
+            for interface in (*one.commands, *one.states)
+        }
 
     def add(self, commands: list[str], states: list[str]) -> None:
         """Add the interfaces of a controller. Other controllers use them."""
@@ -136,7 +157,8 @@ class SimulatedHardware:
     def read(self, period_s: float) -> None:
         """Move everything for one period."""
         for component in self.components:
-            if component.is_set("disable_commands"):
+            is_active = self.component_states[component.name] == "active"
+            if not is_active or component.is_set("disable_commands"):
                 continue
             has_dynamics = component.is_set("calculate_dynamics") or not component.is_mock
             offset = component.number("position_state_following_offset")
