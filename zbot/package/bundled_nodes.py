@@ -54,6 +54,10 @@ BUNDLED_NODES: Final[dict[str, dict[str, str]]] = {
     "robot_state_publisher": {"robot_state_publisher": "description.robot_state_publisher"},
     "teleop_twist_joy": {"teleop_node": "driving.teleop_twist_joy"},
     **{name: {name: "page.rqt"} for name in _RQT},
+    "ros2_controllers_test_nodes": {
+        "publisher_forward_position_controller": "control.forward_position_publisher",
+        "publisher_joint_trajectory_controller": "control.joint_trajectory_publisher",
+    },
     "rqt_gui": {"rqt_gui": "page.rqt", "rqt": "page.rqt"},
     "tf2_ros": {
         "static_transform_publisher": "static_transform_publisher",
