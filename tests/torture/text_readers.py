@@ -28,13 +28,16 @@ from zbot.launch.errors import (
     EntityTypeError,
     LaunchArgumentError,
     LaunchError,
+    SubstitutionError,
 )
 from zbot.launch.frontend import substitution_text, xml_file, yaml_file
 from zbot.launch.frontend.errors import SubstitutionSyntaxError
 from zbot.launch.frontend.parser import Parser
 from zbot.launch.parameters import evaluate
 from zbot.launch.substitution import TextSubstitution
+from zbot.launch.substitutions.nav2_common import _pose
 from zbot.launch.typed_value import coerce_to_type
+from zbot.libraries.camera_calibration import CameraInfoError, read_calibration
 from zbot.parameters.errors import ArgumentsError, ParametersFileError, ParameterValueError
 from zbot.parameters.file import parse_value, sections
 from zbot.parameters.ros_args import Arguments
@@ -349,6 +352,28 @@ TEXT_READERS = (
         lambda data: read_urdf(text_of(data)),
         (DescriptionError,),
         (_URDF, b"<a>" * 200, b'<!DOCTYPE a [<!ENTITY b "c">]><robot>&b;</robot>'),
+    ),
+    Reader(
+        "camera_calibration",
+        ("zbot.libraries.camera_calibration",),
+        lambda data: read_calibration(text_of(data)),
+        (CameraInfoError,),
+        (
+            (
+                b"image_width: 2\nimage_height: 1\ncamera_name: left\ndistortion_model: plumb_bob\n"
+                b"distortion_coefficients: {data: [0.5]}\ncamera_matrix: {data: "
+                b"[1,2,3,4,5,6,7,8,9]}\nrectification_matrix: {data: [1,2,3,4,5,6,7,8,9]}\n"
+                b"projection_matrix: {data: [1,2,3,4,5,6,7,8,9,10,11,12]}\n"
+            ),
+            *_YAML,
+        ),
+    ),
+    Reader(
+        "nav2_pose",
+        ("zbot.launch.substitutions.nav2_common",),
+        lambda data: _pose(text_of(data)),
+        (SubstitutionError,),
+        (b"{x: 1.0, y: 2, yaw: 0.5}", *_YAML),
     ),
     Reader(
         "map_settings",

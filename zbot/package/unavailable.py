@@ -21,6 +21,9 @@ _VIEWER = Unavailable(
     "`zbot web` shows topics, images, plots and the graph, and `zbot foxglove` serves 3D viewers",
 )
 _RQT = Unavailable("a window of Qt", "`zbot web` shows the same in a browser")
+_RQT_CONTROLLERS = Unavailable(
+    "a window of Qt", "the spawner and the unspawner of controller_manager switch controllers"
+)
 _SIMULATOR = Unavailable(
     "a simulator in C++",
     "`zbot launch robot` simulates a robot in a room, and controller_manager has a mock hardware",
@@ -111,6 +114,7 @@ _PACKAGES: Final = (
         rqt_play_motion_builder
         """,
     ),
+    (_RQT_CONTROLLERS, "rqt_controller_manager"),
     (
         _SIMULATOR,
         """
