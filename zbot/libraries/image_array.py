@@ -166,6 +166,67 @@ class CvBridge:
         return self.encoding_to_dtype_with_channels(cvtype)
 
 
+def cvtColor2(  # noqa: N802 - ROS 2's name
+    source: NDArray[Any], encoding_in: str, encoding_out: str
+) -> NDArray[Any]:
+    """Return an array in another encoding, e.g. `rgb8`.
+
+    Raises:
+        CvBridgeError: An encoding does not exist, or the conversion is not possible.
+    """
+    return source if encoding_in == encoding_out else converted(source, encoding_in, encoding_out)
+
+
+def cvtColorForDisplay(  # noqa: N802, PLR0917 - ROS 2's name and arguments
+    source: NDArray[Any],
+    encoding_in: str,
+    encoding_out: str,
+    do_dynamic_scaling: bool = False,
+    min_image_value: float = 0.0,
+    max_image_value: float = 0.0,
+    colormap: int = -1,
+) -> NDArray[Any]:
+    """Return an array as an image of 8 bits that a person can look at.
+
+    Args:
+        source: The array, e.g. depths.
+        encoding_in: Its encoding, e.g. `32FC1`.
+        encoding_out: `bgr8`, `rgb8`, `mono8` and so on. The empty text means `bgr8`.
+        do_dynamic_scaling: Whether the smallest value becomes black, and the largest white.
+        min_image_value: The value that becomes black. It is used if the next one is different.
+        max_image_value: The value that becomes white.
+        colormap: OpenCV's number of a colour map, or -1 for greys. Only scaled values have colours.
+
+    Raises:
+        CvBridgeError: The conversion is not possible.
+    """
+    import numpy as np  # noqa: PLC0415 - part of an extra
+
+    target = encoding_out or "bgr8"
+    match = _COLOR.match(target)
+    if match is None or match[2] != "8":
+        raise CvBridgeError(f"{target!r} is no encoding of 8 bits: use bgr8, rgb8 or mono8")
+    low, high = min_image_value, max_image_value
+    if do_dynamic_scaling:
+        finite = source[np.isfinite(source)]
+        low, high = (float(finite.min()), float(finite.max())) if finite.size else (0.0, 0.0)
+        if low == high:
+            middle = np.full(source.shape[:2], 128, np.uint8)
+            return cvtColor2(middle, "mono8", target)
+    if low == high:
+        return cvtColor2(
+            source, {"8UC1": "mono8", "16UC1": "mono16"}.get(encoding_in, encoding_in), target
+        )
+    if _layout(encoding_in)[1] != 1:
+        raise CvBridgeError("only images with one channel can be scaled")
+    grey = _cast(np.nan_to_num(np.rint((source - low) * (255.0 / (high - low)))), "u1")
+    if colormap == -1:
+        return cvtColor2(grey, "mono8", target)
+    colored = _opencv("colour maps").applyColorMap(grey, colormap)
+    colored[np.isnan(source)] = 0
+    return cvtColor2(colored, "bgr8", target)
+
+
 def getCvType(encoding: str) -> int:  # noqa: N802 - ROS 2's name
     """Return OpenCV's number of an encoding's type, e.g. 16 (`cv2.CV_8UC3`) for `bgr8`.
 

@@ -61,7 +61,8 @@ sensor_msgs_py.point_cloud2: read_points read_points_list read_points_numpy crea
 sensor_msgs_py.point_cloud2: create_cloud_xyz32 dtype_from_fields PointCloud2 PointField
 camera_info_manager: CameraInfoManager CameraInfoError CameraInfoMissingError genCameraName
 camera_info_manager: loadCalibrationFile saveCalibration parseURL URL_file resolveURL
-cv_bridge: CvBridge CvBridgeError getCvType
+cv_bridge: CvBridge CvBridgeError getCvType cvtColorForDisplay
+cv_bridge.boost.cv_bridge_boost: cvtColor2 cvtColorForDisplay getCvType
 nav2_simple_commander.robot_navigator: BasicNavigator TaskResult RunningTask
 nav2_simple_commander.footprint_collision_checker: FootprintCollisionChecker
 nav2_simple_commander.line_iterator: LineIterator

@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from zbot.libraries.image_array import CvBridge, CvBridgeError, getCvType
+from zbot.libraries.image_array import CvBridge, CvBridgeError, cvtColorForDisplay, getCvType
 
 from sensor_msgs.msg import CompressedImage, Image
 from std_msgs.msg import Header
@@ -129,3 +129,32 @@ def test_a_compressed_image_is_read_back() -> None:
 )
 def test_types_have_the_numbers_of_opencv(encoding: str, number: int) -> None:
     assert getCvType(encoding) == number
+
+
+def test_depths_are_shown_as_greys() -> None:
+    depths = np.array([[0.0, 1.0], [np.nan, 5.0]], np.float32)
+    fixed = cvtColorForDisplay(depths, "32FC1", "mono8", min_image_value=0, max_image_value=2)
+    assert fixed.tolist() == [[0, 128], [0, 255]]
+    scaled = cvtColorForDisplay(depths, "32FC1", "", do_dynamic_scaling=True)
+    assert scaled.tolist() == [[[0] * 3, [51] * 3], [[0] * 3, [255] * 3]]
+
+
+def test_equal_values_are_shown_as_a_middle_grey() -> None:
+    equal = np.ones((1, 2), np.float32)
+    assert cvtColorForDisplay(equal, "32FC1", "mono8", True).tolist() == [[128, 128]]
+
+
+def test_colours_are_shown_as_they_are() -> None:
+    blue = np.array([[[255, 0, 0]]], np.uint8)
+    assert cvtColorForDisplay(blue, "bgr8", "rgb8").tolist() == [[[0, 0, 255]]]
+    wide = np.array([[65535, 0]], np.uint16)
+    assert cvtColorForDisplay(wide, "16UC1", "mono8").tolist() == [[255, 0]]
+
+
+@pytest.mark.parametrize(
+    ("encoding", "target", "reason"),
+    [("bgr8", "bgr16", "no encoding of 8 bits"), ("bgr8", "mono8", "only images with one channel")],
+)
+def test_what_cannot_be_shown_is_refused(encoding: str, target: str, reason: str) -> None:
+    with pytest.raises(CvBridgeError, match=reason):
+        cvtColorForDisplay(np.zeros((1, 1, 3), np.uint8), encoding, target, max_image_value=9.0)

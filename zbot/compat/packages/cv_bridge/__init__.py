@@ -1,3 +1,8 @@
 """ROS 2's `cv_bridge`: images as arrays."""
 
-from zbot.libraries.image_array import CvBridge, CvBridgeError, getCvType
+from zbot.libraries.image_array import (
+    CvBridge,
+    CvBridgeError,
+    cvtColorForDisplay,
+    getCvType,
+)

@@ -1,0 +1,1 @@
+"""Package of the module `cv_bridge_boost`."""
