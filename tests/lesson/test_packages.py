@@ -156,7 +156,7 @@ def test_a_mistyped_entry_point_fails_to_build(nodes: Path, command: Callable[..
     (nodes / "setup.py").write_text(setup.replace("publisher_node:main", "publisher_nod:main"))
     said = command("build", "--packages-select", NAME, code=1)
     assert re.search(
-        r"setup.py:\d+: 'publisher_node' names the module .*; did you mean my_pu", said
+        r"setup.py:\d+: 'publisher_node' names the module .*; did you mean 'my_pu", said
     )
 
 

@@ -65,7 +65,7 @@ def check_callback(
     if not callable(callback):
         if callback is None and may_be_none is always:
             return 0  # the source is not read for the default of each call
-        source = argument_source(argument, position)
+        source = argument_source(call.partition("'")[0], argument, position)
         if callback is not None or not may_be_none(source):
             if inspect.iscoroutine(callback):
                 callback.close()  # Python would warn that it was never awaited

@@ -64,6 +64,7 @@ class Executor(EntityQueue):
             used.
     """
 
+    _context: Context = set_by_init()
     _nodes: list[SpinnableNode] = set_by_init()
     _spinning_thread: int | None = set_by_init()
     _spin_lock: threading.Lock = set_by_init()

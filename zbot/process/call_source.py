@@ -16,19 +16,21 @@ if TYPE_CHECKING:
 _PACKAGE = str(Path(__file__).parents[1])
 
 
-def argument_source(keyword: str, position: int | None) -> ast.expr | None:
+def argument_source(function: str, keyword: str, position: int | None) -> ast.expr | None:
     """Return what the program wrote for an argument of its call, or `None` if that is unknown.
 
     The first call for a line parses the program's file, which takes milliseconds.
 
     Args:
+        function: Name of the function or class that has the argument. The result is `None` if the
+            program has called another function of zbot, which calls this one.
         keyword: Name of the argument.
         position: Index of the argument if it is given without its name. `None` if it never is.
     """
-    frame, function = _calling_frame()
-    if frame is None:
+    frame, called = _calling_frame()
+    if frame is None or called not in {function, "__init__", "__post_init__"}:
         return None
-    return _source(frame.f_code.co_filename, frame.f_lineno, function, keyword, position)
+    return _source(frame.f_code.co_filename, frame.f_lineno, called, keyword, position)
 
 
 @lru_cache(maxsize=64)

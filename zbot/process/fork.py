@@ -12,7 +12,6 @@ import os
 import sys
 from typing import TYPE_CHECKING, Any
 
-from zbot.interfaces import registry
 from zbot.log import call_site
 from zbot.log.registry import REGISTRY
 from zbot.process import at_exit, blocked_put, memory, signals
@@ -53,8 +52,12 @@ def keep(*objects: object) -> None:
 
 def _leave_to_parent() -> None:
     # Threads of the parent may hold these locks.
-    for renew_lock in (REGISTRY.renew_locks, call_site.renew_lock, registry.renew_lock):
-        renew_lock()
+    REGISTRY.renew_locks()
+    call_site.renew_lock()
+    # Commands such as `zbot topic list` do not load it.
+    interfaces = sys.modules.get("zbot.interfaces.registry")
+    if interfaces is not None:
+        interfaces.renew_lock()
     blocked_put.leave_to_parent()
     contexts = at_exit.leave_to_parent()
     if contexts:

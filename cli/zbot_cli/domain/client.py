@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import os
+import signal
 import sys
 from typing import TYPE_CHECKING
 
@@ -100,7 +101,7 @@ def hidden_node(
         survives_ctrl_c: Whether the node stays open at Ctrl-C, so that the command can clean up.
     """
     from zbot.node.node import Node  # noqa: PLC0415 - not needed by `list`
-    from zbot.process.signals import SignalHandlerOptions, install  # noqa: PLC0415 - not needed by `list`
+    from zbot.process.signals import SignalHandlerOptions, install, last_signal  # noqa: PLC0415 - not needed by `list`
 
     install(SignalHandlerOptions.SIGTERM if survives_ctrl_c else SignalHandlerOptions.ALL)
     with client(wait=True) as context:
@@ -113,10 +114,13 @@ def hidden_node(
         )
         try:
             yield node
+            is_terminated = context.is_interrupted and last_signal() == signal.SIGTERM
         except ExternalShutdownException:
-            sys.exit(Status.TERMINATED)
+            is_terminated = True
         finally:
             node.destroy_node()
+        if is_terminated:
+            sys.exit(Status.TERMINATED)
 
 
 def full_name(name: str) -> str:

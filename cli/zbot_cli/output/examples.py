@@ -26,6 +26,7 @@ EXAMPLES = {
     "class free": "zbot class free 7",
     "class give": "zbot class give 17 robot",
     "class list": "zbot class list",
+    "class next": "zbot class next --students period2.csv",
     "class record": "zbot class record -o session11 --topics /student_id",
     "class say": "zbot class say Please stop your robots",
     "class start": "zbot class start Robots --pin",

@@ -120,16 +120,16 @@ def test_a_method_of_the_class_is_refused(method: Any) -> None:
 def test_the_result_of_a_call_is_refused_in_the_words_of_the_program() -> None:
     with pytest.raises(
         NotCallableError,
-        match=r"^create_timer was given None, the result of calling robot.tick: "
+        match=r"^check_callback was given None, the result of calling robot.tick: "
         r"write robot.tick without parentheses$",
     ):
-        check_callback("create_timer", robot.tick(), *TIMER, position=1)  # type: ignore[func-returns-value]
+        check_callback("check_callback", robot.tick(), *TIMER, position=1)  # type: ignore[func-returns-value]
 
 
 def test_the_call_may_have_arguments_and_several_lines() -> None:
     with pytest.raises(NotCallableError, match=r"parentheses, or lambda: robot.move\(0.5\)$"):
         check_callback(
-            "create_timer",
+            "check_callback",
             robot.move(  # type: ignore[func-returns-value]
                 0.5
             ),
@@ -137,16 +137,16 @@ def test_the_call_may_have_arguments_and_several_lines() -> None:
             position=1,
         )
     with pytest.raises(NotCallableError, match=r"or lambda message: robot.hear\(1\)$"):
-        check_callback("create_timer", robot.hear(1), *MESSAGE, position=1)  # type: ignore[func-returns-value]
+        check_callback("check_callback", robot.hear(1), *MESSAGE, position=1)  # type: ignore[func-returns-value]
 
 
 @pytest.mark.filterwarnings("error")
 def test_a_coroutine_is_refused_and_closed() -> None:
     with pytest.raises(NotCallableError, match="was given a coroutine, the result of calling"):
-        check_callback("create_timer", robot.wait(), *TIMER, position=1)
+        check_callback("check_callback", robot.wait(), *TIMER, position=1)
     given = robot.wait()
     with pytest.raises(NotCallableError, match="write the function without parentheses"):
-        check_callback("create_timer", given, *TIMER, position=1)
+        check_callback("check_callback", given, *TIMER, position=1)
 
 
 @pytest.mark.parametrize(
@@ -164,14 +164,14 @@ def test_other_things_are_refused(value: object, text: str) -> None:
 
 def test_none_is_accepted_where_it_means_something() -> None:
     nothing = None
-    check_callback("create_timer", None, *TIMER, position=1, may_be_none=if_written)
+    check_callback("check_callback", None, *TIMER, position=1, may_be_none=if_written)
     check_callback("guard", nothing, "()", position=1, may_be_none=unless_called)
     check_callback("event", robot.tick(), "()", position=1, may_be_none=always)  # type: ignore[func-returns-value]
     for rule in (if_written, never):
         with pytest.raises(NotCallableError):
-            check_callback("create_timer", nothing, *TIMER, position=1, may_be_none=rule)
+            check_callback("check_callback", nothing, *TIMER, position=1, may_be_none=rule)
     with pytest.raises(NotCallableError):
-        check_callback("guard", robot.tick(), "()", position=1, may_be_none=unless_called)  # type: ignore[func-returns-value]
+        check_callback("check_callback", robot.tick(), "()", position=1, may_be_none=unless_called)  # type: ignore[func-returns-value]
 
 
 def test_a_callback_without_a_source_is_refused_too() -> None:

@@ -260,7 +260,10 @@ def begin_next_period(
     ] = None,
     as_json: AsJson = False,
 ) -> None:
-    """Begin a new period: free all numbers, and keep the code and the PIN."""
+    """Begin a new period.
+
+    All numbers are free then. The code and the PIN stay.
+    """
     from zbot.classroom.invitation import invitation  # noqa: PLC0415 - not needed by `--help`
     from zbot.classroom.register import load_roster  # noqa: PLC0415 - as above
     from zbot.classroom.teacher import command  # noqa: PLC0415 - as above
