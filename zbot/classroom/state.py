@@ -94,7 +94,11 @@ def link_problem(joined: Membership, facts: dict[str, Any]) -> str | None:
         facts: The facts that this machine's hub reports.
     """
     if not facts:
-        return "the hub of this machine does not answer: `zbot leave` ends it"
+        # The hub may be opened again at this moment, see `link_check`.
+        return (
+            "the hub of this machine does not answer at the moment: type `zbot status` again; if "
+            "it never answers, `zbot leave` ends it"
+        )
     if joined.role == "teacher":
         return None
     if is_accepted(joined, facts):
