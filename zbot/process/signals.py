@@ -241,16 +241,20 @@ def _on_sigterm(number: int, frame: FrameType | None) -> None:
     if at_exit.is_ending() or _is_postponed(number, frame):
         return
     is_second, _Process.is_terminated = _Process.is_terminated, True
-    _interrupt_contexts(number)
     previous = _Process.previous.get(number)
+    is_at_once = callable(previous) or MainThread.spins > 0 or is_second
+    # Threads that spin wake up now. They wait as long as the main thread has time to call `ok()`.
+    _Process.must_look = not is_at_once and _may_look()
+    _interrupt_contexts(number)
     if callable(previous):
         previous(number, frame)
         return
     if MainThread.spins > 0:
         raise ShutdownBySignal(number)
-    if is_second or not (_may_look() and _start(threading.Timer(_LOOK_TIMEOUT_S, _end_unlooked))):
+    timer = threading.Timer(_LOOK_TIMEOUT_S, _end_unlooked)
+    if not (_Process.must_look and _start(timer)):
+        _Process.must_look = False
         raise SignalExit(number)
-    _Process.must_look = True
 
 
 def _may_look() -> bool:
