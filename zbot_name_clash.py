@@ -6,6 +6,8 @@ These modules then fail in places that the student does not know.
 `zbot_ros2_names` imports this module when a program imports zbot or a name of ROS 2. `zbot run`
 imports it too. The module must import only modules that Python has loaded at its start, because the
 program's folder may replace all others.
+
+PYTEST_DONT_REWRITE tells pytest not to warn that it cannot rewrite the assertions of this module.
 """
 
 import os

@@ -69,7 +69,7 @@ class _Finder:
 
 
 class _Nothing:
-    """Finder for a folder on `sys.path`. It finds no module in the folder."""
+    """Finder for a folder with types on `sys.path`. It finds no module in the folder."""
 
     @staticmethod
     def find_spec(fullname, target=None):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN205 - as above
@@ -105,11 +105,23 @@ def remove() -> None:
         sys.meta_path.remove(_Finder)
 
 
+def _folder_of_types(path):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202 - as above
+    """Return the finder for a folder with types, also of another copy of zbot on `sys.path`.
+
+    Python calls this function for each new folder on `sys.path`.
+
+    Raises:
+        ImportError: The folder has no types of zbot: Python calls the next hook.
+    """
+    if not path.endswith(_TYPES):
+        raise ImportError(path)
+    return _Nothing
+
+
 def _install() -> None:
     home = __file__.rpartition("zbot_ros2_names")[0][:-1]
-    for folder in _TYPES:
-        sys.path_importer_cache[home + folder] = _Nothing
-        sys.path.append(home + folder)
+    sys.path_hooks.insert(0, _folder_of_types)
+    sys.path.extend(home + folder for folder in _TYPES)
     sys.meta_path.insert(0, _Finder)
 
 

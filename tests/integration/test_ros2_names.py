@@ -142,6 +142,16 @@ def test_editors_find_the_types_on_the_path() -> None:
     assert (Path(packages) / "rclpy" / "node.py").is_file()
 
 
+def test_types_of_another_copy_on_the_path_are_no_modules(tmp_path: Path) -> None:
+    # pytest-xdist gives its workers the path of the process that started them.
+    (tmp_path / "zbot" / "stubs" / "std_msgs").mkdir(parents=True)
+    source = (
+        f"sys.path_importer_cache.clear(); sys.path.append({str(tmp_path / 'zbot' / 'stubs')!r} + '/')"
+        "\nimport std_msgs; print(std_msgs.__doc__)"
+    )
+    assert "made by zbot" in python(source).stdout
+
+
 def test_the_start_of_an_interpreter_takes_less_than_two_milliseconds_longer() -> None:
     runs = (python("pass", "-X", "importtime").stderr.splitlines() for _ in range(5))
     lines = (line for run in runs for line in run if line.endswith("| zbot_ros2_names"))

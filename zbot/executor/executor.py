@@ -19,7 +19,7 @@ from zbot.executor.callback_stack import running_callbacks
 from zbot.executor.entity_queue import EntityQueue
 from zbot.executor.errors import ConditionReachedException, ExecutorBusyError, ShutdownError
 from zbot.executor.forgotten_spin import Program
-from zbot.executor.set_by_init import set_by_init
+from zbot.executor.set_by_init import MissingSuperInitError, set_by_init
 from zbot.executor.spinnable import check_node
 from zbot.executor.task import Future, Task
 from zbot.executor.task_step import TaskStep
@@ -64,7 +64,6 @@ class Executor(EntityQueue):
             used.
     """
 
-    _context: Context = set_by_init()
     _nodes: list[SpinnableNode] = set_by_init()
     _spinning_thread: int | None = set_by_init()
     _spin_lock: threading.Lock = set_by_init()
@@ -98,7 +97,10 @@ class Executor(EntityQueue):
     @property
     def context(self) -> Context:
         """The context whose shutdown ends spinning."""
-        return self._context
+        try:
+            return self._context
+        except AttributeError:  # each turn of a loop reads it: `set_by_init` would cost too much
+            raise MissingSuperInitError(type(self), "") from None
 
     def add_node(self, node: SpinnableNode) -> bool:
         """Run a node's callbacks from now on. Return `False` if the node is already added.
@@ -130,6 +132,10 @@ class Executor(EntityQueue):
         """Raise an error if a context belongs to the parent of this forked process."""
         if context.is_inherited:
             context.require_valid("this executor")
+
+    def _require_ready(self) -> None:
+        """Raise an error if `__init__` did not run, or if this is a forked child of its process."""
+        self._require_own(self.context)
 
     def leave_to_parent(self) -> None:
         """In a forked child, end all loops. From now on, `spin` raises an error."""
@@ -387,6 +393,7 @@ class Executor(EntityQueue):
         Raises:
             ExternalShutdownException: The context was shut down while no callback was running.
         """
+        self._require_ready()
         while self._context.is_running and not self._is_shutdown:
             self.spin_once()
         self._raise_interruption()
@@ -397,7 +404,7 @@ class Executor(EntityQueue):
             signals.raise_shutdown(by_signal=self._context.is_interrupted)
 
     def _raise_interruption(self) -> None:
-        self._require_own(self._context)
+        self._require_ready()
         # Other code, such as a callback, may have caught the signal handler's exception.
         if self._context.is_interrupted:
             signals.raise_shutdown(by_signal=True)
@@ -412,7 +419,7 @@ class Executor(EntityQueue):
         Raises:
             ExternalShutdownException: A signal came, or the context was shut down during a wait.
         """
-        self._require_own(self._context)
+        self._require_ready()
         self._spin_once(_deadline_ns(timeout_sec))
 
     def spin_until_future_complete(
@@ -448,7 +455,7 @@ class Executor(EntityQueue):
         raise NotImplementedError
 
     def _is_spun_by_other_thread(self) -> bool:
-        self._require_own(self._context)
+        self._require_ready()
         return self._spinning_thread not in (None, threading.get_ident())
 
     def _wait_for_future(self, future: Future[Any], deadline_ns: int | None) -> None:
@@ -500,7 +507,7 @@ class Executor(EntityQueue):
         return not turn.cancelled()
 
     def _try_to_spin(self) -> bool:
-        self._require_own(self._context)
+        self._require_ready()
         while not self._spin_lock.acquire(timeout=_LOCK_TIMEOUT_S):
             if self._spinning_thread is not None:
                 return False
@@ -528,7 +535,7 @@ class Executor(EntityQueue):
             Whether the callbacks ended within `timeout_sec` seconds (`None`: no limit).
         """
         self._is_shutdown = True
-        if self._context.is_inherited:
+        if self.context.is_inherited:
             return True  # the threads and the nodes are the parent's
         self.wake()
         ended = self.wait_idle(-1 if timeout_sec is None or timeout_sec < 0 else timeout_sec)

@@ -110,8 +110,7 @@ _PACKAGES: Final = (
         """
         rqt_bag rqt_dep rqt_gui_cpp rqt_image_overlay rqt_joint_trajectory_controller rqt_moveit
         rqt_multiplot rqt_py_console rqt_robot_monitor rqt_robot_steering rqt_runtime_monitor
-        rqt_shell rqt_srv rqt_tf_tree rqt_virtual_joy rqt_controller_manager rqt_gauges
-        rqt_play_motion_builder
+        rqt_shell rqt_srv rqt_tf_tree rqt_virtual_joy rqt_gauges rqt_play_motion_builder
         """,
     ),
     (_RQT_CONTROLLERS, "rqt_controller_manager"),
@@ -331,7 +330,7 @@ _PACKAGES: Final = (
     (
         _OTHER,
         """
-        moveit_configs_utils launch_param_builder ros2_controllers_test_nodes camera_calibration
+        moveit_configs_utils launch_param_builder camera_calibration
         nav2_loopback_sim quality_of_service_demo_py ackermann_mux key_teleop mouse_teleop
         teleop_tools teleop_twist_keyboard twist_stamper system_modes robot_upstart topic_monitor
         turtle_tf2_py rmf_demos rmf_demos_gz audio_capture audio_play audio_common sound_play

@@ -99,7 +99,8 @@ PYTEST_OF_A_USER = """
 import pytest, zbot
 from std_msgs.msg import String
 
-pytest.register_assert_rewrite("zbot", "zbot_ros2_names")  # as for each installed plugin
+# As for each installed plugin.
+pytest.register_assert_rewrite("zbot", "zbot_ros2_names", "zbot_name_clash")
 
 @pytest.fixture
 def node():
