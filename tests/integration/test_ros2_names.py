@@ -144,10 +144,11 @@ def test_editors_find_the_types_on_the_path() -> None:
 
 def test_types_of_another_copy_on_the_path_are_no_modules(tmp_path: Path) -> None:
     # pytest-xdist gives its workers the path of the process that started them.
-    (tmp_path / "zbot" / "stubs" / "std_msgs").mkdir(parents=True)
+    stubs = tmp_path / "zbot" / "stubs"
+    (stubs / "std_msgs").mkdir(parents=True)
     source = (
-        f"sys.path_importer_cache.clear(); sys.path.append({str(tmp_path / 'zbot' / 'stubs')!r} + '/')"
-        "\nimport std_msgs; print(std_msgs.__doc__)"
+        f"sys.path_importer_cache.clear(); sys.path.append('{stubs}/')\n"
+        "import std_msgs; print(std_msgs.__doc__)"
     )
     assert "made by zbot" in python(source).stdout
 
