@@ -1,6 +1,6 @@
 """CPU time of messages at a fixed rate, with and without zbot's busy waiting.
 
-A zbot thread whose last wait was short polls before it sleeps (zbot/transport/wakeup.py). zbot has
+A zbot thread whose last wait was short polls before it sleeps (zbot/threads/wakeup.py). zbot has
 no setting that switches this off, so the measured program replaces the method.
 """
 

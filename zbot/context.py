@@ -11,20 +11,20 @@ import zenoh
 
 from zbot.errors import ArgumentTypeError, ContextInitializedError, ForkedProcessError
 from zbot.graph.snapshot import Graph
+from zbot.handle import Handle
 from zbot.log import get_logger
 from zbot.log.teacher_notice import NOTICE_KEY, log_notice
 from zbot.parameters.lost_arguments import warning_about
 from zbot.parameters.ros_args import Arguments, configure_logging
 from zbot.process import at_exit, blocked_put, fork, signals
+from zbot.threads.foreign_call import defers_signals, without_interruption
+from zbot.threads.weak_set import WeakSet
 from zbot.transport import config, environment, membership, shared_memory, zenoh_session
-from zbot.transport.foreign_call import defers_signals, without_interruption
-from zbot.transport.handle import Handle
 from zbot.transport.peering import Peering
 from zbot.transport.process_facts import process_facts
 from zbot.transport.rmw_choice import RMW_ZENOH, dialect_of_rmw
 from zbot.transport.running_programs import Registration
 from zbot.transport.session import MeetingPoint
-from zbot.transport.weak_set import WeakSet
 from zbot.version import __version__
 from zbot.wire.dialect import NATIVE
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, cast
 import zenoh
 
 from zbot.log import get_logger
-from zbot.transport.foreign_call import called_by_zenoh
+from zbot.threads.foreign_call import called_by_zenoh
 from zbot.wire.codec import CodecError
 from zbot.wire.tokens import EntityKind
 

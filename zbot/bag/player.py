@@ -19,9 +19,9 @@ from zbot.bag.send_order import in_send_order
 from zbot.errors import NotInitializedError, ZbotError
 from zbot.process.memory import LARGE_BYTES
 from zbot.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+from zbot.threads.wakeup import BinarySemaphore
 from zbot.time import S_TO_NS, Time
 from zbot.transport.admin_query import answers
-from zbot.transport.wakeup import BinarySemaphore
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence

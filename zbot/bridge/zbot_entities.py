@@ -19,7 +19,7 @@ from zbot.node.service_request import ServiceRequest
 from zbot.node.subscription import Subscription
 from zbot.process.memory import LARGE_BYTES, keep_freed_memory
 from zbot.qos import DurabilityPolicy
-from zbot.transport.foreign_call import called_by_zenoh
+from zbot.threads.foreign_call import called_by_zenoh
 from zbot.wire.attachment import GID_LENGTH, LAYOUT
 from zbot.wire.error_reply import ENCODING, unpack_error
 from zbot.wire.messagepack import pack

@@ -15,7 +15,7 @@ from zbot.classroom.hub_queries import document_of
 from zbot.classroom.keys import facts_key, here_key
 from zbot.classroom.register import clean_name
 from zbot.classroom.running_nodes import RunningNodes
-from zbot.transport.foreign_call import called_by_zenoh
+from zbot.threads.foreign_call import called_by_zenoh
 
 if TYPE_CHECKING:
     from collections.abc import Iterable

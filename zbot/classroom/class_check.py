@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from zbot.graph.snapshot import Snapshot
+from zbot.threads.foreign_call import called_by_zenoh
 from zbot.transport import admin_query
-from zbot.transport.foreign_call import called_by_zenoh
 from zbot.wire.errors import TokenError
 from zbot.wire.keys import topic_key
 from zbot.wire.tokens import parse_token, token_selector

@@ -24,9 +24,9 @@ from zbot.classroom.register import NumberError
 from zbot.classroom.robots import Robots
 from zbot.log.teacher_notice import NOTICE_KEY
 from zbot.security.access import Share, teacher_access
+from zbot.threads.foreign_call import called_by_zenoh
 from zbot.transport import membership
 from zbot.transport.config import MAX_DOMAIN_ID
-from zbot.transport.foreign_call import called_by_zenoh
 
 if TYPE_CHECKING:
     from collections.abc import Callable

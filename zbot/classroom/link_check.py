@@ -21,9 +21,9 @@ from zbot.classroom.keys import HUB_KEY, nodes_selector
 from zbot.classroom.running_nodes import MAX_LISTED
 from zbot.classroom.visibility import names_of
 from zbot.log import get_logger
+from zbot.threads.foreign_call import called_by_zenoh
 from zbot.transport import admin_query
 from zbot.transport.config import MEETING_PORT
-from zbot.transport.foreign_call import called_by_zenoh
 from zbot.transport.session import LOOPBACK, open_hub_client
 
 if TYPE_CHECKING:

@@ -16,8 +16,8 @@ from zbot.classroom.hub_queries import ask, document_of
 from zbot.classroom.keys import NOTICES_KEY, facts_key, here_key, nodes_selector
 from zbot.interfaces import get_message
 from zbot.log.teacher_notice import NOTICE_KEY, notice_text
+from zbot.threads.foreign_call import called_by_zenoh
 from zbot.transport import admin_query
-from zbot.transport.foreign_call import called_by_zenoh
 from zbot.version import __version__
 from zbot.wire.codec import codec_for
 from zbot.wire.errors import CodecError

@@ -11,8 +11,8 @@ import zenoh
 from zbot.classroom.hub_queries import ask, document_of
 from zbot.classroom.keys import COMMAND_KEY, ROBOTS_KEY
 from zbot.classroom.robots import driver_in
+from zbot.threads.foreign_call import called_by_zenoh
 from zbot.transport import membership
-from zbot.transport.foreign_call import called_by_zenoh
 from zbot.wire.tokens import token_selector
 
 if TYPE_CHECKING:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.executor.callback_group import GroupReservations
 from zbot.executor.timer_queue import TimerQueue
-from zbot.transport.wakeup import BinarySemaphore
+from zbot.threads.wakeup import BinarySemaphore
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

@@ -24,8 +24,8 @@ from zbot.executor.spinnable import check_node
 from zbot.executor.task import Future, Task
 from zbot.executor.task_step import TaskStep
 from zbot.process import signals
+from zbot.threads.wakeup import BinarySemaphore
 from zbot.time import TimeoutObject
-from zbot.transport.wakeup import BinarySemaphore
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine, Iterator

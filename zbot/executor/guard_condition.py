@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.executor.callback_group import ReentrantCallbackGroup
 from zbot.executor.ready_queue import ReadyQueue
-from zbot.transport.handle import Handle
+from zbot.handle import Handle
 
 if TYPE_CHECKING:
     from collections.abc import Callable

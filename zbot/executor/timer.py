@@ -11,9 +11,9 @@ from zbot.errors import InvalidHandleError, NotInitializedError
 from zbot.executor.callback_check import check_callback, if_written
 from zbot.executor.clock import ROSClock
 from zbot.executor.errors import RateInterruptedBySignalError, RateInterruptedError
+from zbot.handle import Handle
 from zbot.process import signals
 from zbot.time import ClockType, Duration, Time
-from zbot.transport.handle import Handle
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -7,12 +7,12 @@ import time
 from typing import TYPE_CHECKING, Any, Literal
 
 from zbot.executor.forgotten_spin import Program
-from zbot.transport.wakeup import BinarySemaphore
+from zbot.threads.wakeup import BinarySemaphore
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from zbot.transport.handle import Handle
+    from zbot.handle import Handle
 
 Kind = Literal["subscription", "guard_condition", "timer", "client", "service", "event"]
 _POLL_S = 0.1  # time between two checks, if a timer has simulated time and no known due time

@@ -22,10 +22,10 @@ from zbot.graph.entity_numbers import EntityNumbers
 from zbot.json_reader import JsonError, read_json_object
 from zbot.names import SEND_GOAL, fully_qualified, validate_full_topic_name
 from zbot.terminal.text import single_line
+from zbot.threads.foreign_call import without_interruption
+from zbot.threads.wakeup import BinarySemaphore
 from zbot.transport import admin_query
-from zbot.transport.foreign_call import without_interruption
 from zbot.transport.process_space import process_space
-from zbot.transport.wakeup import BinarySemaphore
 from zbot.wire.errors import TokenError
 from zbot.wire.tokens import EndpointToken, EntityKind, NodeToken
 

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 from zbot.executor.callback_stack import current_executor
 from zbot.process import signals
-from zbot.transport.wakeup import LONGEST_WAIT_S
+from zbot.threads.wakeup import LONGEST_WAIT_S
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator

@@ -17,6 +17,7 @@ import zenoh
 
 from zbot.errors import InvalidHandleError
 from zbot.executor.callback_stack import current_executor, running_callbacks
+from zbot.handle import Handle
 from zbot.interfaces import type_name
 from zbot.log import get_logger
 from zbot.node.blocking_call import wait_for_reply
@@ -25,10 +26,9 @@ from zbot.node.service_introspection import ServiceEndpoint, Step
 from zbot.node.service_request import ResponseFuture, ServiceRequest
 from zbot.process import signals
 from zbot.process.memory import LARGE_BYTES, keep_freed_memory
+from zbot.threads.foreign_call import without_interruption
+from zbot.threads.wakeup import BinarySemaphore, BusyWait
 from zbot.time import as_seconds
-from zbot.transport.foreign_call import without_interruption
-from zbot.transport.handle import Handle
-from zbot.transport.wakeup import BinarySemaphore, BusyWait
 from zbot.wire.attachment import GID_LENGTH, LAYOUT
 from zbot.wire.codec import CodecError
 from zbot.wire.error_reply import unpack_error

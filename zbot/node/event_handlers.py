@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 from zbot.executor.clock import Clock
 from zbot.executor.ready_queue import ReadyQueue
 from zbot.executor.timer import Timer
+from zbot.handle import Handle
 from zbot.node.qos_events import (
     EventKind,
     IncompatibleTypeInfo,
@@ -30,7 +31,6 @@ from zbot.node.qos_events import (
 )
 from zbot.qos import LivelinessPolicy, QoSPolicyKind
 from zbot.time import ClockType
-from zbot.transport.handle import Handle
 from zbot.wire.tokens import EndpointToken, EntityKind
 
 if TYPE_CHECKING:

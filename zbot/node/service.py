@@ -12,14 +12,14 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar
 import zenoh
 
 from zbot.executor.forgotten_spin import Program
+from zbot.handle import Handle
 from zbot.interfaces import type_name
 from zbot.log import get_logger
 from zbot.node.deduplication import RepeatedRequests
 from zbot.node.errors import ResponseTypeError
 from zbot.node.service_introspection import ServiceEndpoint, Step
 from zbot.process.memory import LARGE_BYTES, keep_freed_memory
-from zbot.transport.foreign_call import called_by_zenoh, keep_thread_state
-from zbot.transport.handle import Handle
+from zbot.threads.foreign_call import called_by_zenoh, keep_thread_state
 from zbot.wire.attachment import GID_LENGTH, LAYOUT, unpack
 from zbot.wire.codec import CodecError
 

@@ -6,7 +6,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from zbot.executor.task import Future
-from zbot.transport.foreign_call import called_by_zenoh, keep_thread_state
+from zbot.threads.foreign_call import called_by_zenoh, keep_thread_state
 from zbot.wire.attachment import LAYOUT
 
 if TYPE_CHECKING:

@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING, Any, Generic, Literal, TypeVar
 import zenoh
 
 from zbot.executor.forgotten_spin import Program
+from zbot.handle import Handle
 from zbot.interfaces import has_sequences
 from zbot.log import get_logger, sinks_disabled
 from zbot.names import ROSOUT_TOPIC
@@ -31,8 +32,7 @@ from zbot.node.zenoh_declaration import declare_subscriber
 from zbot.process import blocked_put, fork
 from zbot.process.memory import LARGE_BYTES, keep_freed_memory
 from zbot.qos import HistoryPolicy
-from zbot.transport.handle import Handle
-from zbot.transport.wakeup import LARGE_MESSAGE_WAIT_NS, BusyWait
+from zbot.threads.wakeup import LARGE_MESSAGE_WAIT_NS, BusyWait
 from zbot.wire.attachment import LAYOUT
 from zbot.wire.codec import CodecError
 

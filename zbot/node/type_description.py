@@ -12,7 +12,7 @@ from zbot.interfaces.lazy_service import LazyService
 from zbot.node.parameters import START_TYPE_DESCRIPTION_SERVICE
 from zbot.node.service import Service
 from zbot.qos import qos_profile_services_default
-from zbot.transport.foreign_call import called_by_zenoh
+from zbot.threads.foreign_call import called_by_zenoh
 from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:

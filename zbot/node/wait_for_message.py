@@ -10,7 +10,7 @@ from zbot.executor.ready_queue import ReadyQueue
 from zbot.node.argument_check import check_order, is_class, is_name, is_node
 from zbot.node.subscription import Subscription
 from zbot.qos import as_profile
-from zbot.transport.wakeup import LONGEST_WAIT_S, BinarySemaphore
+from zbot.threads.wakeup import LONGEST_WAIT_S, BinarySemaphore
 from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:

@@ -20,7 +20,7 @@ from types import BuiltinFunctionType
 from typing import TYPE_CHECKING, Protocol
 
 from zbot.errors import ExternalShutdownException
-from zbot.transport.weak_set import WeakSet
+from zbot.threads.weak_set import WeakSet
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -23,8 +23,8 @@ from typing import TYPE_CHECKING, Any, Protocol
 import zenoh
 
 from zbot.process import at_exit, signals
+from zbot.threads.weak_set import WeakSet
 from zbot.transport.config import port_of
-from zbot.transport.weak_set import WeakSet
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator

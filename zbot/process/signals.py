@@ -22,8 +22,8 @@ from typing import TYPE_CHECKING, Any, NoReturn, Protocol
 
 from zbot.errors import ExternalShutdownException, NotInitializedError
 from zbot.process import at_exit
-from zbot.transport.foreign_call import is_deferring_signals
-from zbot.transport.weak_set import WeakSet
+from zbot.threads.foreign_call import is_deferring_signals
+from zbot.threads.weak_set import WeakSet
 
 if TYPE_CHECKING:
     from types import FrameType

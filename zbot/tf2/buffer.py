@@ -12,8 +12,8 @@ from zbot.executor.task import Future
 from zbot.tf2.buffer_core import BufferCore
 from zbot.tf2.buffer_interface import NO_WAIT, BufferInterface
 from zbot.tf2.errors import TransformException
+from zbot.threads.wakeup import LONGEST_WAIT_S
 from zbot.time import Duration
-from zbot.transport.wakeup import LONGEST_WAIT_S
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator

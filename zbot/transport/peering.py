@@ -18,9 +18,9 @@ from typing import TYPE_CHECKING, Any, Protocol
 import zenoh
 
 from zbot.errors import SetupError
+from zbot.threads.foreign_call import without_interruption
 from zbot.transport import admin_query, background_process
 from zbot.transport.errors import SessionError
-from zbot.transport.foreign_call import without_interruption
 from zbot.transport.session import LINK_TIMEOUT_S
 
 if TYPE_CHECKING:

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 
 import zenoh
 
-from zbot.transport.foreign_call import without_interruption
+from zbot.threads.foreign_call import without_interruption
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 from typing import TYPE_CHECKING
 
-from zbot.transport.wakeup import BinarySemaphore
+from zbot.threads.wakeup import BinarySemaphore
 
 if TYPE_CHECKING:
     from zbot.context import Context

@@ -5,7 +5,7 @@ from __future__ import annotations
 import gc
 import threading
 
-from zbot.transport.weak_set import WeakSet
+from zbot.threads.weak_set import WeakSet
 
 
 class Thing:

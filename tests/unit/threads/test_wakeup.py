@@ -5,8 +5,8 @@ from dataclasses import dataclass
 
 import pytest
 
-from zbot.transport import wakeup as module
-from zbot.transport.wakeup import LARGE_MESSAGE_WAIT_NS, BinarySemaphore, BusyWait
+from zbot.threads import wakeup as module
+from zbot.threads.wakeup import LARGE_MESSAGE_WAIT_NS, BinarySemaphore, BusyWait
 
 
 def test_a_wait_returns_if_the_semaphore_was_set_before() -> None:
