@@ -21,7 +21,7 @@ from zbot.process.memory import LARGE_BYTES, keep_freed_memory
 from zbot.transport.foreign_call import called_by_zenoh, keep_thread_state
 from zbot.transport.handle import Handle
 from zbot.wire.attachment import GID_LENGTH, LAYOUT, unpack
-from zbot.wire.codec import CodecError
+from zbot.wire.errors import CodecError
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine

@@ -34,7 +34,7 @@ from zbot.qos import HistoryPolicy
 from zbot.transport.handle import Handle
 from zbot.transport.wakeup import LARGE_MESSAGE_WAIT_NS, BusyWait
 from zbot.wire.attachment import LAYOUT
-from zbot.wire.codec import CodecError
+from zbot.wire.errors import CodecError
 
 if TYPE_CHECKING:
     from collections.abc import Callable
