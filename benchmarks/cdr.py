@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any
 
 import zbot  # noqa: F401 - makes the messages importable
 from benchmarks.report import Report
-from zbot.wire.cdr import CdrCodec, cdr_codec_for
-from zbot.wire.codec import Codec, codec_for
+from zbot.wire.cdr.codec import CdrCodec, cdr_codec_for
+from zbot.wire.messagepack.codec import Codec, codec_for
 
 from geometry_msgs.msg import PoseStamped, TransformStamped, Twist
 from nav_msgs.msg import Odometry, Path

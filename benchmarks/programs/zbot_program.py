@@ -20,7 +20,7 @@ from program_control import (
 from sample_messages import TYPES, message
 from zbot.interfaces import has_sequences
 from zbot.threads.wakeup import BusyWait
-from zbot.wire.codec import codec_for
+from zbot.wire.messagepack.codec import codec_for
 
 from example_interfaces.srv import AddTwoInts
 from std_msgs.msg import String

@@ -32,16 +32,16 @@ from zbot.web.remote_parameter import remote_parameters
 from zbot.web.topic_picture import points_of, ring
 from zbot.web.value_text import brief
 from zbot.wire import attachment
-from zbot.wire.cdr import cdr_codec_for
-from zbot.wire.codec import codec_for
+from zbot.wire.cdr.codec import cdr_codec_for
 from zbot.wire.error_reply import unpack_error
 from zbot.wire.errors import CodecError, TokenError
 from zbot.wire.keys import encoded_type, parse_key
-from zbot.wire.large_arrays import extract_arrays
-from zbot.wire.messagepack import UnreadableError, pack, unpack
+from zbot.wire.messagepack.codec import codec_for
+from zbot.wire.messagepack.large_arrays import extract_arrays
+from zbot.wire.messagepack.packing import UnreadableError, pack, unpack
 from zbot.wire.rmw_zenoh import RMW_ZENOH
 from zbot.wire.tokens import parse_token
-from zbot.wire.transcoder import to_cdr, to_messagepack
+from zbot.wire.transcoder.transcoder import to_cdr, to_messagepack
 
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry, Path
@@ -271,7 +271,7 @@ NETWORK_READERS = (
     ),
     Reader(
         "messagepack",
-        ("zbot.wire.messagepack",),
+        ("zbot.wire.messagepack.packing",),
         unpack,
         (UnreadableError,),
         (
@@ -283,9 +283,9 @@ NETWORK_READERS = (
     Reader(
         "message",
         (
-            "zbot.wire.codec",
-            "zbot.wire.run_values",
-            "zbot.wire.default_memory",
+            "zbot.wire.messagepack.codec",
+            "zbot.wire.messagepack.value_reader",
+            "zbot.wire.messagepack.default_memory",
             "zbot.interfaces.array_value",
             "zbot.interfaces.field_check",
         ),
@@ -295,28 +295,28 @@ NETWORK_READERS = (
     ),
     Reader(
         "cdr_message",
-        ("zbot.wire.cdr", "zbot.wire.cdr_decoder", "zbot.wire.cdr_values"),
+        ("zbot.wire.cdr.codec", "zbot.wire.cdr.decoder_source", "zbot.wire.cdr.values"),
         _typed(cdr_codec_for),
         (CodecError,),
         _typed_seeds(cdr_codec_for),
     ),
     Reader(
         "cdr_to_messagepack",
-        ("zbot.wire.transcoder", "zbot.wire.transcoder_values"),
+        ("zbot.wire.transcoder.transcoder", "zbot.wire.transcoder.values"),
         _converted(to_messagepack),
         (CodecError,),
         _typed_seeds(cdr_codec_for),
     ),
     Reader(
         "messagepack_to_cdr",
-        ("zbot.wire.transcoder", "zbot.wire.transcoder_values"),
+        ("zbot.wire.transcoder.transcoder", "zbot.wire.transcoder.values"),
         _converted(to_cdr),
         (CodecError,),
         _typed_seeds(codec_for),
     ),
     Reader(
         "large_arrays",
-        ("zbot.wire.large_arrays",),
+        ("zbot.wire.messagepack.large_arrays",),
         lambda data: extract_arrays(data, {pack("data"): "data"}),
         (),
         (pack({"data": bytes(9000), "a": 1}), pack({"layout": {}, "data": b"abc"})),

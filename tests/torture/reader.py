@@ -19,7 +19,7 @@ class Reader:
     """A reader and what it may do."""
 
     name: str
-    modules: tuple[str, ...]  #: the modules that contain it, e.g. `zbot.wire.codec`
+    modules: tuple[str, ...]  #: the modules that contain it, e.g. `zbot.wire.messagepack.codec`
     call: Callable[[bytes], object]
     errors: tuple[type[Exception], ...]  #: the named errors with which it may refuse an input
     seeds: tuple[bytes, ...]  #: valid inputs, and inputs that once were a problem

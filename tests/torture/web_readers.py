@@ -19,7 +19,7 @@ from zbot.web.rosbridge.client_message import Fragments, RosbridgeError, read_me
 from zbot.web.rosbridge.frame import frames
 from zbot.web.rosbridge.json_message import message_from_json
 from zbot.web.rosbridge.rosapi import parameter_from_json
-from zbot.wire.codec import codec_for
+from zbot.wire.messagepack.codec import codec_for
 
 from builtin_interfaces.msg import Time
 from geometry_msgs.msg import Twist

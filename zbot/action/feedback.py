@@ -9,7 +9,7 @@ import zenoh
 
 from zbot.log import get_logger
 from zbot.threads.foreign_call import called_by_zenoh
-from zbot.wire.codec import CodecError
+from zbot.wire.errors import CodecError
 from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:

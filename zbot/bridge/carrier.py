@@ -19,11 +19,11 @@ from zbot.bridge.routes import ServiceRoute, TopicRoute
 from zbot.bridge.selection import Direction, Selection
 from zbot.bridge.side import DEPTH, End, World, queue_length
 from zbot.interfaces import get_interface, type_hash
-from zbot.wire.cdr import cdr_codec_for
-from zbot.wire.codec import codec_for
+from zbot.wire.cdr.codec import cdr_codec_for
+from zbot.wire.messagepack.codec import codec_for
 from zbot.wire.qos import qos_text
 from zbot.wire.tokens import EntityKind
-from zbot.wire.transcoder import to_cdr, to_messagepack
+from zbot.wire.transcoder.transcoder import to_cdr, to_messagepack
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator

@@ -22,7 +22,7 @@ from zbot.qos import DurabilityPolicy
 from zbot.threads.foreign_call import called_by_zenoh
 from zbot.wire.attachment import GID_LENGTH, LAYOUT
 from zbot.wire.error_reply import ENCODING, unpack_error
-from zbot.wire.messagepack import pack
+from zbot.wire.messagepack.packing import pack
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -19,8 +19,8 @@ from zbot.log.teacher_notice import NOTICE_KEY, notice_text
 from zbot.threads.foreign_call import called_by_zenoh
 from zbot.transport import admin_query
 from zbot.version import __version__
-from zbot.wire.codec import codec_for
 from zbot.wire.errors import CodecError
+from zbot.wire.messagepack.codec import codec_for
 
 if TYPE_CHECKING:
     from zbot.classroom.hub_process import HubProcess

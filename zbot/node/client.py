@@ -30,8 +30,8 @@ from zbot.threads.foreign_call import without_interruption
 from zbot.threads.wakeup import BinarySemaphore, BusyWait
 from zbot.time import as_seconds
 from zbot.wire.attachment import GID_LENGTH, LAYOUT
-from zbot.wire.codec import CodecError
 from zbot.wire.error_reply import unpack_error
+from zbot.wire.errors import CodecError
 from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:

@@ -20,7 +20,7 @@ from zbot.interfaces.remote_definition import hash_among, specs_from, specs_from
 from zbot.node.type_description import SERVICE_TYPE
 from zbot.transport import admin_query
 from zbot.wire.attachment import GID_LENGTH, pack
-from zbot.wire.codec import CodecError
+from zbot.wire.errors import CodecError
 from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:

@@ -21,7 +21,7 @@ from zbot.node.service_introspection import ServiceEndpoint, Step
 from zbot.process.memory import LARGE_BYTES, keep_freed_memory
 from zbot.threads.foreign_call import called_by_zenoh, keep_thread_state
 from zbot.wire.attachment import GID_LENGTH, LAYOUT, unpack
-from zbot.wire.codec import CodecError
+from zbot.wire.errors import CodecError
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine

@@ -34,7 +34,7 @@ from zbot.process.memory import LARGE_BYTES, keep_freed_memory
 from zbot.qos import HistoryPolicy
 from zbot.threads.wakeup import LARGE_MESSAGE_WAIT_NS, BusyWait
 from zbot.wire.attachment import LAYOUT
-from zbot.wire.codec import CodecError
+from zbot.wire.errors import CodecError
 
 if TYPE_CHECKING:
     from collections.abc import Callable

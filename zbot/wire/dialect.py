@@ -209,19 +209,19 @@ class _NativeDialect:
 
     @staticmethod
     def codec_for(message_class: type[MessageT]) -> MessageCodec[MessageT]:
-        from zbot.wire.codec import codec_for  # noqa: PLC0415 - commands that only list need no codec
+        from zbot.wire.messagepack.codec import codec_for  # noqa: PLC0415 - commands that only list need no codec
 
         return codec_for(message_class)  # pyright: ignore[reportReturnType] - see MessageCodec
 
     @staticmethod
     def payload_of(data: bytes, message_class: type[object]) -> bytes:
-        from zbot.wire.transcoder import to_messagepack  # noqa: PLC0415 - few programs need it
+        from zbot.wire.transcoder.transcoder import to_messagepack  # noqa: PLC0415 - few programs need it
 
         return to_messagepack(message_class)(data) if is_cdr(data) else data
 
     @staticmethod
     def raw_decoder(message_class: type[object]) -> Callable[[bytes], bytes]:
-        from zbot.wire.transcoder import to_cdr  # noqa: PLC0415 - few programs need it
+        from zbot.wire.transcoder.transcoder import to_cdr  # noqa: PLC0415 - few programs need it
 
         return to_cdr(message_class)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from zbot.wire.messagepack import Bytes, UnreadableError, pack, unpack
+from zbot.wire.messagepack.packing import Bytes, UnreadableError, pack, unpack
 
 __all__ = ["ENCODING", "error_text", "pack_error", "unpack_error"]
 

@@ -179,13 +179,13 @@ class _RmwZenohDialect:
 
     @staticmethod
     def codec_for(message_class: type[MessageT]) -> MessageCodec[MessageT]:
-        from zbot.wire.cdr import cdr_codec_for  # noqa: PLC0415 - commands that only list need none
+        from zbot.wire.cdr.codec import cdr_codec_for  # noqa: PLC0415 - commands that only list need none
 
         return cdr_codec_for(message_class)  # pyright: ignore[reportReturnType] - see MessageCodec
 
     @staticmethod
     def payload_of(data: bytes, message_class: type[object]) -> bytes:
-        from zbot.wire.transcoder import to_cdr  # noqa: PLC0415 - few programs need it
+        from zbot.wire.transcoder.transcoder import to_cdr  # noqa: PLC0415 - few programs need it
 
         return data if is_cdr(data) else to_cdr(message_class)(data)
 

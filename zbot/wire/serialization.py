@@ -22,7 +22,7 @@ def serialize_message(message: Any) -> bytes:
         NotAMessageTypeError: The object is not a message.
         CodecError: A field has a wrong value.
     """
-    from zbot.wire.cdr import cdr_codec_for  # noqa: PLC0415 - few programs need it
+    from zbot.wire.cdr.codec import cdr_codec_for  # noqa: PLC0415 - few programs need it
 
     return cdr_codec_for(type(message)).encode(message)
 
@@ -37,7 +37,7 @@ def deserialize_message(serialized_message: bytes, message_type: type[MsgT]) -> 
         NotAMessageTypeError: The class is not a message class.
         CodecError: The bytes are not a message of the type.
     """
-    from zbot.wire.cdr import cdr_codec_for  # noqa: PLC0415 - few programs need it
+    from zbot.wire.cdr.codec import cdr_codec_for  # noqa: PLC0415 - few programs need it
 
     codec, data = cdr_codec_for(message_type), bytes(serialized_message)
     try:

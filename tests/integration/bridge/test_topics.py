@@ -12,7 +12,7 @@ from zbot import Node, Parameter, QoSProfile
 from zbot.interfaces import MessageSpec, get_message, get_spec, interface_names
 from zbot.qos import DurabilityPolicy, ReliabilityPolicy
 from zbot.time import Time
-from zbot.wire.cdr import cdr_codec_for
+from zbot.wire.cdr.codec import cdr_codec_for
 
 if TYPE_CHECKING:
     from tests.conftest import MakeContext, Spin

@@ -13,7 +13,7 @@ import pytest
 import zbot
 from tests.conftest import wait_until
 from tests.integration.services.conftest import Request, Response, add, client_of
-from zbot.wire.codec import codec_for
+from zbot.wire.messagepack.codec import codec_for
 
 from example_interfaces.srv import AddTwoInts
 from std_srvs.srv import Trigger

@@ -11,8 +11,8 @@ from zbot.bridge.errors import CallError
 from zbot.bridge.selection import Direction, Selection, patterns
 from zbot.interfaces import get_interface
 from zbot.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
-from zbot.wire.cdr import cdr_codec_for
-from zbot.wire.codec import codec_for
+from zbot.wire.cdr.codec import cdr_codec_for
+from zbot.wire.messagepack.codec import codec_for
 from zbot.wire.tokens import EntityKind
 
 PUBLISHER, SUBSCRIPTION = EntityKind.PUBLISHER, EntityKind.SUBSCRIPTION

@@ -16,7 +16,8 @@ from zbot.interfaces.classes import make_message, module_name
 from zbot.interfaces.errors import FieldTypeError, PositionalFieldError, UnknownFieldError
 from zbot.interfaces.message import Message
 from zbot.interfaces.parser import parse_message
-from zbot.wire.codec import CodecError, codec_for
+from zbot.wire.errors import CodecError
+from zbot.wire.messagepack.codec import codec_for
 
 
 def define(text: str) -> type[Any]:

@@ -18,9 +18,10 @@ from zbot.qos import (
     qos_profile_sensor_data,
 )
 from zbot.time import Duration
-from zbot.wire import attachment, messagepack
+from zbot.wire import attachment
 from zbot.wire.dialect import NATIVE, Dialect
 from zbot.wire.errors import TokenError
+from zbot.wire.messagepack.packing import pack
 from zbot.wire.rmw_zenoh import HUMBLE, NO_HASH, RMW_ZENOH, dds_type, dialect_of, ros_type
 from zbot.wire.tokens import EndpointToken, EntityKind
 
@@ -241,7 +242,7 @@ def test_bytes_in_either_format_become_the_payload_of_the_dialect(dialect: Diale
     cdr = bytes.fromhex("00010000030000006869 00".replace(" ", ""))
     payload = dialect.codec_for(cls).encode(cls(data="hi"))
     assert dialect.payload_of(cdr, cls) == payload
-    assert dialect.payload_of(messagepack.pack({"data": "hi"}), cls) == payload
+    assert dialect.payload_of(pack({"data": "hi"}), cls) == payload
     assert dialect.raw_decoder(cls)(payload) == cdr
 
 

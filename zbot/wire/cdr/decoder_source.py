@@ -2,7 +2,7 @@
 
 In the source, `data` contains all bytes of the message, with the header. The source writes a
 position as the sum of a variable and a constant. A run is a group of values that one
-`struct.Struct` reads (see `zbot.wire.cdr_source`).
+`struct.Struct` reads (see `zbot.wire.cdr.source`).
 """
 
 from __future__ import annotations
@@ -12,10 +12,10 @@ from struct import Struct
 from typing import TYPE_CHECKING, Any
 
 from zbot.interfaces import get_interface, message_spec_of
-from zbot.wire.cdr_layout import COUNT_SIZE, START, UNIT_SIZE, Alignment
-from zbot.wire.cdr_source import Source, element
-from zbot.wire.codec import layout_of
-from zbot.wire.messagepack import ITEM_SIZE
+from zbot.wire.cdr.alignment import COUNT_SIZE, START, UNIT_SIZE, Alignment
+from zbot.wire.cdr.source import Source, element
+from zbot.wire.messagepack.codec import layout_of
+from zbot.wire.messagepack.packing import ITEM_SIZE
 
 if TYPE_CHECKING:
     from zbot.interfaces.spec import Field, FieldType

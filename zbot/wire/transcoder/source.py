@@ -5,17 +5,17 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from zbot.interfaces import message_spec_of
-from zbot.wire.cdr_decoder import DecoderSource
-from zbot.wire.cdr_encoder import EncoderSource
-from zbot.wire.cdr_layout import COUNT_SIZE
-from zbot.wire.generator import is_numeric_array
-from zbot.wire.messagepack import ITEM_SIZE, map_header, pack
+from zbot.wire.cdr.alignment import COUNT_SIZE
+from zbot.wire.cdr.decoder_source import DecoderSource
+from zbot.wire.cdr.encoder_source import EncoderSource
+from zbot.wire.messagepack.generator import is_numeric_array
+from zbot.wire.messagepack.packing import ITEM_SIZE, map_header, pack
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from zbot.interfaces.spec import Field, FieldType, MessageSpec
-    from zbot.wire.generator import Layout
+    from zbot.wire.messagepack.generator import Layout
 
 
 class MapReaderSource(DecoderSource):

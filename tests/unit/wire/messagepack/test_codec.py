@@ -10,12 +10,12 @@ import pytest
 
 import zbot  # noqa: F401 - makes the messages importable
 from tests.conftest import in_threads
-from tests.unit.wire.coded import decode, encode, packb
+from tests.unit.wire.messagepack.coded import decode, encode, packb
 from zbot.errors import ExternalShutdownException
 from zbot.interfaces import get_interface, get_message
 from zbot.interfaces.errors import NotAMessageTypeError
-from zbot.wire.codec import codec_for
 from zbot.wire.errors import CodecError
+from zbot.wire.messagepack.codec import codec_for
 
 from geometry_msgs.msg import PoseStamped, Twist, Vector3
 from nav_msgs.msg import Odometry, Path

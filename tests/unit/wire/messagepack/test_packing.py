@@ -8,8 +8,8 @@ from typing import Any
 import msgpack  # type: ignore[import-untyped]
 import pytest
 
-from zbot.wire import messagepack
-from zbot.wire.messagepack import (
+from zbot.wire.messagepack import packing
+from zbot.wire.messagepack.packing import (
     Extension,
     UnreadableError,
     bin_header,
@@ -43,7 +43,7 @@ def test_arrays_are_little_endian_with_standard_sizes(typecode: str) -> None:
 
 
 def test_a_big_endian_machine_swaps_bytes(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(messagepack, "BIG_ENDIAN", True)
+    monkeypatch.setattr(packing, "BIG_ENDIAN", True)
     assert read_array("H", b"\1\2") == array("H", b"\2\1")
 
 

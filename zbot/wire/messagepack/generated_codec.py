@@ -1,7 +1,7 @@
 """Fast encoders and decoders for most message types.
 
 They work for usual messages, and for bytes as zbot sends them. For all others, they call the
-careful functions of `zbot.wire.codec`, which convert or reject them. Both send the same bytes.
+careful functions of `codec`, which convert or reject them. Both send the same bytes.
 """
 
 from __future__ import annotations
@@ -15,12 +15,12 @@ from typing import TYPE_CHECKING, Any
 from zbot.interfaces import get_interface, message_spec_of
 from zbot.interfaces.array_value import fixed_array
 from zbot.interfaces.spec import FLOAT32_MAX
-from zbot.wire.cdr_layout import TypeLayout
-from zbot.wire.cdr_values import fixed_bytes
-from zbot.wire.messagepack import BIG_ENDIAN, bin_header, ext_header, pack
-from zbot.wire.run_decoder import RunDecoderSource
-from zbot.wire.run_encoder import RunEncoderSource
-from zbot.wire.run_values import (
+from zbot.wire.cdr.alignment import TypeLayout
+from zbot.wire.cdr.values import fixed_bytes
+from zbot.wire.messagepack.decoder_source import RunDecoderSource
+from zbot.wire.messagepack.encoder_source import RunEncoderSource
+from zbot.wire.messagepack.packing import BIG_ENDIAN, bin_header, ext_header, pack
+from zbot.wire.messagepack.value_reader import (
     UnusualError,
     array_header,
     read_count,
@@ -30,7 +30,7 @@ from zbot.wire.run_values import (
     read_texts,
     read_time,
 )
-from zbot.wire.value_check import UNUSUAL_ERRORS, octet
+from zbot.wire.validation import UNUSUAL_ERRORS, octet
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -9,8 +9,8 @@ from hypothesis import strategies as st
 
 from tests.unit.wire.random_message import random_message, shipped_messages
 from zbot.interfaces import get_interface, get_message
-from zbot.wire.codec import codec_for
 from zbot.wire.errors import CodecError
+from zbot.wire.messagepack.codec import codec_for
 
 packb: Any = msgpack.packb
 

@@ -6,7 +6,7 @@ from typing import Any
 
 import msgpack  # type: ignore[import-untyped]
 
-from zbot.wire.codec import codec_for
+from zbot.wire.messagepack.codec import codec_for
 
 packb: Any = msgpack.packb
 

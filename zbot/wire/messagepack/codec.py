@@ -16,13 +16,14 @@ from typing import TYPE_CHECKING, Any, Generic, Literal, NoReturn, TypeVar
 from zbot.errors import ExternalShutdownException
 from zbot.interfaces import get_interface, message_spec_of
 from zbot.interfaces.array_value import fixed_array
-from zbot.wire import generator, run_codec, value_check
-from zbot.wire.default_memory import begin_message, count_elements
+from zbot.wire import validation
 from zbot.wire.errors import CodecError
-from zbot.wire.generator import Layout, function_name, is_numeric_array
 from zbot.wire.keys import encoding
-from zbot.wire.large_arrays import LARGE, extract_arrays
-from zbot.wire.messagepack import (
+from zbot.wire.messagepack import generated_codec, generator
+from zbot.wire.messagepack.default_memory import begin_message, count_elements
+from zbot.wire.messagepack.generator import Layout, function_name, is_numeric_array
+from zbot.wire.messagepack.large_arrays import LARGE, extract_arrays
+from zbot.wire.messagepack.packing import (
     Bytes,
     UnreadableError,
     bin_header,
@@ -32,7 +33,7 @@ from zbot.wire.messagepack import (
     unpack,
     unpack_any_text,
 )
-from zbot.wire.value_check import Fault
+from zbot.wire.validation import Fault
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -58,7 +59,7 @@ _NESTED_CALLS: dict[str, tuple[str, _Nested]] = {
     "from_map": ("unpack", "from_map"),
 }
 _COMMON_NAMES: dict[str, Any] = {
-    **vars(value_check),
+    **vars(validation),
     "pack": pack,
     "unpack": unpack,
     "bin_header": bin_header,
@@ -97,7 +98,7 @@ class Codec(Generic[MessageT]):
     def source(self) -> str:
         """Source of `encode` and `decode`, for debugging."""
         if self._has_runs:
-            return run_codec.source(self._class)
+            return generated_codec.source(self._class)
         return "\n\n".join(
             write(self._spec, layout_of(self._class))
             for write in (generator.encode_source, generator.decode_source)
@@ -108,7 +109,7 @@ class Codec(Generic[MessageT]):
         """Return the bytes of a message. Raise `CodecError` if a field cannot be sent."""
         if self._has_runs:
             # The careful function is generated when it is needed for the first time.
-            return run_codec.encoder(self._class, lambda one: self.encode_carefully(one))  # noqa: PLW0108
+            return generated_codec.encoder(self._class, lambda one: self.encode_carefully(one))  # noqa: PLW0108
         return self.encode_carefully
 
     @cached_property
@@ -119,14 +120,14 @@ class Codec(Generic[MessageT]):
         become U+FFFD, and a bool that is a number other than 0 is true.
         """
         if self._has_runs:
-            return run_codec.decoder(self._class, self._decode_tolerantly)
+            return generated_codec.decoder(self._class, self._decode_tolerantly)
         return self._decode_tolerantly
 
     @cached_property
     def decode_strictly(self) -> Callable[[Bytes], MessageT]:
         """Do the same as `decode`, but refuse all values that are not valid."""
         if self._has_runs:
-            return run_codec.decoder(self._class, lambda data: self.decode_carefully(data))  # noqa: PLW0108
+            return generated_codec.decoder(self._class, lambda data: self.decode_carefully(data))  # noqa: PLW0108
         return self.decode_carefully
 
     def _decode_tolerantly(self, data: Bytes) -> MessageT:
@@ -140,7 +141,7 @@ class Codec(Generic[MessageT]):
 
     @cached_property
     def _has_runs(self) -> bool:
-        return run_codec.is_supported(self._class)
+        return generated_codec.is_supported(self._class)
 
     @cached_property
     def encode_carefully(self) -> Callable[[MessageT], bytes]:
@@ -166,7 +167,7 @@ class Codec(Generic[MessageT]):
     def _explain_encoding(self, message: Any, error: Exception) -> NoReturn:
         path, reason = _path_and_reason(error)
         if not isinstance(message, self._class) and not isinstance(error, Fault):
-            reason = f"expected a {self.type_name}, not {value_check.kind(message)}"
+            reason = f"expected a {self.type_name}, not {validation.kind(message)}"
         elif isinstance(error, UnicodeEncodeError):
             path = _path_of(error.object, _nested_function(self._class, "to_map")(message))
             reason = f"{error.object!r:.40} cannot be written as UTF-8"
@@ -182,8 +183,8 @@ class Codec(Generic[MessageT]):
 _codecs: dict[type, Codec[Any]] = {}
 _nested_functions: dict[tuple[type, str, bool], Callable[[Any], Any]] = {}
 _TOLERANT_NAMES: dict[str, Any] = {
-    "boolean": value_check.any_boolean,
-    "booleans": value_check.any_booleans,
+    "boolean": validation.any_boolean,
+    "booleans": validation.any_booleans,
 }
 
 

@@ -6,7 +6,7 @@ from typing import Any
 
 import msgpack  # type: ignore[import-untyped]
 
-from zbot.wire.value_check import Fault
+from zbot.wire.validation import Fault
 
 # The codecs convert messages with longer lists, because they validate the bytes first.
 _SHORT_LIST = 1024

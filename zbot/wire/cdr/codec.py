@@ -15,19 +15,20 @@ from typing import TYPE_CHECKING, Any, Generic, NoReturn, TypeVar
 from zbot.errors import ExternalShutdownException
 from zbot.interfaces import message_spec_of
 from zbot.interfaces.array_value import fixed_array
-from zbot.wire import cdr_values, value_check
-from zbot.wire.cdr_decoder import HEADER_SIZE, DecoderSource
-from zbot.wire.cdr_encoder import EncoderSource
-from zbot.wire.codec import codec_for
+from zbot.wire import validation
+from zbot.wire.cdr import values
+from zbot.wire.cdr.decoder_source import HEADER_SIZE, DecoderSource
+from zbot.wire.cdr.encoder_source import EncoderSource
 from zbot.wire.errors import CodecError
-from zbot.wire.messagepack import BIG_ENDIAN
+from zbot.wire.messagepack.codec import codec_for
+from zbot.wire.messagepack.packing import BIG_ENDIAN
 from zbot.wire.payload import is_cdr
-from zbot.wire.value_check import Fault
+from zbot.wire.validation import Fault
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    from zbot.wire.cdr_source import Source
+    from zbot.wire.cdr.source import Source
 
 __all__ = ["CdrCodec", "cdr_codec_for"]
 
@@ -51,16 +52,16 @@ _REASONS: dict[type[Exception], str] = {
     MemoryError: "it is too large for this machine's memory",
 }
 _COMMON_NAMES: dict[str, Any] = {
-    **vars(value_check),
-    **vars(cdr_values),
+    **vars(validation),
+    **vars(values),
     "BIG_ENDIAN": BIG_ENDIAN,
     "HEADER": _LITTLE_ENDIAN,
     "array": array,
     "fixed_array": fixed_array,
 }
 _TOLERANT_NAMES: dict[str, Any] = {
-    "bool_items": cdr_values.any_bool_items,
-    "wide_text": cdr_values.any_wide_text,
+    "bool_items": values.any_bool_items,
+    "wide_text": values.any_wide_text,
 }
 
 

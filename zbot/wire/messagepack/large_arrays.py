@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from zbot.wire.messagepack import Bytes, map_header, read_array
+from zbot.wire.messagepack.packing import Bytes, map_header, read_array
 
 if TYPE_CHECKING:
     from array import array

@@ -1,8 +1,8 @@
 """Generator of the Python source that decodes MessagePack to messages of a type by runs.
 
-The source reads only bytes that have the form of `zbot.wire.run_encoder`: all fields in their
-order, and integers and texts in their shortest or in a longer form. In the source, `data` contains
-all bytes of a message. The source writes a position as the sum of a variable and a constant.
+The source reads only bytes that have the form of `encoder_source`: all fields in their order, and
+integers and texts in their shortest or in a longer form. In the source, `data` contains all bytes
+of a message. The source writes a position as the sum of a variable and a constant.
 """
 
 from __future__ import annotations
@@ -12,11 +12,11 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.interfaces import get_interface, message_spec_of
 from zbot.interfaces.spec import INTEGER_RANGES
-from zbot.wire.cdr_source import element
+from zbot.wire.cdr.source import element
 from zbot.wire.function_source import FunctionSource
-from zbot.wire.messagepack import map_header, pack
-from zbot.wire.run_encoder import FLOAT, fixed_numbers_header
-from zbot.wire.run_values import TIME_KEYS, UINT32, array_header
+from zbot.wire.messagepack.encoder_source import FLOAT, fixed_numbers_header
+from zbot.wire.messagepack.packing import map_header, pack
+from zbot.wire.messagepack.value_reader import TIME_KEYS, UINT32, array_header
 
 if TYPE_CHECKING:
     from zbot.interfaces.spec import FieldType

@@ -18,13 +18,13 @@ from hypothesis import strategies as st
 
 from tests.unit.wire.random_message import random_message, shipped_messages
 from zbot.interfaces import get_interface, get_message
-from zbot.wire.cdr import cdr_codec_for
-from zbot.wire.codec import codec_for
+from zbot.wire.cdr.codec import cdr_codec_for
 from zbot.wire.errors import CodecError
-from zbot.wire.transcoder import to_cdr, to_messagepack
+from zbot.wire.messagepack.codec import codec_for
+from zbot.wire.transcoder.transcoder import to_cdr, to_messagepack
 
 packb: Any = msgpack.packb
-VECTORS = json.loads((Path(__file__).parent / "cdr_vectors.json").read_text(encoding="utf-8"))
+VECTORS = json.loads((Path(__file__).parents[1] / "cdr_vectors.json").read_text(encoding="utf-8"))
 
 
 @pytest.mark.parametrize("part", range(4))

@@ -12,10 +12,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import zbot  # noqa: F401 - makes the messages importable
+from tests.unit.wire.cdr.reference_cdr import reference_cdr
 from tests.unit.wire.random_message import random_message, shipped_messages
-from tests.unit.wire.reference_cdr import reference_cdr
 from zbot.interfaces import get_interface
-from zbot.wire.cdr import cdr_codec_for
+from zbot.wire.cdr.codec import cdr_codec_for
 from zbot.wire.errors import CodecError
 
 NAMES = shipped_messages()

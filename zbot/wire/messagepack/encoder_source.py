@@ -2,7 +2,7 @@
 
 A run is a group of neighbouring bytes whose number is known: names of fields, floats, bools and
 arrays of fixed size. One `struct.Struct` packs a run. The bytes are the same as those of
-`zbot.wire.generator`, but most messages need less time.
+`zbot.wire.messagepack.generator`, but most messages need less time.
 """
 
 from __future__ import annotations
@@ -11,11 +11,11 @@ from struct import Struct
 from typing import TYPE_CHECKING
 
 from zbot.interfaces.spec import INTEGER_RANGES
-from zbot.wire.cdr_layout import spec_named
-from zbot.wire.cdr_source import element
+from zbot.wire.cdr.alignment import spec_named
+from zbot.wire.cdr.source import element
 from zbot.wire.function_source import FunctionSource
-from zbot.wire.messagepack import ITEM_SIZE, bin_header, ext_header, map_header, pack
-from zbot.wire.run_values import array_header
+from zbot.wire.messagepack.packing import ITEM_SIZE, bin_header, ext_header, map_header, pack
+from zbot.wire.messagepack.value_reader import array_header
 
 if TYPE_CHECKING:
     from zbot.interfaces.spec import FieldType, MessageSpec

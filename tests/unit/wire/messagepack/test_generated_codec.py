@@ -14,13 +14,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import zbot  # noqa: F401 - makes the messages importable
-from tests.unit.wire.coded import packb
+from tests.unit.wire.messagepack.coded import packb
 from tests.unit.wire.random_message import random_message, shipped_messages
 from zbot.interfaces import get_interface, get_message, message_spec_of, register_spec
 from zbot.interfaces.parser import parse_message
-from zbot.wire import run_codec
-from zbot.wire.codec import codec_for
 from zbot.wire.errors import CodecError
+from zbot.wire.messagepack import generated_codec
+from zbot.wire.messagepack.codec import codec_for
 
 from builtin_interfaces.msg import Time
 from geometry_msgs.msg import PoseStamped, TransformStamped
@@ -29,7 +29,9 @@ from sensor_msgs.msg import Image, Imu, JointState, LaserScan
 from std_msgs.msg import Byte, Float32, Float64, Header, Int64, String, UInt8
 from tf2_msgs.msg import TFMessage
 
-SUPPORTED = [name for name in shipped_messages() if run_codec.is_supported(get_interface(name))]
+SUPPORTED = [
+    name for name in shipped_messages() if generated_codec.is_supported(get_interface(name))
+]
 NOW = Header(stamp=Time(sec=1_700_000_000, nanosec=999_999_999), frame_id="odom")
 USUAL = [
     Imu(header=NOW),
@@ -50,7 +52,9 @@ def fail(_: Any) -> Any:
 
 
 def fast(message_class: type[Any]) -> tuple[Any, Any]:
-    return run_codec.encoder(message_class, fail), run_codec.decoder(message_class, fail)
+    return generated_codec.encoder(message_class, fail), generated_codec.decoder(
+        message_class, fail
+    )
 
 
 def outcome(decode: Any, data: bytes) -> Any:

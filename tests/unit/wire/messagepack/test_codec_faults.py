@@ -9,12 +9,12 @@ import msgpack  # type: ignore[import-untyped]
 import pytest
 
 import zbot  # noqa: F401 - makes the messages importable
-from tests.unit.wire.coded import decode, encode
+from tests.unit.wire.messagepack.coded import decode, encode
 from zbot.interfaces import get_message, register_spec
 from zbot.interfaces.parser import parse_message
-from zbot.wire.codec import codec_for
 from zbot.wire.errors import CodecError
-from zbot.wire.messagepack import pack
+from zbot.wire.messagepack.codec import codec_for
+from zbot.wire.messagepack.packing import pack
 
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry, Path

@@ -14,7 +14,7 @@ from struct import error as struct_error
 from typing import TYPE_CHECKING, Any
 
 from zbot.interfaces.spec import FLOAT32_MAX
-from zbot.wire.messagepack import BIG_ENDIAN, ITEM_SIZE, Extension
+from zbot.wire.messagepack.packing import BIG_ENDIAN, ITEM_SIZE, Extension
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from zbot.interfaces import get_interface
-from zbot.wire.cdr_layout import Alignment, TypeLayout
+from zbot.wire.cdr.alignment import Alignment, TypeLayout
 from zbot.wire.function_source import FunctionSource
 
 if TYPE_CHECKING:

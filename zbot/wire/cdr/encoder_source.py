@@ -1,6 +1,6 @@
 """Generator of the Python source that encodes the messages of a type as CDR.
 
-The generated function joins parts: packed runs (see `zbot.wire.cdr_source`), texts and arrays. Its
+The generated function joins parts: packed runs (see `zbot.wire.cdr.source`), texts and arrays. Its
 variable `p` is the number of bytes of all earlier parts, without the header. The source computes
 `p` only where a padding depends on `p`.
 """
@@ -11,14 +11,14 @@ from struct import Struct
 from typing import TYPE_CHECKING, Any
 
 from zbot.interfaces import get_interface, message_spec_of
-from zbot.wire.cdr_layout import COUNT_SIZE, START, UNIT_SIZE, Alignment
-from zbot.wire.cdr_source import Source, element
-from zbot.wire.codec import layout_of
-from zbot.wire.messagepack import ITEM_SIZE
+from zbot.wire.cdr.alignment import COUNT_SIZE, START, UNIT_SIZE, Alignment
+from zbot.wire.cdr.source import Source, element
+from zbot.wire.messagepack.codec import layout_of
+from zbot.wire.messagepack.packing import ITEM_SIZE
 
 if TYPE_CHECKING:
     from zbot.interfaces.spec import Field, FieldType
-    from zbot.wire.generator import Layout
+    from zbot.wire.messagepack.generator import Layout
 
 
 class EncoderSource(Source):

@@ -1,4 +1,4 @@
-"""Single values of MessagePack for the codecs that `zbot.wire.run_codec` generates.
+"""Readers of single values of MessagePack, for the generated decoders.
 
 Each reader returns a value and the position after it. It raises `UnusualError`, or an error of
 Python, if the bytes are not the value that zbot would send.

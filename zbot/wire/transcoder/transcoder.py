@@ -12,19 +12,21 @@ from collections.abc import Callable
 from typing import Any
 
 from zbot.interfaces import message_spec_of
-from zbot.wire import cdr_values, transcoder_values, value_check
-from zbot.wire.cdr import cdr_codec_for
-from zbot.wire.codec import codec_for
-from zbot.wire.messagepack import bin_header, ext_header, pack
-from zbot.wire.transcoder_source import MapReaderSource, MapWriterSource
-from zbot.wire.value_check import UNUSUAL_ERRORS
+from zbot.wire import validation
+from zbot.wire.cdr import values as cdr_values
+from zbot.wire.cdr.codec import cdr_codec_for
+from zbot.wire.messagepack.codec import codec_for
+from zbot.wire.messagepack.packing import bin_header, ext_header, pack
+from zbot.wire.transcoder import values as map_values
+from zbot.wire.transcoder.source import MapReaderSource, MapWriterSource
+from zbot.wire.validation import UNUSUAL_ERRORS
 
 __all__ = ["to_cdr", "to_messagepack"]
 
 _COMMON_NAMES: dict[str, Any] = {
-    **vars(value_check),
+    **vars(validation),
     **vars(cdr_values),
-    **vars(transcoder_values),
+    **vars(map_values),
     "HEADER": b"\x00\x01\x00\x00",
     "array": array,
     "pack": pack,

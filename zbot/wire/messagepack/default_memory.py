@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 from zbot.interfaces import get_spec
 from zbot.interfaces.default_size import DefaultSize, combined_size
 from zbot.interfaces.spec import MessageSpec
-from zbot.wire.value_check import Fault
+from zbot.wire.validation import Fault
 
 if TYPE_CHECKING:
     from zbot.interfaces.spec import Field

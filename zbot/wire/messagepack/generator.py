@@ -3,7 +3,7 @@
 A type has `encode(message)` and `decode(data)`. A type inside another type also has
 `to_map(message)` and `from_map(values)`. In the source of the outer type, these two functions have
 the names `pack_<type>` and `unpack_<type>`. The source tests each value inline. If a test fails,
-`zbot.wire.value_check` converts or rejects the value. `codec_for(T).source` is the source for T.
+`zbot.wire.validation` converts or rejects the value. `codec_for(T).source` is the source for T.
 """
 
 from __future__ import annotations
@@ -13,8 +13,8 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, NamedTuple
 
 from zbot.interfaces.spec import INTEGER_RANGES, Field, FieldType, MessageSpec
-from zbot.wire.default_memory import has_large_elements, large_element
-from zbot.wire.messagepack import BIG_ENDIAN, ITEM_SIZE, map_header
+from zbot.wire.messagepack.default_memory import has_large_elements, large_element
+from zbot.wire.messagepack.packing import BIG_ENDIAN, ITEM_SIZE, map_header
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping, Sequence

@@ -13,16 +13,16 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import zbot  # noqa: F401 - makes the messages importable
-from tests.unit.wire.reference_cdr import reference_cdr
+from tests.unit.wire.cdr.reference_cdr import reference_cdr
 from zbot.errors import ExternalShutdownException
 from zbot.interfaces import get_message
 from zbot.interfaces.errors import NotAMessageTypeError
 from zbot.interfaces.parser import parse
 from zbot.interfaces.registry import register_spec
 from zbot.wire import serialization
-from zbot.wire.cdr import cdr_codec_for
-from zbot.wire.codec import codec_for
+from zbot.wire.cdr.codec import cdr_codec_for
 from zbot.wire.errors import CodecError
+from zbot.wire.messagepack.codec import codec_for
 from zbot.wire.serialization import deserialize_message, is_cdr, serialize_message
 
 from example_interfaces.msg import WString
@@ -33,7 +33,7 @@ from std_srvs.srv import SetBool
 from test_msgs.msg import MultiNested
 
 #: Bytes of Fast CDR; its undefined padding is set to zero.
-VECTORS = json.loads((Path(__file__).parent / "cdr_vectors.json").read_text(encoding="utf-8"))
+VECTORS = json.loads((Path(__file__).parents[1] / "cdr_vectors.json").read_text(encoding="utf-8"))
 TYPES = [LaserScan, PoseStamped, String, UInt8MultiArray, Empty]
 
 

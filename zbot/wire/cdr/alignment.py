@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, NamedTuple
 
 from zbot.interfaces import get_interface, message_spec_of
-from zbot.wire.messagepack import ITEM_SIZE
+from zbot.wire.messagepack.packing import ITEM_SIZE
 
 if TYPE_CHECKING:
     from zbot.interfaces.spec import FieldType, MessageSpec

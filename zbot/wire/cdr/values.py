@@ -6,9 +6,9 @@ from array import array
 from struct import Struct, error, pack, unpack
 from typing import Any
 
-from zbot.wire.cdr_layout import UNIT_SIZE
-from zbot.wire.messagepack import BIG_ENDIAN
-from zbot.wire.value_check import Fault, numbers
+from zbot.wire.cdr.alignment import UNIT_SIZE
+from zbot.wire.messagepack.packing import BIG_ENDIAN
+from zbot.wire.validation import Fault, numbers
 
 FOUR_ZEROS = bytes(4)
 #: reason of a `Fault`

@@ -1,0 +1,1 @@
+"""CDR, the format of messages in ROS 2."""

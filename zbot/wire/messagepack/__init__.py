@@ -1,0 +1,1 @@
+"""MessagePack, the format of messages in zbot's own dialect."""

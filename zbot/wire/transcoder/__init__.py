@@ -1,0 +1,1 @@
+"""Conversion of messages from CDR to MessagePack and back, without message objects."""
