@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from tests.classroom.talk import HERE, Talk, answers, dialling, free_port, open_session
 from tests.conftest import Program, allowed, wait_until
-from zbot.classroom.hub_identity import dialled_identity
+from zbot.classroom.hub.identity import dialled_identity
 from zbot.classroom.keys import ADMISSION_KEY, COMMAND_KEY, here_key
 from zbot.security.access import LOBBY, LOBBY_SECRET, accepted_users, credentials
 from zbot.security.pin import PinClient

@@ -5,8 +5,8 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from zbot.classroom import background
 from zbot.classroom.errors import AlreadyJoinedError
+from zbot.classroom.hub import running_hub
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -18,19 +18,19 @@ def own_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_a_machine_has_one_hub() -> None:
-    with background.hub_lock():
-        background.write_state("student", ("tcp/127.0.0.1:1",), ())
-        found = background.find()
+    with running_hub.hub_lock():
+        running_hub.write_state("student", ("tcp/127.0.0.1:1",), ())
+        found = running_hub.find()
         assert found is not None
         assert found.role == "student"
         with pytest.raises(AlreadyJoinedError, match="has a hub already"):
             _run_another_hub()
-    assert background.find() is None
+    assert running_hub.find() is None
     _run_another_hub()
 
 
 def _run_another_hub() -> None:
-    with background.hub_lock():
+    with running_hub.hub_lock():
         return
 
 
@@ -39,7 +39,7 @@ def test_searching_for_a_hub_does_not_prevent_one_from_starting() -> None:
 
     def look() -> None:
         while not over.is_set():
-            background.find()
+            running_hub.find()
 
     looker = threading.Thread(target=look)
     looker.start()
@@ -50,5 +50,5 @@ def test_searching_for_a_hub_does_not_prevent_one_from_starting() -> None:
 
 
 def test_without_a_hub_there_is_nothing_to_stop() -> None:
-    assert background.find() is None
-    assert not background.stop()
+    assert running_hub.find() is None
+    assert not running_hub.stop()

@@ -10,7 +10,7 @@ from tests.classroom.attacked import PIN, Computer
 from tests.classroom.talk import accepts
 from tests.classroom.tls_relay import TlsRelay
 from tests.conftest import wait_until
-from zbot.classroom.address import own_addresses
+from zbot.classroom.hub.address import own_addresses
 from zbot.security.access import LOBBY, LOBBY_SECRET, credentials
 from zbot.security.keystore import Keystore
 

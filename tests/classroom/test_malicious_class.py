@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 from tests.classroom.talk import HERE, free_port, open_session
-from zbot.classroom.address import Address
-from zbot.classroom.admission import AdmissionRequest
-from zbot.classroom.enrolment import request_admission
 from zbot.classroom.errors import NoHubError, RefusedError
+from zbot.classroom.hub.address import Address
 from zbot.classroom.keys import ADMISSION_KEY
+from zbot.classroom.student.lobby import request_admission
+from zbot.classroom.teacher.join_service import AdmissionRequest
 from zbot.security.pin import PinMessageError, PinServer
 from zbot.security.secret import Secret
 

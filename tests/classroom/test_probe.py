@@ -8,10 +8,10 @@ import pytest
 
 from tests.classroom.talk import free_port
 from tests.conftest import allowed
-from zbot.classroom import probe
-from zbot.classroom.address import Address
 from zbot.classroom.errors import AddressError, ClosedPortError
-from zbot.classroom.probe import first_reachable
+from zbot.classroom.hub import probe
+from zbot.classroom.hub.address import Address
+from zbot.classroom.hub.probe import first_reachable
 
 
 def test_an_open_port_answers() -> None:

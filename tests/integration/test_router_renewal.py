@@ -12,8 +12,8 @@ import pytest
 import zbot
 from tests.cli.command import zbot as zbot_command
 from tests.conftest import allowed, wait_until
-from zbot.classroom.hub import HubSettings, open_router
-from zbot.classroom.hub_process import HubProcess
+from zbot.classroom.hub.process import HubProcess
+from zbot.classroom.hub.router import HubSettings, open_router
 from zbot.transport import __main__ as router_program
 from zbot.transport import background_process, membership, router_process, router_renewal
 

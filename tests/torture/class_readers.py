@@ -10,18 +10,18 @@ from typing import Any
 import zenoh
 
 from tests.torture.reader import FOLDER, Reader, file_with, json_bytes, text_of
-from zbot.classroom import class_record
-from zbot.classroom.address import Address, parse_address
-from zbot.classroom.admission import AdmissionService
-from zbot.classroom.attendance import Attendance
-from zbot.classroom.class_record import ClassRecord, RecordError, load_record
-from zbot.classroom.enrolment import membership_from
 from zbot.classroom.errors import AddressError, CodeError
-from zbot.classroom.expectation import ExpectationError, parse_expectations
-from zbot.classroom.hub_queries import document_of
+from zbot.classroom.hub.address import Address, parse_address
+from zbot.classroom.hub.queries import document_of
 from zbot.classroom.join_code import decode
-from zbot.classroom.register import Register, RosterError, read_roster
-from zbot.classroom.robots import driver_in
+from zbot.classroom.student.lobby import membership_from
+from zbot.classroom.teacher import class_record
+from zbot.classroom.teacher.class_record import ClassRecord, RecordError, load_record
+from zbot.classroom.teacher.expectation import ExpectationError, parse_expectations
+from zbot.classroom.teacher.join_service import AdmissionService
+from zbot.classroom.teacher.laptops import Attendance
+from zbot.classroom.teacher.robots import driver_in
+from zbot.classroom.teacher.student_list import Register, RosterError, read_roster
 from zbot.json_reader import JsonError, read_json_object
 from zbot.log.teacher_notice import notice_text
 from zbot.security.certificate import facts
@@ -101,7 +101,7 @@ _CHALLENGE = _PIN_SERVER.challenge(_HELLO.hello())
 CLASS_READERS = (
     Reader(
         "robot_driver",
-        ("zbot.classroom.robots",),
+        ("zbot.classroom.teacher.robots",),
         lambda data: driver_in(document_of(zenoh.ZBytes(data)), "robot"),
         (),
         (b'{"drivers": {"robot": 17}}', b'{"drivers": {"robot": true}}', b'{"drivers": [17]}'),
@@ -115,14 +115,14 @@ CLASS_READERS = (
     ),
     Reader(
         "hub_document",
-        ("zbot.classroom.hub_queries",),
+        ("zbot.classroom.hub.queries",),
         lambda data: document_of(zenoh.ZBytes(data)),
         (),
         (b'{"op": "hello"}', b"[" * 9000),
     ),
     Reader(
         "admission",
-        ("zbot.classroom.admission",),
+        ("zbot.classroom.teacher.join_service",),
         _admission,
         (),
         (
@@ -133,7 +133,7 @@ CLASS_READERS = (
     ),
     Reader(
         "attendance",
-        ("zbot.classroom.attendance",),
+        ("zbot.classroom.teacher.laptops",),
         _attendance,
         (),
         (
@@ -149,7 +149,7 @@ CLASS_READERS = (
     ),
     Reader(
         "class_membership",
-        ("zbot.classroom.enrolment",),
+        ("zbot.classroom.student.lobby",),
         lambda data: membership_from(_ADDRESS, document_of(zenoh.ZBytes(data))),
         (KeyError, TypeError, ValueError),
         (
@@ -190,14 +190,14 @@ CLASS_READERS = (
     ),
     Reader(
         "hub_address",
-        ("zbot.classroom.address",),
+        ("zbot.classroom.hub.address",),
         lambda data: parse_address(text_of(data)),
         (AddressError,),
         (b"192.168.1.10:7447", b"[fe80::1]:7447", b"teacher.local"),
     ),
     Reader(
         "expectation",
-        ("zbot.classroom.expectation",),
+        ("zbot.classroom.teacher.expectation",),
         lambda data: parse_expectations(text_of(data)),
         (ExpectationError,),
         (
@@ -207,7 +207,7 @@ CLASS_READERS = (
     ),
     Reader(
         "roster",
-        ("zbot.classroom.register",),
+        ("zbot.classroom.teacher.student_list",),
         lambda data: read_roster(text_of(data)),
         (RosterError,),
         (b'number,name\n1,Ana\n2,"B"\n', b"5;Eve\n"),
@@ -221,7 +221,7 @@ CLASS_READERS = (
     ),
     Reader(
         "class_file",
-        ("zbot.classroom.class_record",),
+        ("zbot.classroom.teacher.class_record",),
         _saved(class_record.record_path().name, load_record),
         (RecordError,),
         (_record(), b"{}"),

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import sys
 
-from zbot.classroom import background
 from zbot.classroom.errors import NotJoinedError
-from zbot.classroom.student import run_student
-from zbot.classroom.teacher import run_teacher
+from zbot.classroom.hub import running_hub
+from zbot.classroom.student.joining import run_student
+from zbot.classroom.teacher.opening import run_teacher
 from zbot.errors import ZbotError
 from zbot.transport import membership
 
@@ -23,7 +23,7 @@ def main() -> int:
         if joined is None:
             raise NotJoinedError
         run = run_teacher if joined.role == "teacher" else run_student
-        run(joined, background.report_ready)
+        run(joined, running_hub.report_ready)
     except ZbotError as error:
         print(error, flush=True)
         return 1

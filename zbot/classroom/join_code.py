@@ -13,8 +13,8 @@ import ipaddress
 import re
 from typing import TYPE_CHECKING
 
-from zbot.classroom.address import Address
 from zbot.classroom.errors import AddressError, CodeError
+from zbot.classroom.hub.address import Address
 from zbot.transport.config import HUB_PORT
 
 if TYPE_CHECKING:

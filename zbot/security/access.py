@@ -3,7 +3,7 @@
 The functions return paths and values of Zenoh's configuration, in the form that
 `SessionConfig.build` takes. The rules use Zenoh's access control and allow nothing by default. They
 identify a student by the user name with which the laptop's hub logs in. So a student's programs
-cannot act as another user. `zbot.classroom.accepted_identities` adds the id of the laptop's hub.
+cannot act as another user. The room `zbot.classroom` adds the id of the laptop's hub.
 
 A class has these key spaces. `<n>` is the student's domain:
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from nicegui import ui
 
 if TYPE_CHECKING:
-    from zbot.classroom.invitation import Invitation
+    from zbot.classroom.teacher.invitation import Invitation
     from zbot.web.panel import Page
 
 _QUIET_ZONE = 4  # white border of a QR code, in squares of the code (ISO/IEC 18004)

@@ -8,7 +8,7 @@ import socket
 import sys
 from typing import TYPE_CHECKING, Any
 
-from zbot.classroom.address import own_addresses
+from zbot.classroom.hub.address import own_addresses
 from zbot.errors import ZbotError
 from zbot.web.browser import open_page
 from zbot.web.page_address import address, is_loopback, origin_of

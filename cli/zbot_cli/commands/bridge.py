@@ -110,7 +110,7 @@ def rmw_zenoh(
 
 def _endpoint(address: str) -> str:
     """Return the Zenoh endpoint for an address: `robot`, `robot:7447` or `tcp/robot:7447`."""
-    from zbot.classroom.address import parse_address  # noqa: PLC0415 - not needed by `--help`
+    from zbot.classroom.hub.address import parse_address  # noqa: PLC0415 - not needed by `--help`
 
     return address if not address or "/" in address else parse_address(address).endpoint
 

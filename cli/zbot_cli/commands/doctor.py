@@ -248,7 +248,7 @@ def _clock() -> Finding:
 
 
 def _class() -> Finding:
-    from zbot.classroom.state import present_state  # noqa: PLC0415 - not needed by `--help`
+    from zbot.classroom.machine_state import present_state  # noqa: PLC0415 - not needed by `--help`
 
     state = present_state()
     if state["role"] is None:
@@ -267,7 +267,7 @@ def _class() -> Finding:
 
 
 def _visibility() -> Finding:
-    from zbot.classroom.visibility import settled  # noqa: PLC0415 - not needed by `--help`
+    from zbot.classroom.student.visibility import settled  # noqa: PLC0415 - not needed by `--help`
 
     found = settled()
     if found is None:

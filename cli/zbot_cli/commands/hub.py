@@ -47,14 +47,14 @@ def hub(
     if os.environ.get(RMW_VARIABLE) == RMW_ZENOH:
         _serve_ros2(listen, connect, keystore)
         return
-    from zbot.classroom.address import (  # noqa: PLC0415 - not needed by `--help`
+    from zbot.classroom.hub.address import (  # noqa: PLC0415 - not needed by `--help`
         EVERYWHERE,
         own_addresses,
         parse_address,
     )
-    from zbot.classroom.hub import HubSettings  # noqa: PLC0415 - as above
-    from zbot.classroom.hub_process import serve  # noqa: PLC0415 - as above
-    from zbot.classroom.link import Link  # noqa: PLC0415 - as above
+    from zbot.classroom.hub.link import Link  # noqa: PLC0415 - as above
+    from zbot.classroom.hub.process import serve  # noqa: PLC0415 - as above
+    from zbot.classroom.hub.router import HubSettings  # noqa: PLC0415 - as above
 
     addresses = [parse_address(word) for word in listen or [EVERYWHERE]]
     dialled = [parse_address(word) for word in connect or []]
@@ -84,8 +84,8 @@ def hub(
 
 
 def _serve_ros2(listen: list[str] | None, connect: list[str] | None, keystore: Path | None) -> None:
-    from zbot.classroom.address import parse_address  # noqa: PLC0415 - not needed by `--help`
-    from zbot.classroom.hub_process import serve_session  # noqa: PLC0415 - as above
+    from zbot.classroom.hub.address import parse_address  # noqa: PLC0415 - not needed by `--help`
+    from zbot.classroom.hub.process import serve_session  # noqa: PLC0415 - as above
     from zbot.transport.rmw_meeting import RmwRouter  # noqa: PLC0415 - as above
 
     if keystore is not None:

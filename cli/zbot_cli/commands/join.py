@@ -39,7 +39,7 @@ def join(
 
     Without a code or an address, start the hub of this machine again, e.g. after a restart.
     """
-    from zbot.classroom import student  # noqa: PLC0415 - not needed by `--help`
+    from zbot.classroom.student import joining  # noqa: PLC0415 - not needed by `--help`
     from zbot_cli.commands.status import namesakes_text  # noqa: PLC0415 - as above
     from zbot_cli.domain.client import print_programs_outside  # noqa: PLC0415 - as above
 
@@ -48,7 +48,7 @@ def join(
             raise typer.BadParameter("type the teacher's code, or an address, before the options")
         _resume()
         return
-    joined, namesakes = student.join(
+    joined, namesakes = joining.join(
         target,
         name=name,
         number=number,
@@ -70,11 +70,11 @@ def join(
 
 def _resume() -> None:
     """Start the hub of this machine again, and print what `zbot status` prints."""
-    from zbot.classroom import student  # noqa: PLC0415 - not needed by `--help`
-    from zbot.classroom.state import present_state  # noqa: PLC0415 - as above
+    from zbot.classroom.machine_state import present_state  # noqa: PLC0415 - as above
+    from zbot.classroom.student import joining  # noqa: PLC0415 - not needed by `--help`
     from zbot_cli.commands.status import lines  # noqa: PLC0415 - as above
 
-    student.resume()
+    joining.resume()
     state = present_state()
     print("\n".join(lines(state)))
     if not state["linked"]:

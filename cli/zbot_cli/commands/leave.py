@@ -20,14 +20,14 @@ def leave(
     ] = False,
 ) -> None:
     """Leave the class or the other machine."""
-    from zbot.classroom import student  # noqa: PLC0415 - not needed by `--help`
     from zbot.classroom.errors import NotJoinedError  # noqa: PLC0415 - as above
+    from zbot.classroom.student import joining  # noqa: PLC0415 - not needed by `--help`
     from zbot_cli.domain.client import print_programs_outside  # noqa: PLC0415 - as above
 
     if not (yes or _may_close()):
         print("the class stays open")
         raise typer.Exit(Status.ERROR)
-    left = student.leave()
+    left = joining.leave()
     if left is None:
         raise NotJoinedError
     former = left.membership

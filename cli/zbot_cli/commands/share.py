@@ -25,7 +25,7 @@ def share(
     stop: Annotated[bool, typer.Option("--stop", help="Undo an earlier `zbot share`")] = False,
 ) -> None:
     """Let one student read another's topics, or let everybody publish in /class/."""
-    from zbot.classroom.teacher import command  # noqa: PLC0415 - not needed by `--help`
+    from zbot.classroom.teacher.opening import command  # noqa: PLC0415 - not needed by `--help`
 
     if owner == "class":
         command({"op": "open", "on": not stop})

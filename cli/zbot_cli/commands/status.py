@@ -13,7 +13,7 @@ app = new_app("Show the class or the other machine", has_verbs=False)
 @app.command()
 def status(as_json: AsJson = False) -> None:
     """Show the class or machine that was joined, and whether this machine is linked."""
-    from zbot.classroom.state import present_state  # noqa: PLC0415 - not needed by `--help`
+    from zbot.classroom.machine_state import present_state  # noqa: PLC0415 - not needed by `--help`
 
     state = present_state()
     print_json(state) if as_json else print("\n".join(lines(state)))

@@ -17,7 +17,7 @@ from tests.classroom.attacks.conftest import claimed, is_plain
 from tests.classroom.talk import HERE, answers, dialling
 from tests.conftest import allowed, wait_until
 from zbot.classroom.keys import NOTICES_KEY, facts_key, here_key
-from zbot.classroom.running_nodes import MAX_LISTED
+from zbot.classroom.teacher.running_nodes import MAX_LISTED
 from zbot.security.access import MAX_MESSAGE_SIZE
 
 

@@ -9,7 +9,7 @@ import pytest
 from tests.conftest import wait_until
 from tests.integration.conftest import lines_about
 from tests.integration.rmw.ros2_node import STRING, Ros2Node, string, text_of
-from zbot.classroom.address import own_addresses
+from zbot.classroom.hub.address import own_addresses
 from zbot.interfaces import type_hash
 from zbot.transport.config import MEETING_PORT
 from zbot.transport.errors import NoRouterError, RouterAttemptsError

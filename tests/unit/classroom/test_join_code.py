@@ -4,8 +4,8 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from zbot.classroom.address import Address
 from zbot.classroom.errors import AddressError, CodeError
+from zbot.classroom.hub.address import Address
 from zbot.classroom.join_code import PORTS, decode, long_code, looks_like_code, short_code
 
 if TYPE_CHECKING:

@@ -317,7 +317,7 @@ def test_any_text_can_be_a_pin(pin: str) -> None:
 
 
 def test_only_an_exchange_imports_the_libraries() -> None:
-    program = "import sys, zbot, zbot.classroom.student, zbot_cli.main\n"
+    program = "import sys, zbot, zbot.classroom.student.joining, zbot_cli.main\n"
     program += "print([name for name in sys.modules if name in {'spake2', 'cryptography'}])"
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, check=True)
     assert done.stdout.split() == [b"[]"]

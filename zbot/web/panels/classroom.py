@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 from nicegui import background_tasks, run, ui
 
-from zbot.classroom import teacher
-from zbot.classroom.invitation import Invitation, invitation
+from zbot.classroom.teacher import opening
+from zbot.classroom.teacher.invitation import Invitation, invitation
 from zbot.errors import ZbotError
 from zbot.graph.diagram import draw
 from zbot.graph.snapshot import Snapshot
@@ -150,8 +150,8 @@ class _Class:
 
 
 def _look(chosen: int | None) -> tuple[Student, Snapshot, Invitation]:
-    found = teacher.command({"op": "list"})
-    snapshot = teacher.graph_of(chosen) if chosen is not None else Snapshot(())
+    found = opening.command({"op": "list"})
+    snapshot = opening.graph_of(chosen) if chosen is not None else Snapshot(())
     return found, snapshot, invitation()
 
 

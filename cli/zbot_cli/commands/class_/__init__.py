@@ -14,7 +14,7 @@ from zbot_cli.output.exit_status import Status
 from zbot_cli.output.listing import AsJson, new_app, print_json
 
 if TYPE_CHECKING:
-    from zbot.classroom.invitation import Invitation
+    from zbot.classroom.teacher.invitation import Invitation
     from zbot_cli.commands.class_.robot import RobotSpec
 
 app = new_app("Start and manage a class")
@@ -57,14 +57,14 @@ def start(
     as_json: AsJson = False,
 ) -> None:
     """Start a class, or show its join code."""
-    from zbot.classroom import teacher  # noqa: PLC0415 - not needed by `--help`
-    from zbot.classroom.invitation import invitation_to  # noqa: PLC0415 - as above
-    from zbot.classroom.register import clean_name, load_roster  # noqa: PLC0415 - as above
+    from zbot.classroom.teacher import opening  # noqa: PLC0415 - not needed by `--help`
+    from zbot.classroom.teacher.invitation import invitation_to  # noqa: PLC0415 - as above
+    from zbot.classroom.teacher.student_list import clean_name, load_roster  # noqa: PLC0415 - as above
     from zbot_cli.domain.client import print_programs_outside  # noqa: PLC0415 - as above
 
     robots = _robots(robot or [])
-    opened, record = teacher.start(
-        teacher.ClassOptions(
+    opened, record = opening.start(
+        opening.ClassOptions(
             name=clean_name(name) if name else None,
             port=port,
             with_pin=pin,
@@ -121,7 +121,7 @@ def give(
 
     On a terminal, any key takes the robot back.
     """
-    from zbot.classroom.teacher import command  # noqa: PLC0415 - not needed by `--help`
+    from zbot.classroom.teacher.opening import command  # noqa: PLC0415 - not needed by `--help`
 
     told = command({"op": "give", "number": number, "robot": robot})
     robot_module().until_key(told, lambda: command({"op": "give", "robot": robot}))
@@ -132,7 +132,7 @@ def take(
     robot: Annotated[str, typer.Argument(help="Name of the robot")] = "robot",
 ) -> None:
     """Stop the robot, and let nobody drive it."""
-    from zbot.classroom.teacher import command  # noqa: PLC0415 - not needed by `--help`
+    from zbot.classroom.teacher.opening import command  # noqa: PLC0415 - not needed by `--help`
 
     command({"op": "give", "robot": robot})
     print(f"nobody drives {robot}")
@@ -151,8 +151,8 @@ def _join_text(invitation: Invitation) -> str:
 @app.command("list")
 def list_students(as_json: AsJson = False) -> None:
     """List the students and their machines."""
-    from zbot.classroom.invitation import invitation  # noqa: PLC0415 - not needed by `--help`
-    from zbot.classroom.teacher import command  # noqa: PLC0415 - as above
+    from zbot.classroom.teacher.invitation import invitation  # noqa: PLC0415 - not needed by `--help`
+    from zbot.classroom.teacher.opening import command  # noqa: PLC0415 - as above
 
     found = command({"op": "list"})
     invited = invitation()
@@ -185,8 +185,8 @@ def check(
     as_json: AsJson = False,
 ) -> None:
     """Check the programs of all students."""
-    from zbot.classroom.expectation import parse_expectations  # noqa: PLC0415 - not needed by `--help`
-    from zbot.classroom.teacher import check_class  # noqa: PLC0415 - as above
+    from zbot.classroom.teacher.expectation import parse_expectations  # noqa: PLC0415 - not needed by `--help`
+    from zbot.classroom.teacher.opening import check_class  # noqa: PLC0415 - as above
 
     expectations = parse_expectations(expected)
     if bags:
@@ -234,7 +234,7 @@ def record(
 @app.command("say")
 def say(text: Annotated[list[str], typer.Argument(help="Text of the message")]) -> None:
     """Send a message to all students."""
-    from zbot.classroom.teacher import command  # noqa: PLC0415 - not needed by `--help`
+    from zbot.classroom.teacher.opening import command  # noqa: PLC0415 - not needed by `--help`
 
     heard = command({"op": "say", "text": " ".join(text)})["heard"]
     print(f"sent to {heard} student{'' if heard == 1 else 's'}")
@@ -245,7 +245,7 @@ def free(
     number: Annotated[int, typer.Argument(min=1, max=232, help="Number of a student")],
 ) -> None:
     """Free a student's number for another laptop."""
-    from zbot.classroom.teacher import command  # noqa: PLC0415 - not needed by `--help`
+    from zbot.classroom.teacher.opening import command  # noqa: PLC0415 - not needed by `--help`
 
     freed = command({"op": "free", "number": number})
     was = "was connected, and is out of the class now" if freed["here"] else "was not connected"
@@ -264,9 +264,9 @@ def begin_next_period(
 
     All numbers are free then. The code and the PIN stay.
     """
-    from zbot.classroom.invitation import invitation  # noqa: PLC0415 - not needed by `--help`
-    from zbot.classroom.register import load_roster  # noqa: PLC0415 - as above
-    from zbot.classroom.teacher import command  # noqa: PLC0415 - as above
+    from zbot.classroom.teacher.invitation import invitation  # noqa: PLC0415 - not needed by `--help`
+    from zbot.classroom.teacher.opening import command  # noqa: PLC0415 - as above
+    from zbot.classroom.teacher.student_list import load_roster  # noqa: PLC0415 - as above
 
     expected = load_roster(students) if students else None
     freed = command({"op": "next", "expected": expected})["freed"]
@@ -285,8 +285,8 @@ def begin_next_period(
 @app.command("stop")
 def stop() -> None:
     """Stop the class."""
-    from zbot.classroom import teacher  # noqa: PLC0415 - not needed by `--help`
+    from zbot.classroom.teacher import opening  # noqa: PLC0415 - not needed by `--help`
     from zbot_cli.domain.client import print_programs_outside  # noqa: PLC0415 - as above
 
-    print(f'Class "{teacher.stop().class_name}" is closed')
+    print(f'Class "{opening.stop().class_name}" is closed')
     print_programs_outside()

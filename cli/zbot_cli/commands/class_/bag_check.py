@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 from zbot.bag.description import is_service_event, service_name
 from zbot.bag.reader import Reader
-from zbot.classroom.class_check import Verdict
 from zbot.classroom.errors import ClassroomError
+from zbot.classroom.teacher.class_check import Verdict
 from zbot.time import S_TO_NS
 from zbot.wire.tokens import EntityKind
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from collections.abc import Collection, Sequence
     from pathlib import Path
 
-    from zbot.classroom.expectation import Expectation
+    from zbot.classroom.teacher.expectation import Expectation
     from zbot.graph.snapshot import NamesAndTypes
     from zbot.wire.tokens import NodeToken
 

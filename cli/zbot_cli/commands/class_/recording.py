@@ -15,7 +15,7 @@ from zbot.bag.errors import BagExistsError, BagWriteError
 from zbot.bag.packages import import_mcap
 from zbot.bag.selection import Selection
 from zbot.classroom.errors import ClassroomError
-from zbot.classroom.teacher import command
+from zbot.classroom.teacher.opening import command
 from zbot.process.signals import SignalHandlerOptions, install
 from zbot.terminal.text import escape_control_characters
 from zbot_cli.commands.class_.bag_check import NAME_KEY, NUMBER_KEY

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from zbot.bridge.rclpy_import import import_rclpy
-from zbot.classroom.background import READY, report_ready
+from zbot.classroom.hub.running_hub import READY, report_ready
 from zbot.errors import ZbotError
 from zbot.security.secret import make_private_folder
 from zbot.transport import background_process, membership
@@ -102,7 +102,7 @@ def run(robot: RobotSpec, rates: list[str]) -> None:
     """Run a robot's bridge until the class is closed."""
     from zbot.bridge.bridge import BridgeOptions, run_dds  # noqa: PLC0415 - in the background only
     from zbot.bridge.selection import Selection, read_rate  # noqa: PLC0415 - as above
-    from zbot.classroom.robot_gate import RobotGate  # noqa: PLC0415 - as above
+    from zbot.classroom.teacher.driver_filter import RobotGate  # noqa: PLC0415 - as above
 
     def make_gate(context: Context, stop: Callable[[], None], end: Callable[[], None]) -> RobotGate:
         return RobotGate(context, robot.name, stop, end)

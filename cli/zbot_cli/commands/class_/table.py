@@ -6,7 +6,7 @@ import time
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from zbot.classroom.invitation import Invitation
+    from zbot.classroom.teacher.invitation import Invitation
 
 _HEADINGS = ("", "name", "host", "nodes", "clock", "version", "")
 _SECONDS = {"s": 60.0, "min": 60.0, "h": 24.0, "d": float("inf")}

@@ -1,0 +1,54 @@
+"""Tests of the gate between a class and its robot."""
+
+from __future__ import annotations
+
+import threading
+from types import SimpleNamespace
+from typing import TYPE_CHECKING, Any
+
+import zenoh
+
+from tests.conftest import wait_until
+from zbot.classroom.teacher import driver_filter
+from zbot.classroom.teacher.driver_filter import RobotGate
+
+if TYPE_CHECKING:
+    import pytest
+
+
+def test_a_question_that_fails_does_not_end_the_gate(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked: list[float] = []
+    is_closed = threading.Event()
+
+    def ask(*_: Any, timeout_s: float) -> list[Any]:
+        asked.append(timeout_s)
+        raise zenoh.ZError("the link broke")
+
+    teacher = SimpleNamespace(load=lambda: SimpleNamespace(role="teacher"))
+    monkeypatch.setattr(driver_filter, "membership", teacher)
+    monkeypatch.setattr(driver_filter, "ask", ask)
+    monkeypatch.setattr(driver_filter, "_ASK_S", 0.001)
+    monkeypatch.setattr(driver_filter, "_LOST_S", 0.0)
+
+    class Context:
+        session = SimpleNamespace(declare_subscriber=lambda *_: None)
+
+        @property
+        def is_closed(self) -> bool:
+            return is_closed.is_set()
+
+        @staticmethod
+        def receiver(function: Any) -> Any:
+            return function
+
+    stops: list[str] = []
+    context: Any = Context()
+    gate = RobotGate(context, "arm", lambda: stops.append("stop"), lambda: stops.append("end"))
+    gate.driver, gate._sessions = 17, {"ab"}  # as if a student drove
+    gate.start()
+    assert wait_until(lambda: len(asked) > 3)
+    assert wait_until(lambda: stops == ["stop"])
+    assert gate.driver is None
+    is_closed.set()
+    assert wait_until(lambda: not gate._thread.is_alive())
+    gate.close()

@@ -1,0 +1,1 @@
+"""Hub of a machine: a Zenoh router of its own, and the process that runs it."""

@@ -1,0 +1,181 @@
+"""Process of a hub. It takes the lock, opens the session, and closes the session on a signal."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import signal
+import socket
+import sys
+import threading
+import time
+from typing import TYPE_CHECKING, Any
+
+from zbot.classroom.hub import running_hub
+from zbot.classroom.hub.queries import HubQueries
+from zbot.classroom.hub.router import HubSettings, dialled_links, open_router
+from zbot.classroom.keys import HUB_KEY
+from zbot.transport.router_renewal import RouterRenewal
+from zbot.version import __version__
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+
+    import zenoh
+
+_JOIN_TIMEOUT_S = 2.0
+# Other routers need up to 0.1 s to note that their links to this hub are lost. Before that, they
+# would not repeat their declarations on new links (see `link_check`).
+_REOPENING_PAUSE_S = 0.3
+# On Windows, Ctrl-C does not interrupt a wait without a timeout.
+_WAIT_S = 0.5 if sys.platform == "win32" else None
+
+
+class HubProcess:
+    """Hub with an open session.
+
+    Args:
+        session: The router's session.
+        settings: The endpoints and Zenoh settings of the session.
+        reopen: Function that closes the hub and opens it with new settings.
+    """
+
+    def __init__(
+        self, session: zenoh.Session, settings: HubSettings, reopen: Callable[[], None]
+    ) -> None:
+        self.session = session
+        self.reopen = reopen
+        self._settings = settings
+        self._threads: list[threading.Thread] = []
+        self._queries: list[HubQueries] = []
+        self._ends: list[Callable[[], None]] = []
+        #: Functions that return further facts for `zbot status`. The keys are names of facts.
+        self.extra_facts: dict[str, Callable[[], Any]] = {}
+        self._renewal = RouterRenewal(session, reopen)
+        self.answer_queries(f"{HUB_KEY}/{os.getpid()}", self._facts)
+        self.answer_queries(f"{HUB_KEY}/{os.getpid()}/link", lambda _question: {})
+
+    def answer_queries(
+        self, key: str, answer: Callable[[dict[str, Any]], dict[str, Any] | None]
+    ) -> None:
+        """Answer queries on a key while the hub is open."""
+        queries = HubQueries(self.session, key, answer)
+        self._queries.append(queries)
+        self.join_on_close(queries.thread)
+
+    def join_on_close(self, thread: threading.Thread) -> None:
+        """Let `close` wait for a thread that ends when the session is closed."""
+        self._threads.append(thread)
+
+    def call_on_close(self, end: Callable[[], None]) -> None:
+        """Let `close` call a function before it closes the session."""
+        self._ends.append(end)
+
+    def is_linked(self) -> bool:
+        """Return whether this hub has a link to the hub that it dials."""
+        return bool(dialled_links(self.session, self._settings))
+
+    def _facts(self, _question: dict[str, Any]) -> dict[str, Any]:
+        return {
+            "pid": os.getpid(),
+            "host": socket.gethostname(),
+            "version": __version__,
+            "linked": self.is_linked(),
+            **{name: find() for name, find in self.extra_facts.items()},
+        }
+
+    def close(self) -> None:
+        """Finish the query in progress, close the session, then wait for the threads."""
+        for end in self._ends:
+            end()
+        for queries in self._queries:
+            queries.finish()
+        self.session.close()
+        self._renewal.end()
+        for thread in self._threads:
+            thread.join(_JOIN_TIMEOUT_S)
+
+
+class _Signals:
+    """Events that the process waits for: a signal to end, or a request to reopen the hub."""
+
+    def __init__(self) -> None:
+        self.is_over = False
+        self._happened = threading.Event()
+
+    def reopen(self) -> None:
+        self._happened.set()
+
+    def end(self, _number: int, _frame: Any) -> None:
+        self.is_over = True
+        self._happened.set()
+
+    def wait(self) -> None:
+        while not self._happened.wait(_WAIT_S):
+            continue
+        self._happened.clear()
+
+
+@contextlib.contextmanager
+def _signals() -> Iterator[_Signals]:
+    """Yield the events that SIGTERM and SIGINT set. Restore the former handlers afterwards."""
+    caught = _Signals()
+    numbers = (signal.SIGTERM, signal.SIGINT)
+    before = {number: signal.signal(number, caught.end) for number in numbers}
+    try:
+        yield caught
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
+
+
+def serve(
+    role: str,
+    settings: Callable[[], HubSettings],
+    on_ready: Callable[[], None],
+    attach: Callable[[HubProcess], None] | None = None,
+) -> None:
+    """Run this machine's hub until SIGTERM or SIGINT.
+
+    Args:
+        role: Shown by `zbot status`.
+        settings: Returns the hub's settings. It is called each time that the hub is opened.
+        on_ready: Called once, when nodes and other hubs can connect.
+        attach: Adds the parts that this role needs. It is called each time that the hub is opened.
+
+    Raises:
+        AlreadyJoinedError: This machine runs a hub already.
+        HubPortError: Another program uses the port.
+    """
+    with running_hub.hub_lock(), _signals() as signals:
+        report = on_ready
+        while not signals.is_over:
+            present = settings()
+            serving = HubProcess(open_router(present), present, signals.reopen)
+            try:
+                if attach is not None:
+                    attach(serving)
+                running_hub.write_state(role, present.listen, present.connect)
+                report()
+                signals.wait()
+            finally:
+                serving.close()
+            report = _do_nothing
+            if not signals.is_over:
+                time.sleep(_REOPENING_PAUSE_S)
+
+
+def serve_session(open_session: Callable[[], zenoh.Session], on_ready: Callable[[], None]) -> None:
+    """Keep a session open until SIGTERM or SIGINT.
+
+    Args:
+        open_session: Opens the session.
+        on_ready: Called when the session is open.
+    """
+    with _signals() as signals, open_session():
+        on_ready()
+        signals.wait()
+
+
+def _do_nothing() -> None:
+    """Take the place of `on_ready` when the hub is reopened."""

@@ -1,0 +1,297 @@
+"""Student's side of a class: functions to join and leave it, and to run the laptop's hub."""
+
+from __future__ import annotations
+
+import contextlib
+import functools
+import secrets
+import socket
+import time
+from dataclasses import replace
+from typing import TYPE_CHECKING, NamedTuple
+
+from zbot.classroom.errors import (
+    AlreadyJoinedError,
+    NotJoinedError,
+    OtherClassError,
+    RefusedError,
+    UnlinkedError,
+)
+from zbot.classroom.hub import running_hub
+from zbot.classroom.hub.address import Address, own_addresses, parse_address
+from zbot.classroom.hub.link import Link
+from zbot.classroom.hub.probe import first_reachable
+from zbot.classroom.hub.process import serve
+from zbot.classroom.hub.router import HubSettings
+from zbot.classroom.join_code import decode, looks_like_code
+from zbot.classroom.machine_state import hub_facts, is_accepted
+from zbot.classroom.student.laptop_report import Presence
+from zbot.classroom.student.link_check import LinkCheck
+from zbot.classroom.student.lobby import release, request_admission
+from zbot.classroom.teacher import opening
+from zbot.classroom.teacher.join_service import AdmissionRequest
+from zbot.security.secret import make_private_folder, write_private
+from zbot.transport import membership
+from zbot.transport.config import domain_id, hub_port
+from zbot.transport.session import hub_endpoint
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+    from pathlib import Path
+
+    from zbot.classroom.hub.process import HubProcess
+    from zbot.classroom.student.lobby import AskPin
+    from zbot.transport.membership import Membership
+
+    AskName = Callable[[str, str], bool | None]
+
+_MACHINE_BYTES = 8
+_LINKED_S = 20.0  # a hub usually links within 0.3 s, but thirty hubs may start together
+_RESUMED_S = 3.0
+_LINK_PAUSE_S = 0.05
+_NOTICED_S = 5.0  # a hub notices within 4 s that a laptop is away
+_PAUSE_S = 0.5
+
+
+class Joined(NamedTuple):
+    """What `join` has joined."""
+
+    membership: Membership
+    namesakes: list[int]  #: numbers of other students who have the same name
+
+
+class Left(NamedTuple):
+    """What `leave` has left."""
+
+    membership: Membership
+    is_released: bool  #: whether the class knows that this machine has left
+
+
+def find_hub(target: str) -> Address:
+    """Connect to the hub that a code or an address means, and return the hub's address.
+
+    Raises:
+        CodeError: The code has a typing error.
+        AddressError: The address is invalid.
+        UnreachableHostError: No machine answers.
+        BlockedPortError: A machine answers, but its port is blocked.
+        ClosedPortError: A machine answers, but no program listens on its port.
+    """
+    if looks_like_code(target):
+        return first_reachable(decode(target, own_addresses()))
+    return first_reachable([parse_address(target)])
+
+
+def join(
+    target: str,
+    *,
+    name: str | None = None,
+    number: int | None = None,
+    is_new: bool = False,
+    keystore: Path | None = None,
+    ask_pin: AskPin = lambda _class_name: None,
+    ask_name: AskName = lambda _given, _known: None,
+) -> Joined:
+    """Join the class or hub at a code or address, and start a hub in the background.
+
+    The machine has joined when its hub is linked and the class has accepted it. If this fails, the
+    machine has joined nothing, and the class frees the number.
+
+    Args:
+        target: Code or address, as the teacher gives it.
+        name: The student's name.
+        number: The student's number. If it is `None`, the class chooses a number.
+        is_new: Whether the student is not in the teacher's list. If this is false and the list has
+            a similar name, `ask_name` is called.
+        keystore: Folder of this machine's certificate. `None` means plain TCP.
+        ask_pin: Takes the name of the class and returns its PIN, or `None` if it is unknown.
+        ask_name: Takes the given name and a similar name in the teacher's list. Returns whether the
+            similar name is meant, or `None` if nobody can be asked.
+
+    Returns:
+        The membership, and the students who have the same name.
+
+    Raises:
+        AlreadyJoinedError: This machine has joined a class or hub, or runs a hub.
+        ClassroomError: The hub cannot be found (see `find_hub`), or it refuses this machine
+            (see `request_admission`).
+        UnlinkedError: The hub admits this machine, but is not linked with it within 20 s.
+        SecurityError: This machine and the hub do not accept each other's certificates.
+    """
+    _check_not_joined()
+    link = Link.named(keystore)
+    address = find_hub(target)
+    certificate = link.check_dialling(address)
+    request = AdmissionRequest(machine_id(), socket.gethostname(), name, number, is_new)
+    pin = functools.cache(ask_pin)  # a student types the PIN once
+
+    def send(request: AdmissionRequest) -> Membership:
+        return request_admission(address, request, pin, link, certificate)
+
+    with _without_membership():
+        admitted = _admitted(request, send, ask_name)
+    admitted = replace(admitted, keystore=link.keystore, hub_port=hub_port())
+    try:
+        running_hub.stop()
+        membership.save(admitted, [(admitted.user, admitted.secret)])
+        running_hub.start(admitted.role)
+        namesakes = _linked_namesakes(admitted)
+    except BaseException:
+        leave()
+        raise
+    running_hub.end_router()
+    return Joined(admitted, namesakes)
+
+
+def _linked_namesakes(joined: Membership) -> list[int]:
+    """Wait until a class or hub has accepted this machine. Return the numbers of namesakes.
+
+    Raises:
+        UnlinkedError: This machine's hub was not linked in time.
+    """
+    deadline = time.monotonic() + _LINKED_S
+    while True:
+        hub = running_hub.find()
+        facts = hub_facts(hub.pid) if hub is not None else {}
+        if is_accepted(joined, facts):
+            return list((facts.get("of_class") or {}).get("namesakes") or [])
+        if hub is None or time.monotonic() > deadline:
+            raise UnlinkedError(joined.host, joined.port)
+        time.sleep(_LINK_PAUSE_S)
+
+
+def resume() -> None:
+    """Start this machine's hub again, e.g. after the machine was switched off.
+
+    Return as soon as the hub is linked with the class or hub that this machine has joined, or after
+    3 s. The hub goes on trying. Do nothing if the hub runs.
+
+    Raises:
+        NotJoinedError: This machine has not joined a class or hub.
+        OtherClassError: This machine has a class of its own.
+        HubStartError: The hub cannot be started.
+    """
+    joined = membership.load()
+    if joined is None:
+        raise NotJoinedError
+    if joined.role == "teacher":
+        raise OtherClassError(joined.class_name)
+    if running_hub.find() is None:
+        running_hub.start(joined.role)
+    deadline = time.monotonic() + _RESUMED_S
+    while time.monotonic() < deadline:
+        hub = running_hub.find()
+        if hub is None or is_accepted(joined, hub_facts(hub.pid)):
+            return
+        time.sleep(_LINK_PAUSE_S)
+
+
+def _admitted(
+    request: AdmissionRequest, send: Callable[[AdmissionRequest], Membership], ask_name: AskName
+) -> Membership:
+    """Send a request to the teacher's hub. After some refusals, send a changed request."""
+    deadline, known = time.monotonic() + _NOTICED_S, request.machine
+    while True:
+        try:
+            joined = send(request)
+        except RefusedError as refusal:
+            if refusal.kind == "similar" and not request.is_new:
+                is_meant = ask_name(request.name or "", refusal.known)
+                if is_meant is None:
+                    raise
+                name = refusal.known if is_meant else request.name
+                request = replace(request, name=name, is_new=True)
+            elif refusal.kind == "copied" and request.machine == known:
+                # The hub sees a connected laptop with the same id. This may be this laptop itself,
+                # if the hub has not noticed yet that it was away.
+                if time.monotonic() > deadline:
+                    request = replace(request, machine=secrets.token_hex(_MACHINE_BYTES))
+                time.sleep(_PAUSE_S)
+            else:
+                raise
+        else:
+            if request.machine != known:
+                _write_machine_id(request.machine)
+            return joined
+
+
+def _check_not_joined() -> None:
+    """Raise `AlreadyJoinedError` if this machine has opened or joined a class or runs a hub.
+
+    A joined class counts only while this machine's hub runs and is linked with the class.
+    """
+    present, hub = membership.load(), running_hub.find()
+    is_over = hub is None or not hub_facts(hub.pid).get("linked", False)
+    if present is not None and (present.role == "teacher" or not is_over):
+        raise AlreadyJoinedError(f"has joined {present.class_name or present.host}")
+    if present is None and hub is not None:
+        raise AlreadyJoinedError("runs a hub")
+
+
+@contextlib.contextmanager
+def _without_membership() -> Iterator[None]:
+    """Remove the membership at the start of a `with` block. Restore it if the block raises."""
+    present = membership.load()
+    membership.forget()
+    try:
+        yield
+    except BaseException:
+        if present is not None:
+            membership.save(present, [(present.user, present.secret)])
+        raise
+
+
+def machine_id() -> str:
+    """Return the identifier of this user's machine. It is random and stored in a file."""
+    try:
+        return (membership.folder() / "machine").read_text(encoding="utf-8").strip()
+    except FileNotFoundError:
+        made = secrets.token_hex(_MACHINE_BYTES)
+        _write_machine_id(made)
+        return made
+
+
+def _write_machine_id(machine: str) -> None:
+    make_private_folder(membership.folder())
+    write_private(membership.folder() / "machine", machine.encode())
+
+
+def leave() -> Left | None:
+    """End this machine's hub, remove the membership, and release the number.
+
+    On the teacher's machine, this closes the class.
+
+    Returns:
+        The former membership, or `None` if there was none.
+    """
+    try:
+        present = membership.load()
+    except membership.MembershipError:
+        present = None
+    if present is not None and present.role == "teacher":
+        return Left(opening.stop(), is_released=True)
+    running_hub.stop()
+    membership.forget()
+    running_hub.end_router()
+    if present is None:
+        return None
+    is_released = present.role != "student" or release(present)
+    return Left(present, is_released=is_released)
+
+
+def run_student(joined: Membership, on_ready: Callable[[], None]) -> None:
+    """Run the hub of a machine that has joined a class or hub, until SIGTERM or SIGINT."""
+    link, dialled = Link(joined.keystore), Address(joined.host, joined.port)
+    extra = link.settings
+    if joined.in_class:
+        extra |= {"id": joined.hub_id}
+    settings = HubSettings((hub_endpoint(),), (link.endpoint(dialled),), extra)
+    presence = Presence(joined) if joined.in_class else None
+    links = LinkCheck(domain_id(), presence.of_class if presence else None)
+
+    def attach(serving: HubProcess) -> None:
+        if presence is not None:
+            presence.attach(serving)
+        links.attach(serving)
+
+    serve(joined.role, lambda: settings, on_ready, attach)

@@ -1,0 +1,141 @@
+"""Check of the links of a machine's hub, to the domain's router and to the joined class or hub.
+
+A router of Zenoh may lose a link and get it back at once. If other links of the router have changed
+within the last 0.1 s, the router does not repeat its tokens, subscribers and queryables on the new
+link (docs/design/zenoh-faults.md). Then e.g. the class does not see a node until the link is opened
+again. This module finds out whether something is missing after a link was opened, and reopens the
+hub if so.
+"""
+
+from __future__ import annotations
+
+import os
+import queue
+import threading
+from typing import TYPE_CHECKING, Any
+
+import zenoh
+
+from zbot.classroom.hub.queries import ask
+from zbot.classroom.keys import HUB_KEY, nodes_selector
+from zbot.classroom.student.visibility import names_of
+from zbot.classroom.teacher.running_nodes import MAX_LISTED
+from zbot.log import get_logger
+from zbot.threads.foreign_call import called_by_zenoh
+from zbot.transport import admin_query
+from zbot.transport.config import MEETING_PORT
+from zbot.transport.session import LOOPBACK, open_hub_client
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from zbot.classroom.hub.process import HubProcess
+
+    #: Returns what the class tells this laptop, or `None` if the class does not answer.
+    OfClass = Callable[[], dict[str, Any] | None]
+
+# Declarations need a short time, so the links are checked when they have not changed for this time.
+_CALM_S = 1.0
+_TIMEOUT_S = 1.0
+# If reopening the hub does not help, something else may be wrong. So each wait is twice as long.
+_LONGEST_CALM_S = 600.0
+
+
+class LinkCheck:
+    """Check of the links of a hub, in a thread of its own. The thread sleeps while no link changes.
+
+    Args:
+        domain: The domain of this machine's programs.
+        of_class: Asks the class. `None` if the machine has joined a hub without a class.
+    """
+
+    def __init__(self, domain: int, of_class: OfClass | None) -> None:
+        self._domain = domain
+        self._of_class = of_class
+        self._reopenings = 0  # since the links were right the last time
+
+    def attach(self, serving: HubProcess) -> None:
+        """Begin to check the links of a hub that was opened, until it is closed."""
+        changes: queue.SimpleQueue[bool] = queue.SimpleQueue()  # `False` ends the thread
+
+        def on_event(event: Any) -> None:
+            if event.transport.whatami == zenoh.WhatAmI.ROUTER:
+                changes.put(True)
+
+        self._events = serving.session.info.declare_transport_events_listener(
+            called_by_zenoh(on_event), history=True
+        )
+        thread = threading.Thread(target=self._run, args=(serving, changes), daemon=True)
+        thread.start()
+        serving.call_on_close(lambda: changes.put(False))
+        serving.join_on_close(thread)
+
+    def _run(self, serving: HubProcess, changes: queue.SimpleQueue[bool]) -> None:
+        while changes.get():
+            calm_s = min(_CALM_S * 2**self._reopenings, _LONGEST_CALM_S)
+            if not _is_calm(changes, calm_s):
+                return
+            missing = self._missing(serving)
+            if missing and not _is_calm(changes, _CALM_S):
+                return
+            again = self._missing(serving) if missing else missing
+            if not again:
+                self._reopenings = 0
+            elif missing & again:
+                self._reopenings += 1
+                get_logger("hub").warning(f"reopening the hub: {', '.join(sorted(again))}")
+                serving.reopen()
+            else:
+                changes.put(True)  # e.g. nodes start and end at this moment
+
+    def _missing(self, serving: HubProcess) -> set[str]:
+        """Return what should be known across the links of a hub and is not."""
+        try:
+            return self._missing_now(serving)
+        except zenoh.ZError:  # the hub is being closed, or the router has ended
+            return set()
+
+    def _missing_now(self, serving: HubProcess) -> set[str]:
+        nodes, missing = self._missing_at_router(serving.session)
+        if self._of_class is None or not serving.is_linked():
+            return missing
+        told = self._of_class()
+        if told is None:
+            return missing | {"the class does not answer"}
+        seen = told.get("nodes")
+        if not isinstance(seen, list) or len(seen) >= MAX_LISTED:
+            return missing  # the class does not know this laptop, or does not list all nodes
+        if told.get("here") is False:
+            missing.add("the class does not see this laptop")
+        return missing | {f"the class does not see {name}" for name in nodes.difference(seen)}
+
+    def _missing_at_router(self, session: zenoh.Session) -> tuple[frozenset[str], set[str]]:
+        """Return the nodes that the domain's router knows, and what is missing across its link.
+
+        If the router is not linked with the hub, return nothing: the router dials again.
+        """
+        router = open_hub_client(f"tcp/{LOOPBACK}:{MEETING_PORT + self._domain}")
+        if router is None:
+            return frozenset(), set()
+        with router:
+            linked = {str(one.zid) for one in session.info.transports()}
+            if linked.isdisjoint(map(str, router.info.routers_zid())):
+                return frozenset(), set()
+            nodes = self._nodes(router)
+            missing = {f"the hub does not see {name}" for name in nodes - self._nodes(session)}
+            if not ask(router, f"{HUB_KEY}/{os.getpid()}/link", timeout_s=_TIMEOUT_S):
+                missing.add("the router does not see the hub")
+        return nodes, missing
+
+    def _nodes(self, session: zenoh.Session) -> frozenset[str]:
+        return names_of(admin_query.tokens(session, nodes_selector(self._domain), _TIMEOUT_S))
+
+
+def _is_calm(changes: queue.SimpleQueue[bool], calm_s: float) -> bool:
+    """Wait until the links have not changed for a time. Return `False` if the hub is closed."""
+    while True:
+        try:
+            if not changes.get(timeout=calm_s):
+                return False
+        except queue.Empty:
+            return True

@@ -1,0 +1,142 @@
+"""Gate between a class and its robot: only the messages of the student who drives may pass."""
+
+from __future__ import annotations
+
+import threading
+import time
+from typing import TYPE_CHECKING
+
+import zenoh
+
+from zbot.classroom.hub.queries import ask, document_of
+from zbot.classroom.keys import COMMAND_KEY, ROBOTS_KEY
+from zbot.classroom.teacher.robots import driver_in
+from zbot.threads.foreign_call import called_by_zenoh
+from zbot.transport import membership
+from zbot.wire.tokens import token_selector
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from zbot.context import Context
+
+_ASK_S = 0.5
+_ANSWER_S = 1.0
+# If the class does not answer for this time, nobody drives. The time is so long because the hub is
+# closed for a moment when its rules change.
+_LOST_S = 5.0
+
+
+class RobotGate:
+    """Gate that knows the driver of a robot, and lets only the driver's messages pass.
+
+    A message contains the id of its publisher. The message may pass if the publisher's session has
+    tokens in the driver's domain, because only the driver's laptop may declare tokens there. The
+    gate is not safe in a class whose shared space is open: in such a class, a student can write the
+    id of another publisher into a message.
+
+    Args:
+        context: The bridge's context, on the teacher's machine.
+        robot: The robot's name.
+        stop: Called when a driver stops driving, in a thread of Zenoh or of the gate.
+        end: Called when the class is closed.
+    """
+
+    def __init__(
+        self,
+        context: Context,
+        robot: str,
+        stop: Callable[[], None],
+        end: Callable[[], None],
+    ) -> None:
+        self._context, self._robot = context, robot
+        self._stop, self._end = stop, end
+        self.driver: int | None = None
+        self._sessions: set[str] = set()  # Zenoh ids of the driver's programs
+        self._tokens: set[str] = set()
+        self._watch: zenoh.Subscriber[None] | None = None
+        self._lock = threading.RLock()
+        self._is_over = threading.Event()
+        self._thread = threading.Thread(target=self._poll, name="zbot robot gate", daemon=True)
+
+    def start(self) -> None:
+        """Begin to ask the class who drives."""
+        receiver = self._context.receiver(self._on_drivers)
+        self._drivers = self._context.session.declare_subscriber(ROBOTS_KEY, receiver)
+        self._thread.start()
+
+    def admits(self, name: str, gid: bytes) -> bool:
+        """Return whether a message or a request of this publisher or client may pass."""
+        del name
+        sender = self._context.graph.find(gid)
+        return sender is not None and sender.zid in self._sessions
+
+    def _poll(self) -> None:
+        heard_s = time.monotonic()
+        while not self._is_over.is_set():
+            joined = membership.load()
+            if joined is None or joined.role != "teacher":
+                self._end()
+                return
+            question = {"op": "robot", "robot": self._robot}
+            try:
+                answers = ask(self._context.session, COMMAND_KEY, question, timeout_s=_ANSWER_S)
+            except zenoh.ZError:
+                if self._context.is_closed:
+                    return  # the bridge ends
+                answers = []  # after `_LOST_S`, nobody drives
+            if answers and "error" not in answers[0]:
+                heard_s = time.monotonic()
+                number = answers[0].get("driver")
+                self._set(number if isinstance(number, int) else None)
+            elif time.monotonic() > heard_s + _LOST_S:
+                self._set(None)
+            self._is_over.wait(_ASK_S)
+
+    @called_by_zenoh
+    def _on_drivers(self, sample: zenoh.Sample) -> None:
+        self._set(driver_in(document_of(sample.payload), self._robot))
+
+    def _set(self, number: int | None) -> None:
+        with self._lock:
+            if number == self.driver:
+                return
+            self.driver = number
+            watch, self._watch = self._watch, None
+            had_sessions = bool(self._sessions)
+            self._sessions, self._tokens = set(), set()
+            if number is not None:
+                self._watch = self._context.session.liveliness().declare_subscriber(
+                    token_selector(number),
+                    self._context.receiver(lambda sample: self._note(number, sample)),
+                    history=True,
+                )
+        # This is outside of the lock: `undeclare` may wait for a callback that waits for the lock.
+        if watch is not None and not self._context.is_closed:
+            watch.undeclare()
+        if had_sessions:
+            self._stop()
+
+    @called_by_zenoh
+    def _note(self, number: int, sample: zenoh.Sample) -> None:
+        """Note a token of the driver's domain."""
+        key = str(sample.key_expr)
+        with self._lock:
+            if number != self.driver:
+                return
+            before = set(self._sessions)
+            if sample.kind == zenoh.SampleKind.PUT:
+                self._tokens.add(key)
+            else:
+                self._tokens.discard(key)
+            self._sessions = {token.split("/")[2] for token in self._tokens}
+            has_left = bool(before - self._sessions)
+        if has_left:
+            self._stop()  # e.g. the driver's program has ended while the robot moved
+
+    def close(self) -> None:
+        """Stop asking the class. From now on, nobody drives."""
+        self._is_over.set()
+        if self._thread.is_alive():
+            self._thread.join()
+        self._set(None)

@@ -1,0 +1,193 @@
+"""Admission service of a class. Laptops that have not joined may query only this service.
+
+Each query and reply is a JSON object. `hello` returns the name of the class. `enrol` and `claim`
+are the two steps of the PIN check (`zbot.security.pin`). After these steps the student has a number
+and a secret. `release` frees a number. `member` returns whether a laptop is still in the class. A
+class without a PIN uses the same steps with an empty PIN.
+"""
+
+from __future__ import annotations
+
+import hmac
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from zbot.classroom.errors import ClassroomError, ReopeningError
+from zbot.classroom.teacher.student_list import Register, SimilarNameError, TakenError, clean_name
+from zbot.errors import SetupError
+from zbot.security.pin import PinServer, TooManyGuessesError, WrongPinError
+from zbot.security.secret import Secret
+from zbot.version import __version__
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from zbot.classroom.teacher.student_list import Student
+
+_MACHINE_LENGTH = 64
+
+Document = dict[str, Any]
+
+
+class CopiedMachineError(ClassroomError):
+    """A connected laptop has the identifier of the laptop that joins."""
+
+    def __init__(self, number: int, name: str) -> None:
+        self.number, self.name = number, name
+        super().__init__(
+            f"the laptop of {name} (number {number}) is connected and has the identifier of this "
+            "laptop: both may have been copied from one image"
+        )
+
+
+# The value of `refused` in a reply, for each kind of error. The first match counts.
+_REFUSALS: tuple[tuple[type[SetupError], str], ...] = (
+    (WrongPinError, "pin"),
+    (TooManyGuessesError, "wait"),
+    (ReopeningError, "wait"),
+    (TakenError, "taken"),
+    (SimilarNameError, "similar"),
+    (CopiedMachineError, "copied"),
+    (SetupError, "question"),
+)
+
+
+@dataclass(frozen=True)
+class AdmissionRequest:
+    """A laptop's request to join a class."""
+
+    machine: str  #: identifies the laptop
+    host: str  #: the laptop's host name
+    name: str | None = None  #: the student's name
+    number: int | None = None  #: the student's number, or `None` if the class shall choose it
+    is_new: bool = False  #: whether a similar name in the list is another student
+
+    @classmethod
+    def of(cls, document: Document) -> AdmissionRequest:
+        """Return the request in a document from a laptop. Invalid fields get their defaults."""
+        number = document.get("number")
+        return cls(
+            str(document.get("machine"))[:_MACHINE_LENGTH],
+            clean_name(str(document.get("host") or "")) or "a laptop",
+            clean_name(str(document.get("name") or "")) or None,
+            number if isinstance(number, int) else None,
+            document.get("is_new") is True,
+        )
+
+
+def proof(claim: str, purpose: str) -> str:
+    """Return the proof that the sender of a query owns its number.
+
+    The claim is a random text. Only the owner knows it, because the class sent it encrypted.
+
+    Args:
+        claim: The claim of the number.
+        purpose: What the query asks for: `release`, `member` or `nodes`.
+    """
+    return hmac.new(claim.encode(), purpose.encode(), "sha256").hexdigest()
+
+
+def is_proof(given: object, claim: str, purpose: str) -> bool:
+    """Return whether a value from a laptop is the proof of a claim."""
+    text = str(given).encode(errors="backslashreplace")
+    return hmac.compare_digest(proof(claim, purpose).encode(), text)
+
+
+class AdmissionService:
+    """Service that admits laptops to a class.
+
+    Args:
+        class_name: The class's name, which `hello` returns.
+        pin: The class's PIN. Empty if the class has no PIN.
+        register: The numbers of the class.
+        is_own_hub: Takes the identity of the hub that a laptop has connected to (see
+            `hub_identity`), and returns whether this hub is the class's hub.
+        credentials: Takes a number and returns the credentials that its laptop needs for the hub.
+            If the hub does not accept them yet, it raises `ReopeningError`.
+        changed: Called with a student's number after the register has changed.
+        is_here: Takes a number, and returns whether its laptop is connected now.
+    """
+
+    def __init__(
+        self,
+        class_name: str,
+        pin: str,
+        register: Register,
+        *,
+        is_own_hub: Callable[[str], bool],
+        credentials: Callable[[int], Document],
+        changed: Callable[[int], None],
+        is_here: Callable[[int], bool] = lambda _number: False,
+    ) -> None:
+        self._class_name = class_name
+        self._has_pin = bool(pin)
+        self._pin_server = PinServer(Secret(pin), class_name, is_own_hub)
+        self._register = register
+        self._credentials = credentials
+        self._changed = changed
+        self._is_here = is_here
+
+    def answer(self, question: Document) -> Document:
+        """Return the reply to a query. A refusal is `{"refused": kind, "sentence": reason}`."""
+        steps = {
+            "hello": self._hello,
+            "enrol": self._pin_server.challenge,
+            "claim": self._claim,
+            "release": self._release,
+            "member": self._member,
+        }
+        step = steps.get(str(question.get("op")))
+        if step is None:
+            return {"refused": "question", "sentence": "the class does not understand the request"}
+        try:
+            return step(question)
+        except SetupError as error:
+            kind = next(word for known, word in _REFUSALS if isinstance(error, known))
+            wait_s = getattr(error, "wait_s", None)
+            known = getattr(error, "known", None)
+            return {"refused": kind, "sentence": str(error), "wait_s": wait_s, "known": known}
+
+    def _hello(self, _question: Document) -> Document:
+        return {"class": self._class_name, "pin": self._has_pin, "version": __version__}
+
+    def _claim(self, question: Document) -> Document:
+        admission = self._pin_server.admit(question)
+        request = AdmissionRequest.of(admission.request)
+        self._check_copied(request.machine)
+        student = self._register.claim(
+            request.number, request.name, request.machine, request.host, is_new=request.is_new
+        )
+        self._changed(student.number)
+        return admission.seal(
+            {
+                "class": self._class_name,
+                "number": student.number,
+                "name": student.name,
+                "claim": student.claim,
+                **self._credentials(student.number),
+            }
+        )
+
+    def _check_copied(self, machine: str) -> None:
+        for student in self._register.students.values():
+            if student.machine == machine and self._is_here(student.number):
+                raise CopiedMachineError(student.number, student.name)
+
+    def _release(self, question: Document) -> Document:
+        student = self._owner(question, "release")
+        if student is None:
+            return {"released": False}
+        self._register.free(student.number)
+        self._changed(student.number)
+        return {"released": True}
+
+    def _member(self, question: Document) -> Document:
+        return {"member": self._owner(question, "member") is not None}
+
+    def _owner(self, question: Document, purpose: str) -> Student | None:
+        """Return the student whose laptop sent a query, or `None` if the proof is wrong."""
+        number = question.get("number")
+        student = self._register.students.get(number) if isinstance(number, int) else None
+        if student is None or not is_proof(question.get("proof"), student.claim, purpose):
+            return None
+        return student
