@@ -15,7 +15,7 @@ from __future__ import annotations
 import zbot
 from zbot.errors import InvalidTopicNameError
 from zbot.names import validate_topic_name
-from zbot.node.parameter_event_handler import ParameterEventHandler
+from zbot.remote.parameter_event_handler import ParameterEventHandler
 from zbot_nodes.turtlesim.page import shown
 from zbot_nodes.turtlesim.ports import TurtlePorts
 from zbot_nodes.turtlesim.scene import SCENE, Scene

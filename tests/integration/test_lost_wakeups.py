@@ -16,7 +16,7 @@ import pytest
 import zbot
 from tests.conftest import allowed
 from zbot.executor.wait_set import WaitSet
-from zbot.node.wait_for_message import wait_for_message
+from zbot.remote.wait_for_message import wait_for_message
 
 from std_msgs.msg import String
 from std_srvs.srv import Trigger

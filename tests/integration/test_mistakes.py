@@ -19,8 +19,8 @@ from zbot.executor.waitable import Waitable
 from zbot.libraries.message_filter import SimpleFilter, Subscriber
 from zbot.lifecycle import LifecycleNode
 from zbot.node.event_callbacks import PublisherEventCallbacks, SubscriptionEventCallbacks
-from zbot.node.wait_for_message import wait_for_message
 from zbot.qos import QoSProfile
+from zbot.remote.wait_for_message import wait_for_message
 from zbot.tf2 import Buffer, TransformBroadcaster, TransformListener
 
 import std_msgs.msg

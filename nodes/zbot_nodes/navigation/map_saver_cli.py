@@ -11,9 +11,9 @@ import sys
 import time
 
 import zbot
-from zbot.node.wait_for_message import wait_for_message
 from zbot.parameters.ros_args import remove_ros_args
 from zbot.qos import DurabilityPolicy, QoSProfile
+from zbot.remote.wait_for_message import wait_for_message
 from zbot_nodes.navigation.map_file import FORMATS, MODES, write_map
 
 from nav_msgs.msg import OccupancyGrid

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 import zbot
-from zbot.node.parameter_client import AsyncParameterClient
+from zbot.remote.parameter_client import AsyncParameterClient
 
 if TYPE_CHECKING:
     from tests.conftest import MakeContext, Spin

@@ -9,9 +9,9 @@ import pytest
 
 import zbot
 from tests.conftest import allowed, wait_until
-from zbot.node.parameter_client import AsyncParameterClient
 from zbot.parameters.errors import ParameterNotDeclaredException
 from zbot.parameters.parameter import Parameter
+from zbot.remote.parameter_client import AsyncParameterClient
 
 from rcl_interfaces.msg import IntegerRange, ParameterDescriptor, ParameterValue
 from rcl_interfaces.msg import Parameter as ParameterMsg

@@ -8,15 +8,15 @@ import pytest
 
 import zbot
 from tests.conftest import wait_until
-from zbot.node.parameter_event_handler import ParameterEventHandler
 from zbot.parameters.errors import UnknownCallbackError
 from zbot.parameters.parameter import Parameter
+from zbot.remote.parameter_event_handler import ParameterEventHandler
 
 from rcl_interfaces.msg import ParameterEvent
 
 if TYPE_CHECKING:
     from tests.conftest import MakeContext, Spin
-    from zbot.node.parameter_client import AsyncParameterClient
+    from zbot.remote.parameter_client import AsyncParameterClient
 
 SPEED: Any = [Parameter("speed", value=1)]  # rclpy accepts these in place of messages
 

@@ -6,11 +6,11 @@ from zbot.node.client import Client
 from zbot.node.event_callbacks import SubscriptionEventCallbacks
 from zbot.node.message_info import MessageInfo
 from zbot.node.node import Node
-from zbot.node.parameter_client import AsyncParameterClient
 from zbot.node.subscription import Subscription
 from zbot.parameters.parameter import Parameter, parameter_dict_from_yaml_file
 from zbot.parameters.qos_overrides import QoSOverridingOptions
 from zbot.qos import QoSProfile, qos_profile_parameter_events, qos_profile_services_default
+from zbot.remote.parameter_client import AsyncParameterClient
 
 from rcl_interfaces.msg import Parameter as ParameterMsg
 from rcl_interfaces.msg import ParameterEvent

@@ -3,13 +3,13 @@
 from zbot.executor.callback_group import CallbackGroup
 from zbot.node.event_callbacks import SubscriptionEventCallbacks
 from zbot.node.node import Node
-from zbot.node.parameter_event_handler import (
+from zbot.parameters.qos_overrides import QoSOverridingOptions
+from zbot.qos import QoSProfile, qos_profile_parameter_events
+from zbot.remote.parameter_event_handler import (
     ParameterCallbackHandle,
     ParameterEventCallbackHandle,
     ParameterEventHandler,
 )
-from zbot.parameters.qos_overrides import QoSOverridingOptions
-from zbot.qos import QoSProfile, qos_profile_parameter_events
 
 from rcl_interfaces.msg import Parameter as ParameterMsg
 from rcl_interfaces.msg import ParameterEvent

@@ -5,6 +5,6 @@ from zbot.executor.signal_guard_condition import (
 )
 from zbot.interfaces.type_support import MsgT
 from zbot.node.node import Node
-from zbot.node.wait_for_message import wait_for_message
 from zbot.qos import QoSProfile
+from zbot.remote.wait_for_message import wait_for_message
 from zbot.time import timeout_sec_to_nsec

@@ -1,0 +1,1 @@
+"""Clients of other nodes: their parameters, life cycles, types, profiles and messages."""
