@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from zbot.action import graph as action_graph
 from zbot.errors import ZbotError
-from zbot.interfaces.lookup import get_message, get_service
+from zbot.compat.rosidl.lookup import get_message, get_service
 from zbot.names import fully_qualified, is_hidden
 
 if TYPE_CHECKING:

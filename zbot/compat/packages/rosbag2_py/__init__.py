@@ -1,6 +1,6 @@
 """ROS 2's `rosbag2_py`, which writes, reads, records and plays bags."""
 
-from zbot.bag.rosbag2_types import (
+from zbot.compat.rosbag2.storage import (
     BagMetadata,
     CompressionMode,
     CompressionOptions,
@@ -18,7 +18,7 @@ from zbot.bag.rosbag2_types import (
     convert_rclcpp_qos_to_rclpy_qos,
     to_rclcpp_qos_vector,
 )
-from zbot.bag.sequential import (
+from zbot.compat.rosbag2.sequential import (
     Info,
     LocalMessageDefinitionSource,
     MetadataIo,
@@ -33,8 +33,8 @@ from zbot.bag.sequential import (
     get_registered_serializers,
     get_registered_writers,
 )
-from zbot.bag.transport import Player, Recorder, bag_rewrite
-from zbot.bag.transport_options import (
+from zbot.compat.rosbag2.transport import Player, Recorder, bag_rewrite
+from zbot.compat.rosbag2.transport_options import (
     MessageOrder,
     PlayOptions,
     RecordOptions,

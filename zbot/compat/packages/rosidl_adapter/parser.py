@@ -1,6 +1,6 @@
 """Functions that read definitions."""
 
-from zbot.libraries.definition_text import (
+from zbot.compat.rosidl.definition_text import (
     PRIMITIVE_TYPES,
     ActionSpecification,
     BaseType,

@@ -2,14 +2,14 @@
 
 import importlib
 
-from zbot.interfaces import lookup
-from zbot.interfaces.conversion import (
+from zbot.compat.rosidl import lookup
+from zbot.compat.rosidl.conversion import (
     get_message_slot_types,
     message_to_csv,
     message_to_ordereddict,
     message_to_yaml,
 )
-from zbot.interfaces.lookup import (
+from zbot.compat.rosidl.lookup import (
     get_action_interfaces,
     get_interface_packages,
     get_interface_path,

@@ -1,7 +1,7 @@
 """Functions that convert messages to strings and dictionaries."""
 
-from zbot.interfaces.conversion import convert_value as _convert_value
-from zbot.interfaces.conversion import (
+from zbot.compat.rosidl.conversion import convert_value as _convert_value
+from zbot.compat.rosidl.conversion import (
     get_message_slot_types,
     message_to_csv,
     message_to_ordereddict,

@@ -1,6 +1,6 @@
 """Functions that list types."""
 
-from zbot.interfaces.lookup import (
+from zbot.compat.rosidl.lookup import (
     get_action_interfaces,
     get_interface_packages,
     get_interface_path,

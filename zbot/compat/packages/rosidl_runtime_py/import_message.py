@@ -1,5 +1,5 @@
 """Function that finds a class by its type."""
 
-from zbot.interfaces.lookup import (
+from zbot.compat.rosidl.lookup import (
     import_message_from_namespaced_type,
 )

@@ -1,6 +1,6 @@
 """Functions that find a class by its name."""
 
-from zbot.interfaces.lookup import (
+from zbot.compat.rosidl.lookup import (
     get_action,
     get_interface,
     get_message,

@@ -11,7 +11,7 @@ from zbot.bag.description import SORT_KEYS, contributions, description, topic_na
 from zbot.bag.errors import BagReadError, BagWriteError
 from zbot.bag.metadata import METADATA_FILE, metadata_text, read_metadata, read_metadata_file
 from zbot.bag.reader import Reader
-from zbot.bag.rosbag2_types import (
+from zbot.compat.rosbag2.storage import (
     BagMetadata,
     CompressionMode,
     CompressionOptions,

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 import zbot.compat
-from zbot.libraries.definition_text import (
+from zbot.compat.rosidl.definition_text import (
     BaseType,
     Constant,
     Field,

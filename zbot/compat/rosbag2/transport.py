@@ -12,7 +12,7 @@ from zbot.bag.errors import BagError
 from zbot.bag.node_thread import spinning
 from zbot.bag.player_services import PlayerServices
 from zbot.bag.reader import Reader
-from zbot.bag.rosbag2_types import StorageOptions
+from zbot.compat.rosbag2.storage import StorageOptions
 from zbot.bag.snapshot_buffer import SnapshotBuffer
 from zbot.bag.writer import Writer
 from zbot.context import Context
@@ -23,7 +23,7 @@ from zbot.node.node import Node
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
 
-    from zbot.bag.transport_options import PlayOptions, RecordOptions
+    from zbot.compat.rosbag2.transport_options import PlayOptions, RecordOptions
 
 _LEVELS = {
     "debug": LoggingSeverity.DEBUG,

@@ -8,16 +8,16 @@ from typing import Any
 
 import pytest
 
-from zbot.interfaces import lookup
+from zbot.compat.rosidl import lookup
 from zbot.interfaces import slot_type as idl
-from zbot.interfaces.conversion import (
+from zbot.compat.rosidl.conversion import (
     convert_value,
     get_message_slot_types,
     message_to_csv,
     message_to_ordereddict,
     message_to_yaml,
 )
-from zbot.interfaces.lookup import get_action, get_interface, get_message, get_service
+from zbot.compat.rosidl.lookup import get_action, get_interface, get_message, get_service
 from zbot.interfaces.set_fields import set_message_fields
 
 import example_interfaces.action

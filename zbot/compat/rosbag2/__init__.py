@@ -1,0 +1,1 @@
+"""Classes of `rosbag2_py`, which write, read, record and play bags."""
