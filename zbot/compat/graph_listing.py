@@ -9,8 +9,8 @@ import sys
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from zbot.action import graph as action_graph
-from zbot.errors import ZbotError
 from zbot.compat.rosidl.lookup import get_message, get_service
+from zbot.errors import ZbotError
 from zbot.names import fully_qualified, is_hidden
 
 if TYPE_CHECKING:

@@ -12,8 +12,8 @@ from mcap.writer import Writer as McapLibraryWriter
 import zbot.bag
 from zbot.bag.mcap_options import read_storage_config
 from zbot.bag.mcap_reader import McapReader
-from zbot.compat.rosbag2.storage import ConverterOptions, StorageOptions
 from zbot.compat.rosbag2.sequential import SequentialReader
+from zbot.compat.rosbag2.storage import ConverterOptions, StorageOptions
 from zbot.wire.serialization import serialize_message
 
 from std_msgs.msg import String

@@ -11,6 +11,7 @@ from zbot.bag.description import SORT_KEYS, contributions, description, topic_na
 from zbot.bag.errors import BagReadError, BagWriteError
 from zbot.bag.metadata import METADATA_FILE, metadata_text, read_metadata, read_metadata_file
 from zbot.bag.reader import Reader
+from zbot.bag.writer import STORAGES, Writer
 from zbot.compat.rosbag2.storage import (
     BagMetadata,
     CompressionMode,
@@ -26,7 +27,6 @@ from zbot.compat.rosbag2.storage import (
     to_own_topic,
     topic_metadata,
 )
-from zbot.bag.writer import STORAGES, Writer
 from zbot.interfaces import type_hash
 
 if TYPE_CHECKING:

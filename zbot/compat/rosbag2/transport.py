@@ -12,9 +12,9 @@ from zbot.bag.errors import BagError
 from zbot.bag.node_thread import spinning
 from zbot.bag.player_services import PlayerServices
 from zbot.bag.reader import Reader
-from zbot.compat.rosbag2.storage import StorageOptions
 from zbot.bag.snapshot_buffer import SnapshotBuffer
 from zbot.bag.writer import Writer
+from zbot.compat.rosbag2.storage import StorageOptions
 from zbot.context import Context
 from zbot.executor.single_threaded_executor import SingleThreadedExecutor
 from zbot.log import LoggingSeverity

@@ -9,7 +9,6 @@ from typing import Any
 import pytest
 
 from zbot.compat.rosidl import lookup
-from zbot.interfaces import slot_type as idl
 from zbot.compat.rosidl.conversion import (
     convert_value,
     get_message_slot_types,
@@ -18,6 +17,7 @@ from zbot.compat.rosidl.conversion import (
     message_to_yaml,
 )
 from zbot.compat.rosidl.lookup import get_action, get_interface, get_message, get_service
+from zbot.interfaces import slot_type as idl
 from zbot.interfaces.set_fields import set_message_fields
 
 import example_interfaces.action
