@@ -6,11 +6,11 @@ Asks:       the action turtle1/rotate_absolute, for the letters around F
 Parameters: scale_linear, scale_angular (2.0 each)
 """
 
-import threading
 from typing import Any
 
 import zbot
 from zbot.action import ActionClient
+from zbot.executor.spin_thread import SpinThread
 from zbot.terminal.keys import pressed_keys
 
 from geometry_msgs.msg import Twist
@@ -83,25 +83,12 @@ def main() -> None:
     """Read keys until Q or Ctrl-C."""
     with zbot.init():
         node = TeleopTurtle()
-        executor = zbot.SingleThreadedExecutor()
-        executor.add_node(node)
-        spinner = threading.Thread(target=spin, args=(executor,), daemon=True)
-        spinner.start()
         print(_HELP, flush=True)
-        for key in pressed_keys(zbot.ok):
-            if key == "q":
-                break
-            node.press(key)
-        executor.shutdown()
-        spinner.join()
-
-
-def spin(executor: zbot.Executor) -> None:
-    """Run the callbacks of responses while the main thread reads keys."""
-    try:
-        executor.spin()
-    except zbot.ExternalShutdownException:
-        return  # Ctrl-C ends the main thread too
+        with SpinThread(node, "responses"):
+            for key in pressed_keys(zbot.ok):
+                if key == "q":
+                    break
+                node.press(key)
 
 
 if __name__ == "__main__":

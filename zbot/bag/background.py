@@ -9,7 +9,6 @@ import traceback
 from typing import TYPE_CHECKING, Any
 
 from zbot.bag.errors import BagError
-from zbot.bag.node_thread import spinning
 from zbot.bag.player import Player
 from zbot.bag.player_services import PlayerServices
 from zbot.bag.reader import Reader
@@ -18,6 +17,7 @@ from zbot.bag.writer import Writer
 from zbot.context import Context
 from zbot.errors import ExternalShutdownException, ZbotError
 from zbot.executor.single_threaded_executor import SingleThreadedExecutor
+from zbot.executor.spin_thread import SpinThread
 from zbot.log import get_logger
 from zbot.node.node import Node
 
@@ -137,7 +137,7 @@ class BackgroundPlayback(_Background):
         with Reader(self.path) as bag, self._node(PLAYER_NAME) as node:
             player = Player(node, [bag], self._options)
             PlayerServices(node, player)
-            with spinning(node):
+            with SpinThread(node, "zbot bag services"):
                 self.player = player
                 self._begin()
                 player.run()

@@ -21,6 +21,7 @@ from zbot.bridge.zbot_side import ZbotSide
 from zbot.context import Context
 from zbot.errors import ExternalShutdownException
 from zbot.executor.single_threaded_executor import SingleThreadedExecutor
+from zbot.executor.spin_thread import SpinThread
 from zbot.node.node import Node
 from zbot.process.signals import SignalHandlerOptions, install
 from zbot.transport.rmw_choice import RMW_ZENOH
@@ -116,15 +117,9 @@ def run_rmw_zenoh(options: BridgeOptions) -> None:
         foreign = _node(bridge_id, RMW_ZENOH, options.ros_domain, stack)
         ros = ZbotSide(foreign, label="ROS 2", wire_format="cdr")
         stack.callback(ros.close)
-        executor = SingleThreadedExecutor(context=foreign.context)
-        executor.add_node(foreign)
         failure = _Failure(node.context)
-        thread = threading.Thread(
-            target=_spin, args=(executor, failure), name="zbot bridge ROS 2", daemon=True
-        )
-        thread.start()
-        stack.callback(thread.join)
-        stack.callback(executor.shutdown, 5)
+        spinner = SpinThread(foreign, "zbot bridge ROS 2", failure.note)
+        stack.callback(spinner.stop, 5)
         _carry(options, node, ros, stack, failure)
 
 
@@ -158,16 +153,6 @@ class _Failure:
         """Raise the exception, if there is one."""
         if self._error is not None:
             raise self._error
-
-
-def _spin(executor: SingleThreadedExecutor, failure: _Failure) -> None:
-    """Run the callbacks of the node on ROS 2's side. An unexpected exception ends the bridge."""
-    try:
-        executor.spin()
-    except ExternalShutdownException:
-        return  # the bridge ends
-    except Exception as error:  # noqa: BLE001 - the main thread raises it
-        failure.note(error)
 
 
 def _carry(

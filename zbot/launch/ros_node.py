@@ -8,12 +8,13 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.context import Context
 from zbot.errors import ExternalShutdownException
-from zbot.executor.single_threaded_executor import SingleThreadedExecutor
+from zbot.executor.spin_thread import SpinThread
 from zbot.node.node import Node
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from zbot.executor.single_threaded_executor import SingleThreadedExecutor
     from zbot.launch.context import LaunchContext
 
 _KEY = "launch_node"
@@ -44,10 +45,8 @@ class LaunchNode:
         self._node = Node(
             f"launch_ros_{os.getpid()}", context=self.ros_context, enable_rosout=False
         )
-        self.ros_executor = SingleThreadedExecutor(context=self.ros_context)
-        self.ros_executor.add_node(self._node)
-        self._thread = threading.Thread(target=self._spin, name="launch node")
-        self._thread.start()
+        self._spinner = SpinThread(self._node, "launch node")
+        self.ros_executor = self._spinner.executor
 
     @property
     def ros_node(self) -> Node | None:
@@ -64,12 +63,6 @@ class LaunchNode:
         if self._node is None:
             raise ExternalShutdownException
         return self._node
-
-    def _spin(self) -> None:
-        try:
-            self.ros_executor.spin()
-        except ExternalShutdownException:
-            return  # the launch ended
 
     def listen(self, topic: str, on_transition: Callable[[Any], None]) -> None:
         """Call a function with each `lifecycle_msgs/TransitionEvent` on a topic."""
@@ -106,9 +99,9 @@ class LaunchNode:
         if self._node is None:
             return
         self._node = None
-        self.ros_executor.shutdown(0)
+        self._spinner.stop(0)
         self.ros_context.shutdown()
-        self._thread.join()
+        self._spinner.join()
 
 
 def _success(future: Any) -> bool:

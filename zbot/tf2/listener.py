@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import threading
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import ExternalShutdownException
 from zbot.executor.callback_group import ReentrantCallbackGroup
 from zbot.executor.clock import ClockChange, JumpThreshold, TimeJump
-from zbot.executor.single_threaded_executor import SingleThreadedExecutor
+from zbot.executor.spin_thread import SpinThread
 from zbot.node.argument_check import check_object, check_order, is_node
 from zbot.node.node import Node
 from zbot.qos import DurabilityPolicy, QoSProfile
@@ -75,9 +73,10 @@ class TransformListener:
         self._jumps = feeder.get_clock().create_jump_callback(
             threshold, post_callback=self._on_jump
         )
-        self.executor: SingleThreadedExecutor | None = None
-        if spin_thread or node is None:
-            self._start()
+        self._spinner = SpinThread(feeder, "zbot transforms") if spin_thread or not node else None
+        self.executor = None if self._spinner is None else self._spinner.executor
+        if self._spinner is not None:
+            self.dedicated_listener_thread = self._spinner.thread
 
     def _subscribe(self, topic: str, callback: Any, qos: QoSProfile | int) -> Any:
         subscription = self.node.create_subscription(
@@ -86,19 +85,6 @@ class TransformListener:
         self.buffer.subscriptions.append(subscription)
         self._subscriptions.append(subscription)
         return subscription
-
-    def _start(self) -> None:
-        executor = self.executor = SingleThreadedExecutor(context=self.node.context)
-        executor.add_node(self.node)
-
-        def spin() -> None:
-            try:
-                executor.spin()
-            except ExternalShutdownException:
-                return  # the context was shut down
-
-        self.dedicated_listener_thread = threading.Thread(target=spin, daemon=True)
-        self.dedicated_listener_thread.start()
 
     def _on_jump(self, jump: TimeJump) -> None:
         is_back = jump.clock_change is ClockChange.ROS_TIME_NO_CHANGE
@@ -125,8 +111,8 @@ class TransformListener:
                 self.buffer.subscriptions.remove(subscription)
             self.node.destroy_subscription(subscription)
         self._jumps.unregister()
-        if self.executor is not None:
-            self.executor.shutdown(0)
+        if self._spinner is not None:
+            self._spinner.stop(0)
         if self._own_node is not None:
             self._own_node.destroy_node()
 

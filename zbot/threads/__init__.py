@@ -1,1 +1,1 @@
-"""Tools for code that several threads run: wake-ups, weak sets, and calls from Zenoh's threads."""
+"""Tools for code that several threads run: deadlines, wake-ups, weak sets, calls from Zenoh."""

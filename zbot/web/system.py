@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from zbot.action import ActionClient
 from zbot.context import Context
-from zbot.errors import ExternalShutdownException, NotInitializedError, ZbotError
-from zbot.executor.single_threaded_executor import SingleThreadedExecutor
+from zbot.errors import NotInitializedError, ZbotError
+from zbot.executor.spin_thread import SpinThread
 from zbot.interfaces import get_interface
 from zbot.log import LoggingSeverity, get_logger, set_logger_level
 from zbot.names import ROSOUT_TOPIC
@@ -38,6 +38,7 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 
 _PUBLISH_DEPTH = 10
+_END_S = 2.0  #: longest wait for a callback at the end
 
 
 class ReadOnlyError(ZbotError):
@@ -92,24 +93,13 @@ class System:
         )
         # Pages show the problems of topics, so the terminal should not repeat them.
         set_logger_level(self.node.get_logger().name, LoggingSeverity.FATAL)
-        self._executor = SingleThreadedExecutor(context=self.context)
-        self._executor.add_node(self.node)
         log_type: Any = get_interface("rcl_interfaces/msg/Log")
         self.node.create_subscription(
             log_type, ROSOUT_TOPIC, self.logs.add, qos_profile_rosout_default
         )
         self.context.graph.watch()
         self.context.graph.add_listener(self._on_token)
-        self.context.start_thread("zbot web", self._spin, self._executor.wake)
-
-    def _spin(self) -> None:
-        while self.context.ok():
-            try:
-                self._executor.spin()
-            except ExternalShutdownException:
-                return
-            except Exception:  # noqa: BLE001 - a faulty callback must not stop all pages
-                get_logger("zbot.web").error(traceback.format_exc())
+        self._spinner = SpinThread(self.node, "zbot web", _log_error)
 
     @property
     def domain_id(self) -> int:
@@ -124,6 +114,7 @@ class System:
     def close(self) -> None:
         """Leave the domain. A second call does nothing."""
         self.context.shutdown()
+        self._spinner.join(_END_S)
 
     def __enter__(self) -> Self:
         return self
@@ -162,7 +153,7 @@ class System:
         self.revision += 1
         for feed in list(self._feeds.values()):
             if feed.is_wanted and feed.type_name is None:
-                self._executor.create_task(self._subscribe, feed)
+                self._spinner.executor.create_task(self._subscribe, feed)
         for callback in list(self._callbacks):
             callback()
 
@@ -232,7 +223,7 @@ class System:
             except ZbotError as error:
                 feed.problem = str(error)
                 return
-            self._executor.create_task(self._subscribe, feed)
+            self._spinner.executor.create_task(self._subscribe, feed)
 
         self.context.start_thread(f"zbot type {name}", learn)
 
@@ -345,6 +336,11 @@ class System:
     def _check_writable(self, what: str) -> None:
         if self.read_only:
             raise ReadOnlyError(what)
+
+
+def _log_error(error: Exception) -> None:
+    # A faulty callback must not stop all pages.
+    get_logger("zbot.web").error("".join(traceback.format_exception(error)))
 
 
 async def await_future(future: Future[T], timeout_s: float | None = None) -> T:

@@ -5,13 +5,15 @@ from __future__ import annotations
 import contextlib
 import os
 import sys
-import threading
 from typing import TYPE_CHECKING
 
 from zbot.terminal.keys import pressed_keys
+from zbot.threads.background_thread import background_thread
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Callable
+    from contextlib import AbstractContextManager
+    from threading import Event
 
 
 def has_keyboard() -> bool:
@@ -24,23 +26,16 @@ def has_keyboard() -> bool:
         return False  # there is no stdin, or it is closed
 
 
-@contextlib.contextmanager
-def keys_to(on_key: Callable[[str], None]) -> Iterator[None]:
+def keys_to(on_key: Callable[[str], None]) -> AbstractContextManager[None]:
     """Call a function with each key during the `with` block, in a thread.
 
     The keys are those of `zbot.terminal.keys.pressed_keys`: an arrow gives several characters.
     """
-    is_over = threading.Event()
 
-    def read() -> None:
+    def read(is_over: Event) -> None:
         with contextlib.suppress(OSError):  # the terminal was closed
             for key in pressed_keys(lambda: not is_over.is_set()):
                 on_key(key)
 
-    reader = threading.Thread(target=read, name="zbot keys", daemon=True)
-    reader.start()
-    try:
-        yield
-    finally:
-        is_over.set()
-        reader.join()  # the thread restores the settings of the terminal when it ends
+    # The thread restores the settings of the terminal when it ends.
+    return background_thread("zbot keys", read)

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 
 from zbot.bag import conversion, player, recorder
 from zbot.bag.errors import BagError
-from zbot.bag.node_thread import spinning
 from zbot.bag.player_services import PlayerServices
 from zbot.bag.reader import Reader
 from zbot.bag.snapshot_buffer import SnapshotBuffer
@@ -17,6 +16,7 @@ from zbot.bag.writer import Writer
 from zbot.compat.rosbag2.storage import StorageOptions
 from zbot.context import Context
 from zbot.executor.single_threaded_executor import SingleThreadedExecutor
+from zbot.executor.spin_thread import SpinThread
 from zbot.log import LoggingSeverity
 from zbot.node.node import Node
 
@@ -156,7 +156,7 @@ class Player:
             )
             playing = player.Player(node, bags, play_options.to_own())
             PlayerServices(node, playing)
-            stack.enter_context(spinning(node))
+            stack.enter_context(SpinThread(node, "zbot bag services"))
             if burst is not None:
                 playing.step(burst)
             cancellation.attach(playing.stop)

@@ -6,7 +6,7 @@ import threading
 from typing import TYPE_CHECKING, Any
 
 from zbot.context import Context
-from zbot.executor.single_threaded_executor import SingleThreadedExecutor
+from zbot.executor.spin_thread import SpinThread
 from zbot.node.node import Node
 
 if TYPE_CHECKING:
@@ -42,15 +42,8 @@ class WaitForTopics:
         self._context = Context()
         self._context.init()
         self._node = Node("wait_for_topics", context=self._context, namespace=node_namespace)
-        self._executor = SingleThreadedExecutor(context=self._context)
-        self._executor.add_node(self._node)
-        self._stop = self._executor.create_future()
-        self._thread = threading.Thread(target=self._spin, name="wait for topics", daemon=True)
-        self._thread.start()
+        self._spinner = SpinThread(self._node, "wait for topics")
         self._is_listening = False
-
-    def _spin(self) -> None:
-        self._executor.spin_until_future_complete(self._stop)
 
     def wait(self) -> bool:
         """Wait until each topic has a message. Return False if the timeout is over before that."""
@@ -96,9 +89,7 @@ class WaitForTopics:
 
     def shutdown(self) -> None:
         """End the subscriptions and the thread. A second call does nothing."""
-        if self._thread.is_alive():
-            self._executor.create_task(self._stop.set_result, True)
-            self._thread.join()
+        self._spinner.stop()
         self._node.destroy_node()
         self._context.try_shutdown()
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import secrets
-import threading
 import traceback
 from typing import TYPE_CHECKING, Any
 from urllib.parse import urlencode
@@ -13,6 +12,7 @@ from urllib.parse import urlencode
 from zbot.errors import ZbotError
 from zbot.log import get_logger
 from zbot.names import fully_qualified, is_hidden
+from zbot.threads.background_thread import background_thread
 from zbot.web.foxglove.channels import Channels
 from zbot.web.foxglove.guard import FOXGLOVE_ORIGIN, Guard, free_loopback_address
 from zbot.web.foxglove.listener import Listener
@@ -24,6 +24,7 @@ from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
+    from threading import Event
 
     from zbot.graph.snapshot import Snapshot
 
@@ -113,9 +114,8 @@ def _sdk_server(system: System) -> Iterator[tuple[str, int]]:
         context=context,
     )
     services = None if system.read_only else Services(system, server)
-    is_over = threading.Event()
 
-    def follow() -> None:
+    def follow(is_over: Event) -> None:
         seen = -1
         while not is_over.is_set():
             if system.revision != seen:
@@ -132,13 +132,10 @@ def _sdk_server(system: System) -> Iterator[tuple[str, int]]:
                     get_logger("zbot.foxglove").error(text)
             is_over.wait(_LOOK_S)
 
-    follower = threading.Thread(target=follow, name="zbot foxglove", daemon=True)
-    follower.start()
     try:
-        yield host, server.port
+        with background_thread("zbot foxglove", follow):
+            yield host, server.port
     finally:
-        is_over.set()
-        follower.join()
         server.stop()
 
 

@@ -6,8 +6,8 @@ import traceback
 from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import ExternalShutdownException, ZbotError
-from zbot.executor.single_threaded_executor import SingleThreadedExecutor
+from zbot.errors import ZbotError
+from zbot.executor.spin_thread import SpinThread
 from zbot.log import get_logger
 from zbot.node.node import Node
 from zbot.web.rosbridge.client_message import RosbridgeError
@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 NODE_NAME = "rosbridge_websocket"
 #: Maximum number of clients at the same time.
 MAX_CLIENTS = 100
+_END_S = 2.0  #: longest wait for a callback at the end
 _THREADS = 16
 
 
@@ -58,20 +59,11 @@ class Bridge:
             start_parameter_services=False,
         )
         self._clients = 0
-        self._executor = SingleThreadedExecutor(context=system.context)
-        self._executor.add_node(self.node)
-        system.context.start_thread("zbot rosbridge", self._spin, self._executor.wake)
+        self._spinner = SpinThread(self.node, "zbot rosbridge", self._on_error)
 
-    def _spin(self) -> None:
-        while self.node.context.ok():
-            try:
-                self._executor.spin()
-            except ExternalShutdownException:
-                return
-            except ClientFailedError:
-                continue  # the caller of the service has received the error
-            except Exception as error:  # noqa: BLE001 - a faulty callback must not stop all clients
-                self.report(error)
+    def _on_error(self, error: Exception) -> None:
+        if not isinstance(error, ClientFailedError):  # its caller has received the error
+            self.report(error)
 
     @staticmethod
     def report(error: Exception) -> None:
@@ -86,7 +78,8 @@ class Bridge:
         return f"the server failed: {error!r}"
 
     def close(self) -> None:
-        """Cancel all work that has not begun. The end of the system's context ends the node."""
+        """Stop the callbacks, and cancel all work that has not begun. The context ends the node."""
+        self._spinner.stop(_END_S)
         for threads in (self.threads, self.waiting_threads):
             threads.shutdown(wait=False, cancel_futures=True)
 

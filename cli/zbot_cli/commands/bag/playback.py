@@ -7,10 +7,10 @@ import sys
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from zbot.bag.node_thread import spinning
 from zbot.bag.player import Player
 from zbot.bag.player_services import PlayerServices
 from zbot.errors import ZbotError
+from zbot.executor.spin_thread import SpinThread
 from zbot_cli.commands.bag.options import set_log_level
 from zbot_cli.commands.bag.progress_bar import progress_bar
 from zbot_cli.domain.client import full_name, hidden_node
@@ -60,7 +60,7 @@ class Playback:
             set_log_level(node, self.log_level)
             player = Player(node, self.bags, self.options)
             PlayerServices(node, player)
-            stack.enter_context(spinning(node))
+            stack.enter_context(SpinThread(node, "zbot bag services"))
             if self.has_keys and has_keyboard():
                 _explain_keys(node)
                 stack.enter_context(keys_to(player.press))

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import contextlib
 import sys
-import threading
 from typing import TYPE_CHECKING, TextIO
 
+from zbot.threads.background_thread import background_thread
 from zbot.time import S_TO_NS
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from contextlib import AbstractContextManager
+    from threading import Event
 
     from zbot.bag.player import Player
 
@@ -56,8 +57,9 @@ class ProgressBar:
         self._stream.flush()
 
 
-@contextlib.contextmanager
-def progress_bar(player: Player, rate_hz: float, separation_lines: int) -> Iterator[None]:
+def progress_bar(
+    player: Player, rate_hz: float, separation_lines: int
+) -> AbstractContextManager[None]:
     """Draw a bar during the `with` block. Draw no bar if the output is not a terminal.
 
     Args:
@@ -66,22 +68,14 @@ def progress_bar(player: Player, rate_hz: float, separation_lines: int) -> Itera
         separation_lines: Empty lines between the log lines and the bar.
     """
     if not rate_hz or not sys.stdout.isatty():
-        yield
-        return
+        return contextlib.nullcontext()
     period_s = 1 / (rate_hz if rate_hz > 0 else _EVERY_MESSAGE_HZ)
     bar = ProgressBar(player, separation_lines, sys.stdout)
-    is_over = threading.Event()
 
-    def draw() -> None:
+    def draw(is_over: Event) -> None:
         with contextlib.suppress(OSError, ValueError):  # the terminal was closed
             while not is_over.wait(period_s):
                 bar.draw()
             bar.leave()
 
-    thread = threading.Thread(target=draw, name="zbot progress bar", daemon=True)
-    thread.start()
-    try:
-        yield
-    finally:
-        is_over.set()
-        thread.join()
+    return background_thread("zbot progress bar", draw)
