@@ -1,6 +1,7 @@
 """`zbot action echo`: prints the messages between the server and the clients of an action."""
 
 from __future__ import annotations
+from zbot_cli.errors import CommandError
 
 import sys
 from typing import TYPE_CHECKING, Any
@@ -35,13 +36,7 @@ _PARTS: dict[str, tuple[str, str, QoSProfile]] = {
 }
 
 
-class ActionInterfaceError(ZbotError):
-    """A word is not one of ros2's names for the five parts of an action."""
 
-    def __init__(self, word: str) -> None:
-        self.word = word
-        self.hint = f"choose from {', '.join(_PARTS)}"
-        super().__init__(f'"{word}" is incorrect interface name.')
 
 
 class ActionEcho:
@@ -68,7 +63,7 @@ class ActionEcho:
         self._parts = list(_PARTS) if interfaces is None else interfaces.split("|")
         for part in self._parts:
             if part not in _PARTS:
-                raise ActionInterfaceError(part)
+                raise CommandError(f'"{part}" is incorrect interface name.', hint=f"choose from {', '.join(_PARTS)}")
         self._form = form
         self._format: Formatter = Formatter(form)
 
