@@ -242,7 +242,7 @@ def _report_usage(error: Any) -> int:
 
 
 def _exit_unknown_noun(word: str) -> NoReturn:
-    from zbot.suggestion import did_you_mean  # noqa: PLC0415 - only for mistakes
+    from zbot.errors.suggestion import did_you_mean  # noqa: PLC0415 - only for mistakes
 
     hint = did_you_mean(word, NOUNS, before=" ").replace("did", "Did", 1)  # as typer does for verbs
     _exit_with_usage_error(f"No such command '{word}'.{hint}")

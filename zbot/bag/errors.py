@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from zbot.errors import ZbotError
-from zbot.suggestion import did_you_mean
+from zbot.errors.suggestion import did_you_mean
 
 
 class BagError(ZbotError, RuntimeError):

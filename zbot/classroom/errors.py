@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from zbot.errors import SetupError
-from zbot.suggestion import did_you_mean
+from zbot.errors.suggestion import did_you_mean
 
 
 class ClassroomError(SetupError):

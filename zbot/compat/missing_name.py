@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from zbot.errors import ZbotError
+from zbot.errors.suggestion import question, similar_names
 from zbot.interfaces.finder import is_import_statement
-from zbot.suggestion import question, similar_names
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence

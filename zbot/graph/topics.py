@@ -7,9 +7,9 @@ from enum import Enum
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from zbot.errors.suggestion import nearest, question
 from zbot.graph.filters import TF_TOPICS
 from zbot.names import fully_qualified
-from zbot.suggestion import nearest, question
 from zbot.wire.tokens import EndpointToken, EntityKind
 
 if TYPE_CHECKING:

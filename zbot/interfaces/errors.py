@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from zbot.errors import ZbotError, described, shortened
-from zbot.suggestion import did_you_mean, question
+from zbot.errors.suggestion import did_you_mean, question
 
 
 class InterfaceSyntaxError(ZbotError, ValueError):

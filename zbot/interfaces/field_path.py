@@ -6,8 +6,8 @@ import re
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from zbot.errors import ZbotError
+from zbot.errors.suggestion import did_you_mean
 from zbot.interfaces import spec_of
-from zbot.suggestion import did_you_mean
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -5,8 +5,8 @@ from __future__ import annotations
 import keyword
 import re
 
+from zbot.errors.suggestion import did_you_mean
 from zbot.interfaces.spec import PRIMITIVES, FieldType
-from zbot.suggestion import did_you_mean
 
 _PACKAGE = re.compile(r"(?!.*__)(?!.*_$)[a-z][a-z0-9_]*")
 _FIELD = _PACKAGE

@@ -9,6 +9,7 @@ from importlib.machinery import ModuleSpec
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
+from zbot.errors.suggestion import similar_names
 from zbot.interfaces import registry
 from zbot.interfaces.classes import module_name
 from zbot.interfaces.errors import (
@@ -19,7 +20,6 @@ from zbot.interfaces.errors import (
 from zbot.interfaces.kinds import KINDS
 from zbot.interfaces.registry import has_package
 from zbot.interfaces.spec import ActionSpec, ServiceSpec
-from zbot.suggestion import similar_names
 
 if TYPE_CHECKING:
     from importlib.abc import Loader

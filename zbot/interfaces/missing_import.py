@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+from zbot.errors.suggestion import question, similar_names
 from zbot.interfaces import registry
 from zbot.interfaces.kinds import KINDS
 from zbot.interfaces.location import has_other_versions
-from zbot.suggestion import question, similar_names
 
 _NOUNS = {"msg": "messages", "srv": "services", "action": "actions"}
 

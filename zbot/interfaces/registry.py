@@ -6,6 +6,7 @@ import threading
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
+from zbot.errors.suggestion import similar_names
 from zbot.interfaces.classes import make_action, make_message, make_service
 from zbot.interfaces.errors import (
     InterfaceConflictError,
@@ -27,7 +28,6 @@ from zbot.interfaces.spec import (
     ServiceSpec,
     parts_of,
 )
-from zbot.suggestion import similar_names
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

@@ -5,10 +5,10 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
+from zbot.errors.suggestion import did_you_mean
 from zbot.interfaces import get_message, type_name
 from zbot.interfaces.errors import FieldValueError
 from zbot.interfaces.field_path import is_message
-from zbot.suggestion import did_you_mean
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping

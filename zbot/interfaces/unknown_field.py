@@ -10,8 +10,8 @@ from __future__ import annotations
 import re
 from typing import Any
 
+from zbot.errors.suggestion import did_you_mean
 from zbot.interfaces import registry
-from zbot.suggestion import did_you_mean
 
 # Python 3.13 adds "and no __dict__ for setting new attributes".
 _TEXT = re.compile(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from zbot.suggestion import did_you_mean, question
+from zbot.errors.suggestion import did_you_mean, question
 
 if TYPE_CHECKING:
     from collections.abc import Iterable

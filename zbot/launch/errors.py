@@ -8,8 +8,8 @@ import re
 from typing import TYPE_CHECKING
 
 from zbot.errors import ZbotError, shortened
+from zbot.errors.suggestion import question, similar_names
 from zbot.launch.argument_names import question_about
-from zbot.suggestion import question, similar_names
 from zbot.terminal.typographic import advice
 
 if TYPE_CHECKING:

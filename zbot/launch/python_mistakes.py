@@ -7,8 +7,8 @@ import inspect
 import re
 from typing import TYPE_CHECKING
 
+from zbot.errors.suggestion import did_you_mean, question, similar_names
 from zbot.launch.argument_names import other_words
-from zbot.suggestion import did_you_mean, question, similar_names
 
 if TYPE_CHECKING:
     from collections.abc import Iterable

@@ -14,11 +14,11 @@ from typing import TYPE_CHECKING
 import zenoh
 
 from zbot.errors import NotInitializedError
+from zbot.errors.suggestion import nearest
 from zbot.graph.snapshot import Snapshot
 from zbot.log import get_logger
 from zbot.names import ROSOUT_TOPIC, fully_qualified, is_hidden
 from zbot.process import fork
-from zbot.suggestion import nearest
 from zbot.transport import running_programs
 from zbot.wire.keys import SHARED_DOMAIN
 from zbot.wire.tokens import EndpointToken, EntityKind, NodeToken

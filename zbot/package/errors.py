@@ -6,8 +6,8 @@ import re
 from typing import TYPE_CHECKING
 
 from zbot.errors import ZbotError
+from zbot.errors.suggestion import did_you_mean
 from zbot.package.unavailable import Unavailable, unavailable_package, unavailable_packages
-from zbot.suggestion import did_you_mean
 
 if TYPE_CHECKING:
     from collections.abc import Iterable

@@ -6,7 +6,7 @@ import re
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import InvalidParameterError, ParameterError, SetupError, ZbotError
-from zbot.suggestion import question, similar_names
+from zbot.errors.suggestion import question, similar_names
 
 if TYPE_CHECKING:
     from collections.abc import Iterable

@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import InvalidNameError
+from zbot.errors.suggestion import similar_names
 from zbot.names import validate_node_name
 from zbot.parameters.errors import (
     ParametersFileError,
@@ -22,7 +23,6 @@ from zbot.parameters.errors import (
     ParameterValueError,
 )
 from zbot.parameters.scalar import LETTERS, scalar_value
-from zbot.suggestion import similar_names
 from zbot.yaml_reader import YamlError, compose_untagged
 
 if TYPE_CHECKING:

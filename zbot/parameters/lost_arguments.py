@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
-from zbot.suggestion import nearest
+from zbot.errors.suggestion import nearest, question
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -30,7 +30,7 @@ def warning_about(words: Sequence[str]) -> str:
     """
     for word in words:
         if word.startswith("-") and nearest(word, [_BEGIN]):
-            return f"{word} has no effect; did you mean '{_BEGIN}'?"
+            return f"{word} has no effect{question([_BEGIN], '; ')}"
     lost, right = list[str](), list[str]()
     for before, word in zip(("", *words), words, strict=False):
         wanted = _right(before, word)

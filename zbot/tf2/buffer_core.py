@@ -6,8 +6,8 @@ import math
 import threading
 from typing import TYPE_CHECKING, Any
 
+from zbot.errors.suggestion import did_you_mean
 from zbot.log import get_logger
-from zbot.suggestion import did_you_mean
 from zbot.tf2.errors import (
     ConnectivityException,
     ExtrapolationException,

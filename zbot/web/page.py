@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from nicegui import app, ui
 
 from zbot.errors import ZbotError
-from zbot.suggestion import did_you_mean
+from zbot.errors.suggestion import did_you_mean
 from zbot.version import __version__
 from zbot.web.panel import Page
 from zbot.web.panels import PANELS

@@ -6,8 +6,8 @@ import re
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from zbot.errors.suggestion import nearest
 from zbot.names import fully_qualified
-from zbot.suggestion import nearest
 from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:

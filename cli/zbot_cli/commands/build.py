@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 import typer
 
 from zbot.errors import ZbotError
+from zbot.errors.suggestion import question, similar_names
 from zbot.package import packages
 from zbot.package.finder import BUNDLED_NAMES
 from zbot.package.manifest import ManifestError, read_manifest
@@ -23,7 +24,6 @@ from zbot.package.workspace import (
     package_folders,
     package_name,
 )
-from zbot.suggestion import question, similar_names
 from zbot_cli.input.many_values import ManyValuesCommand
 from zbot_cli.output.exit_status import Status
 from zbot_cli.output.listing import new_app

@@ -20,9 +20,9 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from zbot.errors import ZbotError
+from zbot.errors.suggestion import nearest, question
 from zbot.graph.snapshot import Snapshot, full_names, processes
 from zbot.names import fully_qualified, is_hidden
-from zbot.suggestion import nearest, question
 from zbot.terminal.text import escape_control_characters
 from zbot.transport import config, environment, running_programs
 from zbot.transport.errors import NoRouterError

@@ -10,6 +10,7 @@ from typing import Annotated
 import typer
 
 from zbot.errors import ZbotError
+from zbot.errors.suggestion import did_you_mean
 from zbot.interfaces import (
     ActionSpec,
     InterfaceSpec,
@@ -21,7 +22,6 @@ from zbot.interfaces import (
 )
 from zbot.interfaces.location import core_packages
 from zbot.interfaces.repositories import how_to_add, repository_of
-from zbot.suggestion import did_you_mean
 from zbot_cli.domain.types import all_types, find_types, type_hint
 from zbot_cli.output.definition import definition
 from zbot_cli.output.exit_status import Status

@@ -11,6 +11,7 @@ import typer
 
 import zbot.compat
 from zbot.errors import ZbotError
+from zbot.errors.suggestion import did_you_mean
 from zbot.launch.actions.executable import PREFIX, PREFIX_FILTER
 from zbot.launch.actions.include import IncludeLaunchDescription
 from zbot.launch.arguments import declared_arguments, parse_arguments
@@ -23,7 +24,6 @@ from zbot.launch.substitution import TextSubstitution, describe
 from zbot.package.absent import absent_packages_reported
 from zbot.package.ros_variables import set_ros_variables
 from zbot.package.workspace import set_workspace_variable
-from zbot.suggestion import did_you_mean
 from zbot_cli.commands.run import find as find_executable
 from zbot_cli.output.listing import new_app
 from zbot_cli.packages import launch_file

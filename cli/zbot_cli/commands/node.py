@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from zbot.errors import ZbotError
+from zbot.errors.suggestion import did_you_mean
 from zbot.graph.snapshot import full_names
 from zbot.names import fully_qualified, is_hidden
-from zbot.suggestion import did_you_mean
 from zbot.wire.tokens import EntityKind
 from zbot_cli.domain.client import (
     client,

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, ClassVar
 import typer
 
 from zbot.errors import ZbotError
+from zbot.errors.suggestion import did_you_mean
 from zbot.package import PackageNotFoundError, package_prefix, package_share, packages
 from zbot.package.finder import BUNDLED_NAMES, find_package
 from zbot.package.workspace import (
@@ -19,7 +20,6 @@ from zbot.package.workspace import (
     package_name,
     packages_by_name,
 )
-from zbot.suggestion import did_you_mean
 from zbot_cli.commands.run import PackageNotFoundError as UnknownPackageError
 from zbot_cli.input.many_values import ManyValuesCommand
 from zbot_cli.output.exit_status import Status

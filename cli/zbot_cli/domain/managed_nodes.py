@@ -6,8 +6,8 @@ import threading
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
+from zbot.errors.suggestion import did_you_mean
 from zbot.names import fully_qualified, is_hidden
-from zbot.suggestion import did_you_mean
 from zbot_cli.domain.client import full_name
 
 from lifecycle_msgs.msg import Transition

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
+from zbot.errors.suggestion import did_you_mean
 from zbot.graph.snapshot import full_names
 from zbot.interfaces import get_service
 from zbot.names import fully_qualified, is_hidden
@@ -16,7 +17,6 @@ from zbot.parameters.parameter import (
     parameter_type,
     parameter_value_to_python,
 )
-from zbot.suggestion import did_you_mean
 from zbot_cli.domain.client import full_name, nobody_runs
 
 if TYPE_CHECKING:

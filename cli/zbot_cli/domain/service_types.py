@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
-from zbot.suggestion import did_you_mean
+from zbot.errors.suggestion import did_you_mean
 from zbot.wire.tokens import EntityKind
 from zbot_cli.domain.types import all_types, find_types, learn, type_hint
 

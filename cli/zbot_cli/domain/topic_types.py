@@ -7,8 +7,8 @@ import time
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
+from zbot.errors.suggestion import did_you_mean, similar_names
 from zbot.names import fully_qualified
-from zbot.suggestion import did_you_mean, similar_names
 from zbot.wire.tokens import EntityKind
 from zbot_cli.domain.client import print_stopped_programs
 

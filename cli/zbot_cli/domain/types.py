@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING
 
 from zbot import interfaces  # this package imports its modules when one of its names is used
 from zbot.errors import ZbotError
+from zbot.errors.suggestion import nearest, question
 from zbot.interfaces.errors import UnknownInterfaceError, UnknownPackageError
 from zbot.interfaces.kinds import KINDS
-from zbot.suggestion import nearest, question
 
 if TYPE_CHECKING:
     from collections.abc import Container, Iterator

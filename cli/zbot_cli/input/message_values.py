@@ -11,8 +11,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Union
 
 from zbot.errors import ZbotError
+from zbot.errors.suggestion import did_you_mean
 from zbot.interfaces import get_message, spec_of, yaml_text
-from zbot.suggestion import did_you_mean
 from zbot.terminal.typographic import is_quoted
 from zbot_cli.input import yaml_mistakes
 

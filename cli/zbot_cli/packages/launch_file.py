@@ -6,10 +6,10 @@ import os
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from zbot.errors.suggestion import did_you_mean
 from zbot.launch.errors import LaunchFileNotFoundError
 from zbot.package import PackageNotFoundError, package_share, packages
 from zbot.package.symlink_install import files_below
-from zbot.suggestion import did_you_mean
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence

@@ -18,9 +18,9 @@ from typing import TYPE_CHECKING, Protocol
 
 from zbot.classroom.errors import ClassroomError
 from zbot.errors import InvalidNameError
+from zbot.errors.suggestion import did_you_mean, question, similar_names
 from zbot.graph.snapshot import full_names
 from zbot.names import validate_full_topic_name
-from zbot.suggestion import did_you_mean, question, similar_names
 from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:

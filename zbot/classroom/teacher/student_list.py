@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 from zbot.classroom.errors import ClassroomError
 from zbot.errors import shortened
-from zbot.suggestion import nearest
+from zbot.errors.suggestion import nearest
 from zbot.terminal.text import single_line
 from zbot.transport.config import MAX_DOMAIN_ID
 

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
+from zbot.errors.suggestion import did_you_mean
 from zbot.launch.action import Action
 from zbot.launch.condition import IfCondition, UnlessCondition
 from zbot.launch.description import LaunchDescription
@@ -15,7 +16,6 @@ from zbot.launch.errors import LaunchFileError
 from zbot.launch.frontend import xml_file, yaml_file
 from zbot.launch.frontend.registry import ACTIONS
 from zbot.launch.frontend.substitution_text import parse, parse_if_substitutions
-from zbot.suggestion import did_you_mean
 
 if TYPE_CHECKING:
     from typing import TextIO

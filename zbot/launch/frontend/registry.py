@@ -5,11 +5,11 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING, Any, TypeVar
 
+from zbot.errors.suggestion import question, similar_names
 from zbot.launch import substitutions as subs
 from zbot.launch.errors import LaunchUsageError
 from zbot.launch.frontend.errors import SubstitutionSyntaxError
 from zbot.launch.substitution import TextSubstitution
-from zbot.suggestion import question, similar_names
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -7,10 +7,10 @@ import secrets
 import socket
 from typing import TYPE_CHECKING, Any
 
+from zbot.errors.suggestion import did_you_mean
 from zbot.launch.errors import SubstitutionError
 from zbot.launch.substitution import Substitution, describe, normalize, perform
 from zbot.log.log_file import get_logging_directory
-from zbot.suggestion import did_you_mean
 
 if TYPE_CHECKING:
     from zbot.launch.context import LaunchContext

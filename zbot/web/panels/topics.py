@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 from nicegui import ui
 
+from zbot.errors.suggestion import question
 from zbot.names import is_hidden
-from zbot.suggestion import question
 from zbot.web.folded_names import FoldedRow, folded
 from zbot.web.panel import Page, Panel
 from zbot.web.table import Cell, Column, Table

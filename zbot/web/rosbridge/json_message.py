@@ -7,9 +7,9 @@ import binascii
 import math
 from typing import TYPE_CHECKING, Any
 
+from zbot.errors.suggestion import did_you_mean
 from zbot.interfaces import get_message, message_spec_of
 from zbot.interfaces.spec import FLOAT32_MAX, INTEGER_RANGES, FieldType
-from zbot.suggestion import did_you_mean
 from zbot.web.rosbridge.client_message import RosbridgeError
 
 if TYPE_CHECKING:

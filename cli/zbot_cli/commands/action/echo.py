@@ -10,6 +10,7 @@ from zbot.interfaces.plain_value import json_value
 from zbot.qos import QoSProfile, qos_profile_action_status_default
 from zbot_cli.domain.action_types import only_action_type, resolve_action_type, suggestion
 from zbot_cli.domain.client import hidden_node
+from zbot_cli.errors import CommandError
 from zbot_cli.output.listing import print_json
 from zbot_cli.output.service_event import event_json, event_text
 
@@ -33,15 +34,6 @@ _PARTS: dict[str, tuple[str, str, QoSProfile]] = {
         qos_profile_action_status_default,
     ),
 }
-
-
-class ActionInterfaceError(ZbotError):
-    """A word is not one of ros2's names for the five parts of an action."""
-
-    def __init__(self, word: str) -> None:
-        self.word = word
-        self.hint = f"choose from {', '.join(_PARTS)}"
-        super().__init__(f'"{word}" is incorrect interface name.')
 
 
 class ActionEcho:
@@ -68,7 +60,10 @@ class ActionEcho:
         self._parts = list(_PARTS) if interfaces is None else interfaces.split("|")
         for part in self._parts:
             if part not in _PARTS:
-                raise ActionInterfaceError(part)
+                raise CommandError(
+                    f'"{part}" is incorrect interface name.',
+                    hint=f"choose from {', '.join(_PARTS)}",
+                )
         self._form = form
         self._format: Formatter = Formatter(form)
 

@@ -108,7 +108,7 @@ class PrefixError(ZbotError):
 
 
 def _hint(word: str, known: Iterable[str], otherwise: str) -> str:
-    from zbot.suggestion import did_you_mean  # noqa: PLC0415 - only for mistakes
+    from zbot.errors.suggestion import did_you_mean  # noqa: PLC0415 - only for mistakes
 
     return did_you_mean(word, known) or otherwise
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 from zbot.errors import ZbotError
+from zbot.errors.suggestion import question, similar_names
 from zbot.package.workspace import MANIFEST
-from zbot.suggestion import question, similar_names
 
 _LAUNCH_ENDINGS = (
     ".launch.py",

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from zbot.errors import ZbotError
+from zbot.errors.suggestion import did_you_mean
 from zbot.names import fully_qualified, is_hidden
-from zbot.suggestion import did_you_mean
 from zbot.wire.tokens import EndpointToken, EntityKind
 from zbot_cli.domain.client import client, full_name, note_if_nobody_runs, snapshot, snapshot_of
 from zbot_cli.domain.types import check_known

@@ -7,10 +7,10 @@ import re
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from zbot.errors.suggestion import did_you_mean
 from zbot.package.errors import SetupFileError
 from zbot.package.python_finder import import_paths
 from zbot.package.setup_file import script_lines
-from zbot.suggestion import did_you_mean
 from zbot_cli.packages.check.problem import Problem
 from zbot_cli.packages.check.subject import line_of
 from zbot_cli.packages.executables import module_file

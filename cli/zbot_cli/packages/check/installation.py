@@ -6,6 +6,7 @@ import os
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from zbot.errors.suggestion import did_you_mean, nearest, question
 from zbot.package.cmake_file import read_cmake
 from zbot.package.errors import SetupFileError
 from zbot.package.finder import COMPAT_PACKAGES, Origin, Package
@@ -13,7 +14,6 @@ from zbot.package.python_finder import import_paths
 from zbot.package.setup_file import setup_arguments
 from zbot.package.symlink_install import files_below, installed_files
 from zbot.package.workspace import MANIFEST
-from zbot.suggestion import did_you_mean, nearest, question
 from zbot_cli.packages.check.problem import Problem
 from zbot_cli.packages.check.subject import line_of
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING
 
+from zbot.errors.suggestion import did_you_mean
 from zbot.interfaces import interface_names
 from zbot.interfaces.errors import InterfaceSyntaxError
 from zbot.interfaces.kinds import KINDS
@@ -13,7 +14,6 @@ from zbot.interfaces.spec import ActionSpec, MessageSpec, ServiceSpec
 from zbot.package.cmake_file import read_cmake
 from zbot.package.errors import SetupFileError
 from zbot.package.workspace import MANIFEST
-from zbot.suggestion import did_you_mean
 from zbot_cli.packages.check.problem import Problem
 
 if TYPE_CHECKING:

@@ -7,10 +7,10 @@ import contextlib
 import warnings
 from typing import TYPE_CHECKING
 
+from zbot.errors.suggestion import nearest, question
 from zbot.package.errors import SetupFileError
 from zbot.package.setup_file import data_files, setup_arguments
 from zbot.package.workspace import MANIFEST
-from zbot.suggestion import nearest, question
 from zbot_cli.packages.check.problem import Problem
 from zbot_cli.packages.check.subject import line_of
 

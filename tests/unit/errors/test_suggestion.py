@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from zbot.suggestion import did_you_mean, nearest, question, similar_names
+from zbot.errors.suggestion import did_you_mean, nearest, question, similar_names
 
 
 @pytest.mark.parametrize(

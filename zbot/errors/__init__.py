@@ -11,7 +11,19 @@ import sys
 
 
 class ZbotError(Exception):
-    """Root of all exceptions that zbot raises on purpose."""
+    """Root of all exceptions that zbot raises on purpose.
+
+    Attributes:
+        hint: What the user can do. The command prints it below the message. It is empty if there
+            is no advice.
+    """
+
+    hint: str = ""
+
+    def __init__(self, *args: object, hint: str | None = "") -> None:
+        if hint:
+            self.hint = hint
+        super().__init__(*args)
 
 
 def shortened(value: object, limit: int = 80) -> str:
