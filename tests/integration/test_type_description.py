@@ -14,8 +14,8 @@ from zbot.interfaces import MessageSpec, get_message, get_spec, type_hash
 from zbot.interfaces.errors import DefinitionLimitError
 from zbot.interfaces.parser import parse
 from zbot.interfaces.remote_definition import hash_among, specs_from_sources
-from zbot.node.remote_types import learn_type
 from zbot.node.type_description import SERVICE_TYPE
+from zbot.remote.types import learn_type
 from zbot.wire.tokens import EntityKind
 
 from type_description_interfaces.msg import TypeSource

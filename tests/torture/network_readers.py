@@ -148,7 +148,7 @@ def _description(data: bytes) -> None:
 
 
 def _description_response(data: bytes) -> None:
-    from zbot.node.remote_types import _from_description, _from_texts  # noqa: PLC0415
+    from zbot.node.definition_request import _from_description, _from_texts  # noqa: PLC0415
 
     answer = _decoded(
         get_interface("type_description_interfaces/srv/GetTypeDescription_Response"), data
@@ -354,7 +354,7 @@ NETWORK_READERS = (
     ),
     Reader(
         "type_description_response",
-        ("zbot.node.remote_types",),
+        ("zbot.node.definition_request",),
         _description_response,
         (*_UNKNOWN, CodecError),
         (_response("geometry_msgs/msg/Pose"), _response("std_msgs/msg/String")),

@@ -120,17 +120,6 @@ def read_overrides(path: Path) -> dict[str, QoSProfile]:
         raise QosOverridesError(path, str(error)) from error
 
 
-def profile_to_subscribe(offered: Sequence[QoSProfile], depth: int) -> QoSProfile:
-    """Return a profile that is compatible with all publishers of a topic."""
-    profile = QoSProfile(depth=depth)
-    if any(one.reliability is not ReliabilityPolicy.RELIABLE for one in offered):
-        profile.reliability = ReliabilityPolicy.BEST_EFFORT
-    if offered and all(one.durability is DurabilityPolicy.TRANSIENT_LOCAL for one in offered):
-        profile.durability = DurabilityPolicy.TRANSIENT_LOCAL
-        profile.depth = max(depth, *(one.depth for one in offered))
-    return profile
-
-
 def profile_to_publish(recorded: Sequence[QoSProfile]) -> QoSProfile:
     """Return a profile to publish the messages of a topic again.
 

@@ -11,15 +11,15 @@ from zbot.bag.action_description import action_name
 from zbot.bag.definition import ENCODING, definition_text
 from zbot.bag.message import BagMessage, Definition
 from zbot.bag.metadata import TopicMetadata
-from zbot.bag.qos_profiles import profile_to_subscribe
 from zbot.bag.recorder_services import RecorderServices
 from zbot.bag.write_queue import WriteQueue
 from zbot.errors import ZbotError
 from zbot.executor.clock import Clock
 from zbot.executor.task import Future
-from zbot.interfaces import get_message, has_sequences, type_hash
+from zbot.interfaces import has_sequences, type_hash
 from zbot.names import is_hidden
-from zbot.node.remote_types import learn_type
+from zbot.remote.profiles import profile_to_record
+from zbot.remote.types import UnknownTypeError, interface
 from zbot.time import ClockType
 
 if TYPE_CHECKING:
@@ -290,7 +290,7 @@ class Recorder:
         depth = _DEPTH_OF_SEQUENCES if has_sequences(message_class) else _DEPTH
         profile = self._overrides.get(topic)
         if profile is None:
-            profile = profile_to_subscribe(offered, depth)
+            profile = profile_to_record(offered, depth)
         else:
             self._log.info(f"Overriding subscription profile for {topic}")
         self._queue.add_topic(
@@ -312,12 +312,9 @@ class Recorder:
     def _class(self, topic: str, type_name: str) -> type[Any] | None:
         """Return the class of a topic's type. Ask other nodes if the type is not known here."""
         try:
-            try:
-                return get_message(type_name)
-            except LookupError:
-                if learn_type(self._node.context, type_name) is not None:
-                    return get_message(type_name)
-                reason = "neither this machine nor a node has its definition"
+            return interface(self._node.context, type_name)
+        except UnknownTypeError:
+            reason = "neither this machine nor a node has its definition"
         except ZbotError as error:
             reason = str(error)
         self._warn(

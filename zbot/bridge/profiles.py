@@ -10,9 +10,9 @@ from zbot.qos import (
     HistoryPolicy,
     QoSCompatibility,
     QoSProfile,
-    ReliabilityPolicy,
     qos_check_compatible,
 )
+from zbot.remote.profiles import profile_to_subscribe
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
@@ -30,23 +30,19 @@ def profiles(
     must not lose messages while the bridge is busy.
     """
     promised = publishers or subscriptions
-    is_reliable = all(one.reliability is not ReliabilityPolicy.BEST_EFFORT for one in publishers)
-    is_latched = bool(promised) and _agree(promised, latched=bool(publishers))
+    wants_old = any(one.durability is DurabilityPolicy.TRANSIENT_LOCAL for one in subscriptions)
+    wanted = DurabilityPolicy.TRANSIENT_LOCAL if wants_old else DurabilityPolicy.VOLATILE
+    both = profile_to_subscribe(publishers, QoSProfile(depth=DEPTH, durability=wanted))
     depths = (one.depth for one in promised if one.history is not HistoryPolicy.KEEP_ALL)
-    depth = max([DEPTH, *depths])
-    reliability = ReliabilityPolicy.RELIABLE if is_reliable else ReliabilityPolicy.BEST_EFFORT
-    durability = DurabilityPolicy.TRANSIENT_LOCAL if is_latched else DurabilityPolicy.VOLATILE
-    # Each transient local publisher keeps at least one message for late subscriptions.
-    kept = max(depth, len(publishers)) if is_latched else depth
-    return (
-        QoSProfile(depth=max(queue, kept), reliability=reliability, durability=durability),
-        QoSProfile(depth=kept, reliability=reliability, durability=durability),
-    )
+    kept = max([DEPTH, *depths])
+    if both.durability is DurabilityPolicy.TRANSIENT_LOCAL:
+        # Each transient local publisher keeps at least one message for late subscriptions.
+        kept = max(kept, len(publishers))
+    return _with_depth(both, max(queue, kept)), _with_depth(both, kept)
 
 
-def _agree(found: Sequence[QoSProfile], *, latched: bool) -> bool:
-    are = [one.durability is DurabilityPolicy.TRANSIENT_LOCAL for one in found]
-    return all(are) if latched else any(are)
+def _with_depth(profile: QoSProfile, depth: int) -> QoSProfile:
+    return QoSProfile(depth=depth, reliability=profile.reliability, durability=profile.durability)
 
 
 def mismatches(publishers: Iterable[End], subscriptions: Iterable[End]) -> list[str]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from contextlib import suppress
 from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Any
@@ -20,8 +19,8 @@ from zbot.errors import ZbotError
 from zbot.interfaces import get_interface, type_hash
 from zbot.interfaces.registry import is_loaded
 from zbot.names import fully_qualified, split_fully_qualified
-from zbot.node.remote_types import learn_type, nodes_to_ask
 from zbot.qos import QoSProfile, qos_profile_services_default
+from zbot.remote.types import UnknownTypeError, interface, nodes_to_ask
 from zbot.wire.rmw_zenoh import NO_HASH
 from zbot.wire.tokens import EndpointToken, EntityKind, NodeToken
 
@@ -114,12 +113,8 @@ class ZbotSide:
 
     def _look_up(self, type_name: str) -> str:
         try:
-            get_interface(type_name)
-        except LookupError:
-            with suppress(ZbotError, LookupError):
-                if learn_type(self._context, type_name) is not None:
-                    get_interface(type_name)
-                    return ""
+            interface(self._context, type_name)
+        except UnknownTypeError:
             return f"{self.label} has no definition of {type_name}"
         except ZbotError as error:
             return str(error)

@@ -18,7 +18,7 @@ from zbot.interfaces.errors import (
 )
 from zbot.interfaces.remote_definition import specs_from
 from zbot.names import fully_qualified
-from zbot.node.remote_types import definitions_of
+from zbot.node.definition_request import definitions_of
 
 if TYPE_CHECKING:
     from zbot.context import Context

@@ -12,6 +12,9 @@ if TYPE_CHECKING:
     from zbot.node.subscription import Subscription
     from zbot.qos import QoSProfile
 
+#: Messages that can wait while the executor is busy. Lost messages are counted.
+QUEUE_DEPTH = 100
+
 
 def subscribe_to_payloads(
     node: Node,

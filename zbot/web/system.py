@@ -16,13 +16,14 @@ from zbot.interfaces import get_interface
 from zbot.log import LoggingSeverity, get_logger, set_logger_level
 from zbot.names import ROSOUT_TOPIC
 from zbot.node.node import Node
-from zbot.node.remote_types import learn_type
 from zbot.qos import qos_profile_rosout_default
+from zbot.remote.profiles import profile_to_show
+from zbot.remote.types import interface
 from zbot.web.log_ring import LogRing
-from zbot.web.payload_subscription import subscribe_to_payloads
+from zbot.web.payload_subscription import QUEUE_DEPTH, subscribe_to_payloads
 from zbot.web.repeated_publishing import RepeatedPublishing
 from zbot.web.shared_entities import SharedEntities
-from zbot.web.watch import Feed, UnknownTypeError, Watch, profile_for
+from zbot.web.watch import Feed, Watch
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -196,7 +197,9 @@ class System:
             except LookupError:
                 self._learn(feed)
                 return
-            self._open_subscription(feed, message_type, profile_for(publishers))
+            self._open_subscription(
+                feed, message_type, profile_to_show([end.qos for end in publishers], QUEUE_DEPTH)
+            )
 
     def _open_subscription(self, feed: Feed, message_type: Any, profile: Any) -> None:
         feed.problem = ""
@@ -248,12 +251,7 @@ class System:
         Raises:
             UnknownTypeError: No definition of the type was found.
         """
-        try:
-            return get_interface(type_name)
-        except LookupError:
-            if learn_type(self.context, type_name) is None:
-                raise UnknownTypeError(type_name) from None
-            return get_interface(type_name)
+        return interface(self.context, type_name)
 
     def publisher(self, topic: str, type_name: str) -> EntityReference[Publisher[Any]]:
         """Return a reference to a publisher.

@@ -10,8 +10,6 @@ import time
 from collections import deque
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from zbot.errors import ZbotError
-from zbot.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from zbot.web.rate_meter import RateMeter
 from zbot.wire.errors import CodecError
 
@@ -21,13 +19,10 @@ if TYPE_CHECKING:
     from typing_extensions import Self
 
     from zbot.node.message_info import MessageInfo
-    from zbot.wire.tokens import EndpointToken
 
 #: A page is drawn at most 30 times a second. Between two drawings, the last decoded message is used
 #: again.
 _DECODE_PERIOD_NS = 10**9 // 30
-#: Length of the queue while the executor is busy. Lost messages are counted.
-_DEPTH = 100
 _MOST_HISTORY_BYTES = 32_000_000
 
 
@@ -263,32 +258,3 @@ class Watch:
 
     def __exit__(self, *_: object) -> None:
         self.release()
-
-
-class UnknownTypeError(ZbotError):
-    """zbot did not find a definition of a type on this machine or in other nodes."""
-
-    def __init__(self, type_name: str) -> None:
-        self.type_name = type_name
-        super().__init__(
-            f"no definition of {type_name} was found: put its file into a package of your workspace"
-        )
-
-
-def profile_for(publishers: Sequence[EndpointToken]) -> QoSProfile:
-    """Return a subscription's QoS profile that is compatible with all publishers.
-
-    It is transient local if all publishers are transient local. Then a page shows the last message
-    of a latched topic.
-    """
-    is_latched = bool(publishers) and all(
-        end.qos.durability is DurabilityPolicy.TRANSIENT_LOCAL for end in publishers
-    )
-    is_reliable = bool(publishers) and all(
-        end.qos.reliability is ReliabilityPolicy.RELIABLE for end in publishers
-    )
-    return QoSProfile(
-        depth=_DEPTH,
-        reliability=ReliabilityPolicy.RELIABLE if is_reliable else ReliabilityPolicy.BEST_EFFORT,
-        durability=DurabilityPolicy.TRANSIENT_LOCAL if is_latched else DurabilityPolicy.VOLATILE,
-    )

@@ -87,7 +87,7 @@ def learn(name: str) -> bool:
     Raises:
         InterfaceConflictError: This machine has another definition of a nested type.
     """
-    from zbot.node.remote_types import learn_type  # noqa: PLC0415 - only for types of other machines
+    from zbot.remote.types import learn_type  # noqa: PLC0415 - only for types of other machines
     from zbot_cli.domain.client import client  # noqa: PLC0415 - as above
 
     if len(name.split("/")) != 3 or not all(part.isidentifier() for part in name.split("/")):

@@ -15,6 +15,7 @@ from zbot.qos import (
     QoSProfile,
     ReliabilityPolicy,
 )
+from zbot.remote.profiles import profile_to_subscribe
 from zbot.time import Duration
 
 if TYPE_CHECKING:
@@ -54,17 +55,11 @@ class QosOptions:
     def to_subscribe(self, publishers: list[EndpointToken]) -> QoSProfile:
         """Return the profile for a subscription.
 
-        Without `--qos-profile`, the profile is reliable if all publishers are reliable, and
-        transient local if all publishers are transient local. So `echo` also shows messages that
-        were published before `echo` started. Other options override these values.
+        Without `--qos-profile`, the profile fits all publishers. Other options override it.
         """
         profile = self._preset("sensor_data")
-        if publishers and self.profile is None:
-            if all(end.qos.reliability is ReliabilityPolicy.RELIABLE for end in publishers):
-                profile.reliability = ReliabilityPolicy.RELIABLE
-            if all(end.qos.durability is DurabilityPolicy.TRANSIENT_LOCAL for end in publishers):
-                profile.durability = DurabilityPolicy.TRANSIENT_LOCAL
-                profile.depth = max(profile.depth, *(end.qos.depth for end in publishers))
+        if self.profile is None:
+            profile_to_subscribe([end.qos for end in publishers], profile)
         return self._build(profile)
 
     def _preset(self, default: str) -> QoSProfile:

@@ -6,13 +6,14 @@ import math
 from typing import TYPE_CHECKING, Any
 
 import zbot
-from zbot.interfaces import get_message
-from zbot.node.remote_types import learn_type
-from zbot.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+from zbot.remote.profiles import profile_to_record
+from zbot.remote.types import interface
 from zbot_nodes.startup.program import ParameterError
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
+
+    from zbot.qos import QoSProfile
 
 _DISCOVERY_S = 0.1
 _DEPTH = 10
@@ -87,27 +88,14 @@ class TopicTool(zbot.Node):
     def message_type(self) -> Any:
         """Return the class of the messages. If its definition is unknown, ask the publisher."""
         assert self.source is not None
-        try:
-            return get_message(self.source[0])
-        except (LookupError, zbot.ZbotError):
-            learn_type(self.context, self.source[0])
-            return get_message(self.source[0])
+        return interface(self.context, self.source[0])
 
     def find_source(self) -> tuple[str, QoSProfile] | None:
         """Return the type and profile of the input's publishers, or None without a publisher."""
         found = self.get_publishers_info_by_topic(self.resolve_topic_name(self.input))
         if not found:
             return None
-        profiles = [one.qos_profile for one in found]
-        is_reliable = all(one.reliability is ReliabilityPolicy.RELIABLE for one in profiles)
-        is_kept = all(one.durability is DurabilityPolicy.TRANSIENT_LOCAL for one in profiles)
-        profile = QoSProfile(
-            depth=_DEPTH,
-            reliability=(
-                ReliabilityPolicy.RELIABLE if is_reliable else ReliabilityPolicy.BEST_EFFORT
-            ),
-            durability=(DurabilityPolicy.TRANSIENT_LOCAL if is_kept else DurabilityPolicy.VOLATILE),
-        )
+        profile = profile_to_record([one.qos_profile for one in found], _DEPTH)
         return found[0].topic_type, profile
 
     def process(self, message: bytes) -> None:

@@ -6,10 +6,10 @@ import threading
 from typing import TYPE_CHECKING, Any
 
 from zbot.bag.definition import ENCODING, definition_text
-from zbot.bag.qos_profiles import profile_to_subscribe
 from zbot.errors import NotInitializedError, ZbotError
 from zbot.log import get_logger
 from zbot.names import is_hidden
+from zbot.remote.profiles import profile_to_show
 
 if TYPE_CHECKING:
     from zbot.graph.snapshot import Snapshot
@@ -101,7 +101,7 @@ class Channels:
 
     def _subscription(self, topic: str, one: _Topic) -> Subscription[Any] | None:
         publishers = self._system.snapshot().publishers(topic)
-        profile = profile_to_subscribe([end.qos for end in publishers], _DEPTH)
+        profile = profile_to_show([end.qos for end in publishers], _DEPTH)
 
         def send(data: bytes) -> None:
             one.channel.log(data)

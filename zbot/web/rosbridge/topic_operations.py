@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING, Any
 from zbot.interfaces import type_name
 from zbot.interfaces.plain_value import json_value
 from zbot.qos import DurabilityPolicy, QoSProfile
-from zbot.web.payload_subscription import subscribe_to_payloads
+from zbot.remote.profiles import profile_to_show
+from zbot.web.payload_subscription import QUEUE_DEPTH, subscribe_to_payloads
 from zbot.web.rosbridge.cbor import cbor_value
 from zbot.web.rosbridge.client_message import RosbridgeError
 from zbot.web.rosbridge.frame import COMPRESSIONS, dump, frames
 from zbot.web.rosbridge.json_message import message_from_json
 from zbot.web.rosbridge.outbox import TopicQueue
-from zbot.web.watch import profile_for
 from zbot.wire.errors import CodecError
 from zbot.wire.serialization import serialize_message
 
@@ -208,7 +208,7 @@ class _Subscription:
             self.message_type,
             self._topic,
             self._put,
-            profile_for(graph.publishers(self._topic)),
+            profile_to_show([end.qos for end in graph.publishers(self._topic)], QUEUE_DEPTH),
         )
 
     def set(self, id_: Any, options: _Options) -> None:

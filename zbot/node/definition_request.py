@@ -1,4 +1,4 @@
-"""Requests for the definitions of types that nodes use and that this machine does not have."""
+"""Request to a node for its definitions of a type, and the check of its answer."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import time
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from zbot.interfaces import get_interface, get_spec, register_spec
+from zbot.interfaces import get_interface
 from zbot.interfaces.definition_limits import check_limits
 from zbot.interfaces.errors import (
     DefinitionLimitError,
@@ -15,7 +15,6 @@ from zbot.interfaces.errors import (
     UnknownInterfaceError,
     UnknownPackageError,
 )
-from zbot.interfaces.registry import has_package
 from zbot.interfaces.remote_definition import hash_among, specs_from, specs_from_sources
 from zbot.node.type_description import SERVICE_TYPE
 from zbot.transport import admin_query
@@ -24,20 +23,15 @@ from zbot.wire.errors import CodecError
 from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator
-
     from zbot.context import Context
-    from zbot.graph.snapshot import Snapshot
     from zbot.interfaces import InterfaceSpec
     from zbot.wire.tokens import EndpointToken
 
-#: The largest number of nodes to ask that do not use the wanted type, but another type of its
-#: package. These nodes are asked last.
-_MAX_OTHER_NODES = 8
+ANSWER_TIMEOUT_S = 2.0  #: nodes usually answer within milliseconds
 
 
 @dataclass(frozen=True)
-class _Provider:
+class Provider:
     """A node that may know a type."""
 
     service: EndpointToken  #: its service `get_type_description`
@@ -45,54 +39,8 @@ class _Provider:
     used_hash: str = ""
 
 
-def learn_type(context: Context, name: str, *, timeout_s: float = 2.0) -> InterfaceSpec | None:
-    """Register a type that nodes of the domain use and that has no definition on this machine.
-
-    Args:
-        context: The context whose session sends the requests.
-        name: Full name of the type, `pkg/msg/Name`. The type may also be a part of a used type.
-        timeout_s: Seconds to wait for each node. Nodes usually answer within milliseconds.
-
-    Returns:
-        The definition, or `None` if no node has it. The definition has comments only if the node
-        sent the text of the type's file.
-
-    Raises:
-        DefinitionLimitError: The only definition would make messages that are too large.
-        InterfaceConflictError: A part of the type has another definition on this machine.
-    """
-    context.wait_for_peers()
-    refusal: DefinitionLimitError | None = None
-    for provider in _providers(context.graph.snapshot(), name):
-        answer = _ask(context, provider.service, name, timeout_s)
-        try:
-            specs = answer and _checked(answer, name, provider)
-        except DefinitionLimitError as error:
-            refusal = error  # another node may have a definition that zbot can use
-            continue
-        if specs:
-            for spec in specs:
-                register_spec(spec)
-            return get_spec(name)
-    if refusal is not None:
-        raise refusal
-    return None
-
-
-def nodes_to_ask(context: Context, name: str) -> frozenset[str]:
-    """Return the tokens of the nodes that `learn_type` would ask now."""
-    return frozenset(one.service.key for one in _providers(context.graph.snapshot(), name))
-
-
-def definitions_of(
-    context: Context, end: EndpointToken, *, timeout_s: float = 2.0
-) -> list[InterfaceSpec]:
+def definitions_of(context: Context, end: EndpointToken) -> list[InterfaceSpec]:
     """Ask a node for its definitions of an endpoint's type and of the types inside it.
-
-    Args:
-        context: The context whose session sends the request.
-        end: The endpoint.
-        timeout_s: Seconds to wait for the node.
 
     Returns:
         The definitions, which are not registered. The list is empty if the node does not send them.
@@ -101,39 +49,25 @@ def definitions_of(
     for service in services:
         is_of_node = (service.zid, service.nid) == (end.zid, end.nid)
         if is_of_node and service.type_name == SERVICE_TYPE[0]:
-            provider = _Provider(service, end.type_name, end.type_hash)
-            answer = _ask(context, service, end.type_name, timeout_s)
-            return _checked(answer, end.type_name, provider) if answer else []
+            provider = Provider(service, end.type_name, end.type_hash)
+            return request_definitions(context, provider, end.type_name)
     return []
 
 
-def _providers(graph: Snapshot, name: str) -> Iterator[_Provider]:
-    services = {
-        (end.zid, end.nid): end
-        for end in graph.of_kind(EntityKind.SERVICE)
-        if end.type_name == SERVICE_TYPE[0]
-    }
-    users = {
-        (end.zid, end.nid): end
-        for end in graph.endpoints
-        if end.type_name == name or end.type_name.startswith(f"{name}_")
-    }
-    for node, end in users.items():
-        if node in services:
-            yield _Provider(services[node], end.type_name, end.type_hash)
-    if has_package(name.partition("/")[0]):
-        return  # the package is installed here without this type, so the name is wrong
-    for node in list(_users_of_package(graph.endpoints, name))[:_MAX_OTHER_NODES]:
-        if node in services and node not in users:
-            yield _Provider(services[node])
+def request_definitions(
+    context: Context, provider: Provider, name: str, *, timeout_s: float = ANSWER_TIMEOUT_S
+) -> list[InterfaceSpec]:
+    """Ask a node for its definitions of a type and of the types inside it.
 
+    Returns:
+        The definitions, which are not registered. The list is empty if the node does not send
+        them, or if they do not fit the hash of the type that the node uses.
 
-def _users_of_package(endpoints: Iterable[EndpointToken], name: str) -> Iterator[tuple[str, int]]:
-    """Yield the nodes that use other types of a type's package."""
-    package = name.partition("/")[0] + "/"
-    yield from dict.fromkeys(
-        (end.zid, end.nid) for end in endpoints if end.type_name.startswith(package)
-    )
+    Raises:
+        DefinitionLimitError: The definition would make messages that are too large.
+    """
+    answer = _ask(context, provider.service, name, timeout_s)
+    return _checked(answer, name, provider) if answer else []
 
 
 def _ask(context: Context, service: EndpointToken, name: str, timeout_s: float) -> Any:
@@ -159,7 +93,7 @@ def _ask(context: Context, service: EndpointToken, name: str, timeout_s: float) 
     return None
 
 
-def _checked(answer: Any, name: str, provider: _Provider) -> list[InterfaceSpec]:
+def _checked(answer: Any, name: str, provider: Provider) -> list[InterfaceSpec]:
     """Return the response's definitions if they fit the node's type hash, else an empty list."""
     for read in (_from_texts, _from_description):
         try:
