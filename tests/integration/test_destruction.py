@@ -69,7 +69,7 @@ def test_the_end_does_not_wait_for_messages_that_nobody_takes(
     await_match(publisher)
     for number in range(20):
         publisher.publish(Int64(data=number))
-    assert wait_until(lambda: subscription._is_waiting)
+    assert wait_until(lambda: subscription._samples.is_watched)
     begin = time.monotonic()
     if how == "shutdown":
         listener.context.shutdown()

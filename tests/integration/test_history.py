@@ -43,9 +43,9 @@ def test_keep_last_drops_the_oldest_message_with_one_warning(
             publisher.publish(Int64(data=number))
         marker.publish(String())
         # Zenoh keeps the order on a link: the burst has arrived before the mark.
-        assert wait_until(lambda: mark._is_waiting)
+        assert wait_until(lambda: mark._samples.is_watched)
         inbox.clear()
-        while len(inbox) < 5 or mark._is_waiting:
+        while len(inbox) < 5 or mark._samples.is_watched:
             executor.spin_once(timeout_sec=2)
         assert [message.data for message in inbox] == list(range(first + 95, first + 100))
     assert subscription.lost_count == 190

@@ -1,48 +1,40 @@
-"""Subscriptions, whose samples wait in a queue of Zenoh until the executor's thread decodes them.
+"""Subscriptions, whose samples wait in a queue until the executor's thread decodes them.
 
-A thread of the subscription waits for the first sample of a burst. The thread appends the sample to
-the subscription's own queue, and posts the subscription to its executor. After that, the executor's
-thread takes the samples from Zenoh's queue itself. When Zenoh's queue stays empty for a moment, the
-executor's thread lets the subscription's thread wait again. So a burst costs one wake-up, the two
-threads never compete, and an idle subscription uses no CPU. With keep-last, Zenoh's queue is a ring
-channel, which drops the oldest samples without Python.
+With keep-last, Zenoh's queue is a ring channel, which drops the oldest samples without Python.
 """
 
 from __future__ import annotations
 
-import contextlib
-import threading
 import time
-from collections import deque
 from enum import Enum
-from itertools import islice
+from functools import partial
 from typing import TYPE_CHECKING, Any, Generic, Literal, TypeVar
-
-import zenoh
 
 from zbot.executor.forgotten_spin import Program
 from zbot.handle import Handle
 from zbot.interfaces import has_sequences
-from zbot.log import get_logger, sinks_disabled
-from zbot.names import ROSOUT_TOPIC
-from zbot.node.content_filter_options import ContentFilterOptions, NoContentFilterError
 from zbot.node.endpoint import TopicEndpoint
+from zbot.node.message_decoder import MessageDecoder
 from zbot.node.message_info import MessageInfo, PublisherGid, takes_info
+from zbot.node.message_sources import LostMessages, MessageSources
+from zbot.node.refusals import Refusals
+from zbot.node.sample_queue import SampleQueue
 from zbot.node.zenoh_declaration import declare_subscriber
 from zbot.process import blocked_put, fork
 from zbot.process.memory import LARGE_BYTES, keep_freed_memory
 from zbot.qos import HistoryPolicy
-from zbot.threads.wakeup import LARGE_MESSAGE_WAIT_NS, BusyWait
 from zbot.wire.attachment import LAYOUT
 from zbot.wire.errors import CodecError
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    import zenoh
+
     from zbot.context import Context
     from zbot.executor.callback_group import CallbackGroup
     from zbot.executor.ready_queue import ReadyQueue
-    from zbot.interfaces.content_filter import ContentFilter
+    from zbot.node.content_filter_options import ContentFilterOptions
     from zbot.wire.tokens import EndpointToken
 
 MsgT = TypeVar("MsgT")
@@ -52,26 +44,16 @@ MsgT = TypeVar("MsgT")
 # short, because a single message of such a type can take megabytes of memory.
 _KEEP_ALL_QUEUE = 8192
 _KEEP_ALL_QUEUE_OF_SEQUENCES = 256
-# The largest number of reasons to log. A wrong program may cause a new reason with each message.
-_MAX_REFUSALS = 3
-# The largest number of publishers whose sequence numbers are kept. Each restart of a publisher adds
-# a number. Without a limit, the memory use would grow for ever.
-_MAX_SOURCES = 1024
 
 
 _unpack, _FACTS_LENGTH = LAYOUT.unpack, LAYOUT.size
 
 
-class _Source:
-    """Publisher of received messages, with its next sequence number, lifespan and type mismatch."""
-
-    __slots__ = ("is_special", "lifespan_ns", "next_sequence", "refusal")
-
-    def __init__(self, next_sequence: int, *, refusal: str, lifespan_ns: int) -> None:
-        self.next_sequence = next_sequence
-        self.refusal = refusal  #: why its messages cannot be decoded, or an empty string
-        self.lifespan_ns = lifespan_ns
-        self.is_special = bool(lifespan_ns or refusal)
+def _channel_size(msg_type: type[Any], *, keeps_all: bool) -> int:
+    """Return the size of a keep-all channel, and the largest number of samples to take at once."""
+    if keeps_all and has_sequences(msg_type):
+        return _KEEP_ALL_QUEUE_OF_SEQUENCES
+    return _KEEP_ALL_QUEUE
 
 
 class Subscription(TopicEndpoint, Generic[MsgT]):
@@ -120,55 +102,52 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         is_announced: bool = True,
     ) -> None:
         self.msg_type = msg_type
-        self._filter: ContentFilter | None = None
-        if content_filter is not None:
-            self.set_content_filter(*content_filter)
         self.callback_group = callback_group
         self.callback = callback
         self.raw = raw
         self.event_handlers: list[Any] = []
-        self.lost_count = 0  #: messages that were published but not received
-        self._refusals: set[str] = set()  # reasons that were logged
-        self._has_replacements = False  # whether a value that is not valid was logged
-        self.refused_count = 0  #: messages that could not be decoded, or had another type
-        self._loss_listeners: list[Callable[[int], None]] = []
+        self.received_count = 0  #: messages that the callback got or `take_message` took
+        self.ready_queue = ready_queue
         self._context = context
         self._token = token
-        self.ready_queue = ready_queue
         self._logger_name = logger_name
-        codec = context.dialect.codec_for(msg_type)
-        self._decode: Callable[[Any], Any] = codec.decode_strictly
-        self._read = codec.decode  # for values that are not valid, and for the filter
-        if raw:
-            self._decode = bytes if raw == "payload" else context.dialect.raw_decoder(msg_type)
-        self._checks_keys = context.dialect.refuses_keys(token)
-        self._sources: dict[bytes, _Source] = {}
-        self.received_count = 0  #: messages that the callback got or `take_message` took
-        self._keep_all = token.qos.history is HistoryPolicy.KEEP_ALL
-        # The largest number of samples to take in one call, and the size of a keep-all channel.
-        # Without a limit, the loop in `take` would never end if a publisher never pauses.
-        self._channel_size = _KEEP_ALL_QUEUE
-        if self._keep_all and has_sequences(msg_type):
-            self._channel_size = _KEEP_ALL_QUEUE_OF_SEQUENCES
-        self._queue: deque[zenoh.Sample] = deque(
-            maxlen=None if self._keep_all else max(token.qos.depth, 1)
+        dialect = context.dialect
+        self._refusals = Refusals(dialect, token, logger_name, checks_types=not raw)
+        self._losses = LostMessages(token, logger_name)
+        self._sources = MessageSources(token, context.graph.find, self._refusals, self._losses)
+        self._source_of = self._sources.by_gid.get
+        self._decoder = MessageDecoder(
+            *(dialect, msg_type, token.name),
+            raw=raw,
+            refusals=self._refusals,
+            logger_name=logger_name,
         )
-        self._subscriber: Any = declare_subscriber(context, token, self._channel_size)
-        self._channel = self._subscriber.handler
-        self.next_sample = self._channel.try_recv  #: takes a sample from Zenoh's queue
-        if self._keep_all:
-            blocked_put.local_queues.add(self)
-        self._armed = threading.Lock()
-        self._is_waiting = False
-        self._busy_wait = BusyWait()
+        if content_filter is not None:
+            self.set_content_filter(*content_filter)
         self._is_destroyed = False
-        self._is_over = False  #: whether the session was closed
+        self._declare()
         self._announcement = context.graph.announce(token, is_visible=is_announced)
+
+    def _declare(self) -> None:
+        qos = self._token.qos
+        keeps_all = qos.history is HistoryPolicy.KEEP_ALL
+        size = _channel_size(self.msg_type, keeps_all=keeps_all)
+        self._subscriber: Any = declare_subscriber(self._context, self._token, size)
+        self._samples = SampleQueue(
+            self._subscriber.handler,
+            depth=None if keeps_all else max(qos.depth, 1),
+            batch=size,
+            post=partial(self.ready_queue.post, self),
+        )
+        #: Removes and returns the oldest sample that the profile's history keeps, if any.
+        self.take: Callable[[], zenoh.Sample | None] = self._samples.take
+        if keeps_all:
+            blocked_put.local_queues.add(self._samples)
 
     def start(self) -> None:
         """Start to receive. The ready queue tells the executor about messages."""
-        self._armed.acquire()
-        self._context.start_thread(f"zbot {self.topic_name}", self._listen, self._end)
+        samples = self._samples
+        self._context.start_thread(f"zbot {self.topic_name}", samples.listen, samples.end)
 
     @property
     def callback(self) -> Callable[..., Any]:
@@ -203,7 +182,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
     @property
     def is_cft_enabled(self) -> bool:
         """Whether there is a content filter."""
-        return self._filter is not None
+        return self._decoder.filter is not None
 
     def set_content_filter(self, filter_expression: str, expression_parameters: list[str]) -> None:
         """From the next message on, accept only messages for which an expression is true.
@@ -218,13 +197,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         Raises:
             ContentFilterError: The filter does not fit the message type. The old filter stays.
         """
-        from zbot.interfaces.content_filter import ContentFilter  # noqa: PLC0415 - rarely needed
-
-        new = None
-        if filter_expression.strip():
-            new = ContentFilter(filter_expression, expression_parameters, self.msg_type)
-        self._filter = new
-        self._filter_options = ContentFilterOptions(filter_expression, list(expression_parameters))
+        self._decoder.set_filter(filter_expression, expression_parameters)
 
     def get_content_filter(self) -> ContentFilterOptions:
         """Return the current filter.
@@ -232,54 +205,22 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         Raises:
             NoContentFilterError: The subscription has no filter.
         """
-        if self._filter is None:
-            raise NoContentFilterError(self.topic_name)
-        return self._filter_options
+        return self._decoder.filter_options
 
-    def _listen(self) -> None:
-        receive, queue, armed = self._channel.recv, self._queue, self._armed
-        while True:
-            try:
-                sample = receive()
-            except zenoh.ZError:
-                return  # undeclared, or the session was closed
-            self._busy_wait.end(came=True)
-            queue.append(sample)
-            self._is_waiting = True
-            self.ready_queue.post(self)
-            if not self._is_destroyed:
-                armed.acquire()
-            if self._is_destroyed or self._is_over:
-                return  # `take` can still get the samples that are in Zenoh's queue
+    @property
+    def lost_count(self) -> int:
+        """How many messages were published but not received."""
+        return self._losses.count
 
-    def take(self) -> zenoh.Sample | None:
-        """Remove and return the oldest sample that the profile's history keeps, if any."""
-        queue = self._queue
-        # With keep-last, each call moves all new samples from Zenoh's queue to this queue, so that
-        # this queue drops the oldest samples. With keep-all, samples are moved only when this queue
-        # is empty. A blocked publisher wakes up each time that Zenoh's full queue gets room. So
-        # there are few wake-ups if many samples are moved in one call.
-        if self._is_waiting and not (queue and self._keep_all):
-            try:
-                # This loop runs in C.
-                queue.extend(islice(iter(self.next_sample, None), self._channel_size))
-                if not (queue or self._busy_wait.begin(self._fetch)):
-                    self._rearm()
-            except zenoh.ZError:
-                return None  # another thread destroyed the subscription or closed the session
-        try:
-            return queue.popleft()
-        except IndexError:
-            return None
+    @property
+    def refused_count(self) -> int:
+        """How many messages could not be decoded, or had another type."""
+        return self._refusals.count
 
     @property
     def has_work(self) -> bool:
         """Whether there is a message to take. Only the thread that calls `take` may read this."""
-        if not self._queue and self._is_waiting:
-            sample = self.take()  # from Zenoh's queue, which `_listen` does not watch now
-            if sample is not None:
-                self._queue.appendleft(sample)
-        return bool(self._queue)
+        return bool(self._samples)
 
     def take_message(self, *, raw: bool = False) -> tuple[Any, MessageInfo] | None:
         """Remove and return the oldest message and its info, or return `None`.
@@ -295,43 +236,26 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         Program.has_spun = True  # this program needs no executor
         while (sample := self.take()) is not None:
             payload = sample.payload.to_bytes()
-            if not self._is_wanted(payload):
+            if not self._decoder.accepts(payload):
                 continue
             attachment = sample.attachment
             facts = None if attachment is None else attachment.to_bytes()
             known = facts if facts is not None and len(facts) == _FACTS_LENGTH else None
-            if known is None and (refusal := self._refusal(sample, facts)):
-                self._refuse(refusal)
+            if known is None and (reason := self._refusals.reason_of_sample(sample, facts)):
+                self._refusals.add(reason)
                 continue
             self.received_count += 1
-            decode = self._decode
+            decode = self._decoder.decode
             if raw and not self.raw:
                 decode = self._context.dialect.raw_decoder(self.msg_type)
             try:
                 message = decode(payload)
             except CodecError as exc:
-                message = self._with_replacements(payload, exc)
+                message = self._decoder.replaced(payload, exc)
                 if message is None:
                     raise
             return message, self._info(known)
         return None
-
-    def _fetch(self) -> bool:
-        sample = self.next_sample()
-        if sample is None:
-            return False
-        self._queue.append(sample)
-        return True
-
-    def _rearm(self) -> None:
-        self._is_waiting = False
-        with contextlib.suppress(RuntimeError):  # another thread released it first
-            self._armed.release()
-
-    def _end(self) -> None:
-        """End the thread that listens, because the session was closed."""
-        self._is_over = True
-        self._rearm()
 
     def execute(self, sample: zenoh.Sample) -> Any:
         """Decode a sample and call the callback. Count and log a sample that cannot be decoded."""
@@ -339,144 +263,34 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         facts = None if attachment is None else attachment.to_bytes()
         if facts is not None and len(facts) == _FACTS_LENGTH:
             sequence, stamp_ns, _, gid = _unpack(facts)
-            source = self._sources.get(gid)
+            source = self._source_of(gid)
             if source is None or source.next_sequence != sequence or source.is_special:
-                if not self._admits(sample, sequence, stamp_ns, gid):
+                if not self._sources.admits(sample, sequence, stamp_ns, gid):
                     return None
             else:
                 source.next_sequence = sequence + 1
-        elif refusal := self._refusal(sample, facts):
-            self._refuse(refusal)
+        elif reason := self._refusals.reason_of_sample(sample, facts):
+            self._refusals.add(reason)
             return None
         else:
             facts = None
         payload = sample.payload.to_bytes()
         if len(payload) >= LARGE_BYTES:
             keep_freed_memory()
-            self._busy_wait.short_wait_ns = LARGE_MESSAGE_WAIT_NS
+            self._samples.expect_large()
+        decoder = self._decoder
         try:
-            message = self._decode(payload)
+            message = decoder.decode(payload)
         except CodecError as exc:
-            message = self._replaced_or_refused(payload, exc)
+            message = decoder.replaced_or_refused(payload, exc)
         if message is None or self._is_destroyed:
             return None
-        if self._filter is not None and not self._is_wanted(payload, None if self.raw else message):
+        if decoder.filter is not None and not decoder.accepts(payload, message):
             return None
         self.received_count += 1
         if self._with_info:
             return self._callback(message, self._info(facts))
         return self._callback(message)
-
-    def _is_wanted(self, payload: bytes, message: Any = None) -> bool:
-        """Return whether the content filter selects a message. Without a filter, return true.
-
-        Args:
-            payload: The message's payload.
-            message: The decoded message. If it is left out, the payload is decoded here.
-        """
-        if self._filter is None:
-            return True
-        try:
-            return self._filter.matches(self._read(payload) if message is None else message)
-        except CodecError as exc:
-            self._refuse(str(exc))  # a raw message is decoded here for the first time
-            return False
-
-    def _admits(self, sample: zenoh.Sample, sequence: int, stamp_ns: int, gid: bytes) -> bool:
-        """Return whether to decode a message. Count a gap in its publisher's sequence numbers.
-
-        This is called for a publisher's first message, for a message after a gap, and for every
-        message of a publisher with a lifespan or a wrong type.
-        """
-        source = self._sources.get(gid) or self._add_source(sample, sequence, gid)
-        if sequence != source.next_sequence:
-            self._count_loss(sequence - source.next_sequence)
-        # A late message must not lower the number, or the next message would count as a loss.
-        source.next_sequence = max(source.next_sequence, sequence + 1)
-        if self._checks_keys and self._type_refusal(sample):
-            return False
-        if source.refusal:
-            self._refuse(source.refusal)
-            return False
-        return not source.lifespan_ns or time.time_ns() - stamp_ns <= source.lifespan_ns
-
-    def _refusal(self, sample: zenoh.Sample, facts: bytes | None) -> str:
-        """Return why to refuse a sample that has no valid attachment, or an empty string."""
-        length = None if facts is None else len(facts)
-        return self._context.dialect.attachment_refusal(length) or self._type_refusal(sample)
-
-    def _type_refusal(self, sample: zenoh.Sample) -> str:
-        """Return why a sample's type is wrong, or an empty string if it is right or unknown."""
-        if self.raw:
-            return ""
-        dialect = self._context.dialect
-        return dialect.refusal(sample.key_expr, sample.encoding, self._token.type_name)
-
-    def _add_source(self, sample: zenoh.Sample, sequence: int, gid: bytes) -> _Source:
-        if len(self._sources) >= _MAX_SOURCES:
-            self._sources.clear()
-        publisher = self._context.graph.find(gid)
-        lifespan = 0 if publisher is None else publisher.qos.lifespan.nanoseconds
-        own = self._token.qos.lifespan.nanoseconds
-        limits = [limit for limit in (lifespan, own) if 0 < limit < 2**63 - 1]
-        refusal = "" if self._checks_keys else self._type_refusal(sample)
-        source = _Source(sequence, refusal=refusal, lifespan_ns=min(limits, default=0))
-        source.is_special |= self._checks_keys
-        self._sources[gid] = source
-        return source
-
-    def _count_loss(self, missing: int) -> None:
-        if missing < 0:
-            return  # the publisher's threads overtook each other, or a cached message came again
-        first = self.lost_count == 0
-        self.lost_count += missing
-        for listener in self._loss_listeners:
-            listener(missing)
-        if first and not self._loss_listeners:
-            self._warn_of_loss(missing)
-
-    def _warn_of_loss(self, missing: int) -> None:
-        # A warning about lost lines of /rosout must not be published on /rosout, because it would
-        # push another line out of the full queue.
-        own_cause = self.topic_name == ROSOUT_TOPIC
-        with sinks_disabled() if own_cause else contextlib.nullcontext():
-            get_logger(self._logger_name).warning(
-                f"{self.topic_name}: {missing} messages lost: they come faster than the callback "
-                f"takes them (queue depth {self._token.qos.depth}; further losses are only counted)"
-            )
-
-    def _refuse(self, reason: str) -> None:
-        self.refused_count += 1
-        if reason not in self._refusals and len(self._refusals) < _MAX_REFUSALS:
-            self._refusals.add(reason)
-            get_logger(self._logger_name).error(
-                f"{self.topic_name}: cannot read a message: {reason} "
-                "(more of this kind are only counted)"
-            )
-
-    def _replaced_or_refused(self, payload: bytes, error: CodecError) -> Any:
-        message = self._with_replacements(payload, error)
-        if message is None:
-            self._refuse(str(error))
-        return message
-
-    def _with_replacements(self, payload: bytes, error: CodecError) -> Any:
-        """Return a message in which values are not valid, e.g. a text that is not UTF-8.
-
-        Return None if the message cannot be decoded at all, or if the callback takes bytes.
-        """
-        if self.raw:
-            return None
-        try:
-            message = self._read(payload)
-        except CodecError:
-            return None
-        if not self._has_replacements:
-            self._has_replacements = True
-            get_logger(self._logger_name).warning(
-                f"{self.topic_name}: {error.replacement()} (this is logged only once)"
-            )
-        return message
 
     def _info(self, facts: bytes | None) -> MessageInfo:
         sequence, stamp_ns, _, gid = (0, 0, 0, b"") if facts is None else _unpack(facts)
@@ -494,7 +308,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
 
     def report_losses_to(self, listener: Callable[[int], None]) -> None:
         """Call `listener(count)` in the executor's thread when messages were lost."""
-        self._loss_listeners.append(listener)
+        self._losses.listeners.append(listener)
 
     def destroy(self) -> None:
         """Leave the topic. The callback may call this method. A second call does nothing."""
@@ -507,8 +321,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         if self._context.is_inherited:
             fork.keep(self._subscriber)
         self._subscriber = None  # so Zenoh undeclares it, as in `Publisher.destroy`
-        if self._is_waiting:
-            self._rearm()
+        self._samples.end()
 
 
 class SubscriptionHandle(Handle[Subscription[Any]]):
