@@ -43,6 +43,7 @@ _WATCHED_S = 2.0
 _COMMAND_PERIOD_S = 9.0
 _COMMAND_S = 2.0
 _CALM_S = 15.0
+_LOG_LINES = 20  #: of a hub, shown when the class does not see a node
 _PIN = "4711"
 _CRASHES = ("Traceback (most recent call last)", "panicked at", "Fatal Python error")
 _KINDS = {
@@ -256,6 +257,9 @@ class ClassChaos:
             self._report.note(f"class: a new watcher at the hub of {machine.name} sees {seen}")
         listed = laptop.machine.run("zbot", "node", "list")
         self._report.note(f"class: {laptop.machine.name} lists {listed.out.split()}")
+        for log in laptop.machine.home.rglob("hub.log"):
+            for line in log.read_text(encoding="utf-8").splitlines()[-_LOG_LINES:]:
+                self._report.note(f"class: hub of {laptop.machine.name}: {line}")
 
     # -- faults ----------------------------------------------------------------------------------
 
