@@ -1,16 +1,15 @@
 """`zbot action echo`: prints the messages between the server and the clients of an action."""
 
 from __future__ import annotations
-from zbot_cli.errors import CommandError
 
 import sys
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import ZbotError
 from zbot.interfaces.plain_value import json_value
 from zbot.qos import QoSProfile, qos_profile_action_status_default
 from zbot_cli.domain.action_types import only_action_type, resolve_action_type, suggestion
 from zbot_cli.domain.client import hidden_node
+from zbot_cli.errors import CommandError
 from zbot_cli.output.listing import print_json
 from zbot_cli.output.service_event import event_json, event_text
 
@@ -36,9 +35,6 @@ _PARTS: dict[str, tuple[str, str, QoSProfile]] = {
 }
 
 
-
-
-
 class ActionEcho:
     """Printer of an action's feedback and status, and of service events if introspection is on.
 
@@ -49,8 +45,8 @@ class ActionEcho:
         form: How to show messages.
 
     Raises:
-        ActionInterfaceError: `interfaces` contains an unknown name.
-        InvalidActionTypeError: `type_word` is not the name of an action type.
+        CommandError: `interfaces` contains an unknown name, or `type_word` is not the name of an
+            action type.
     """
 
     def __init__(
@@ -63,7 +59,10 @@ class ActionEcho:
         self._parts = list(_PARTS) if interfaces is None else interfaces.split("|")
         for part in self._parts:
             if part not in _PARTS:
-                raise CommandError(f'"{part}" is incorrect interface name.', hint=f"choose from {', '.join(_PARTS)}")
+                raise CommandError(
+                    f'"{part}" is incorrect interface name.',
+                    hint=f"choose from {', '.join(_PARTS)}",
+                )
         self._form = form
         self._format: Formatter = Formatter(form)
 
