@@ -4,7 +4,8 @@ import os
 
 import pytest
 
-from zbot_cli.input.domain_names import SeveralDomainsError, select_domain
+from zbot_cli.errors import CommandError
+from zbot_cli.input.domain_names import select_domain
 
 
 @pytest.fixture(autouse=True)
@@ -37,5 +38,5 @@ def test_names_in_the_own_domain_are_unchanged(words: str) -> None:
 
 
 def test_a_command_refuses_names_of_two_domains() -> None:
-    with pytest.raises(SeveralDomainsError, match="not in /17 and /18"):
+    with pytest.raises(CommandError, match="not in /17 and /18"):
         select_domain(["topic", "echo", "/17/a", "/18/a"])

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 import pytest
 
 from tests.cli.conftest import write_package
-from zbot_cli.commands.run import ExecutableNotFoundError, SeveralExecutablesError, find
+from zbot_cli.commands.run import find
+from zbot_cli.errors import CommandError
 from zbot_cli.packages.executables import all_packages, bundled_packages, note_of_others
 
 if TYPE_CHECKING:
@@ -144,7 +145,7 @@ def test_scripts_of_setup_py_are_programs(workspace: Path) -> None:
     (folder / "bin" / "wave").write_text("#!/usr/bin/env python3\n")
     (folder / "setup.py").write_text("setup(name='my_robot', scripts=['bin/wave', 'bin/none'])")
     assert find(["my_robot", "wave"])[0].target == str(folder / "bin" / "wave")
-    with pytest.raises(ExecutableNotFoundError):
+    with pytest.raises(CommandError):
         find(["my_robot", "none"])
 
 
@@ -157,7 +158,7 @@ def test_a_students_node_hides_a_bundled_one_of_the_same_name(workspace: Path) -
 def test_two_packages_with_one_name_are_refused(workspace: Path) -> None:
     write_package(workspace, "blue", drive="blue.drive:main")
     write_package(workspace, "red", drive="red.drive:main")
-    with pytest.raises(SeveralExecutablesError) as caught:
+    with pytest.raises(CommandError) as caught:
         find(["drive"])
     assert str(caught.value).splitlines() == [
         "Multiple executables found:",

@@ -17,7 +17,8 @@ import yaml
 
 from tests.cli.command import zbot
 from zbot.interfaces import interface_names, packages
-from zbot_cli.domain.types import InvalidTypeError, find_types, resolve_message_type
+from zbot_cli.domain.types import find_types, resolve_message_type
+from zbot_cli.errors import CommandError
 
 if TYPE_CHECKING:
     from tests.cli.conftest import Command
@@ -272,7 +273,7 @@ def test_a_short_name_may_match_several_types() -> None:
     ],
 )
 def test_a_short_name_without_a_match_is_refused(word: str, hint: str) -> None:
-    with pytest.raises(InvalidTypeError, match="The passed message type is invalid") as caught:
+    with pytest.raises(CommandError, match="The passed message type is invalid") as caught:
         resolve_message_type(word)
     assert caught.value.hint == hint
 

@@ -32,8 +32,7 @@ LOADED = sorted(set(NOUNS) - {"run"})
 
 class LostError(ZbotError):
     def __init__(self, hint: str | None = None) -> None:
-        self.hint = hint
-        super().__init__("the robot is lost")
+        super().__init__("the robot is lost", hint=hint)
 
 
 def test_version_prints_the_facts_that_a_bug_report_needs(zbot_command: Command) -> None:

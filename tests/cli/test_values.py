@@ -10,8 +10,9 @@ import pytest
 from hypothesis import strategies
 
 import zbot  # noqa: F401 - makes the message packages importable
-from zbot_cli.domain.types import InvalidTypeError, looks_like_type, resolve_message_type
-from zbot_cli.input.filter import Filter, FilterError
+from zbot_cli.domain.types import looks_like_type, resolve_message_type
+from zbot_cli.errors import CommandError
+from zbot_cli.input.filter import Filter
 from zbot_cli.input.message_values import PopulateError, Template, ValuesError, split_documents
 
 from geometry_msgs.msg import PoseArray, PoseStamped, PoseWithCovariance  # isort: skip
@@ -334,7 +335,7 @@ def test_filters_search_in_texts(expression: str, wanted: bool) -> None:
     ],
 )
 def test_a_filter_refuses_all_other_expressions(expression: str) -> None:
-    with pytest.raises(FilterError, match="Invalid filter expression"):
+    with pytest.raises(CommandError, match="Invalid filter expression"):
         Filter(expression)
 
 
@@ -343,13 +344,13 @@ def test_a_filter_refuses_all_other_expressions(expression: str) -> None:
     ["m.nope > 1", "m.linear > 1", "m.linear.x / 0", "'a' * 9 == m", "m.linear.find(1)"],
 )
 def test_a_filter_that_does_not_fit_is_refused_at_the_first_message(expression: str) -> None:
-    with pytest.raises(FilterError):
+    with pytest.raises(CommandError):
         Filter(expression).accepts(Twist())
 
 
 @pytest.mark.parametrize("expression", ["max > 1", "round(m.linear.x, -10**9)", "m.linear.SPEC"])
 def test_a_filter_can_use_fields_only(expression: str) -> None:
-    with pytest.raises(FilterError):
+    with pytest.raises(CommandError):
         Filter(expression).accepts(Twist())
 
 
@@ -365,7 +366,7 @@ def test_a_filter_can_use_fields_only(expression: str) -> None:
 def test_an_impossible_filter_is_refused_before_the_first_message(
     expression: str, message_type: type[Any]
 ) -> None:
-    with pytest.raises(FilterError):
+    with pytest.raises(CommandError):
         Filter(expression).check(message_type, lambda message: message)
 
 
@@ -399,7 +400,7 @@ def test_types_can_be_written_in_three_forms(word: str) -> None:
 
 def test_a_unique_short_name_is_enough() -> None:
     assert resolve_message_type("TwistWithCovarianceStamped").startswith("geometry_msgs/msg/")
-    with pytest.raises(InvalidTypeError) as caught:
+    with pytest.raises(CommandError) as caught:
         resolve_message_type("String")
     assert caught.value.hint is not None
     assert "std_msgs/msg/String" in caught.value.hint

@@ -43,7 +43,8 @@ from zbot.parameters.file import parse_value, sections
 from zbot.parameters.ros_args import Arguments
 from zbot.web.form_value import DURATION, EntryError, read
 from zbot.yaml_reader import YamlError, compose_yaml, construct_yaml, read_yaml
-from zbot_cli.input.filter import Filter, FilterError
+from zbot_cli.errors import CommandError
+from zbot_cli.input.filter import Filter
 from zbot_cli.input.message_values import PopulateError, Template, ValuesError
 from zbot_nodes.control.hardware import read_components
 from zbot_nodes.description.urdf import read_urdf
@@ -287,7 +288,7 @@ TEXT_READERS = (
         "python_filter",
         ("zbot_cli.input.filter",),
         _expression,
-        (FilterError,),
+        (CommandError,),
         (
             b"m.range_max > 0.5 and len(m.ranges) == 2",
             b"m.header.frame_id.startswith('a') or not m.ranges[0]",

@@ -26,8 +26,8 @@ class FieldPathError(ZbotError):
     """A path is not valid, or its field does not exist."""
 
     def __init__(self, path: str, reason: str, hint: str | None = None) -> None:
-        self.path, self.hint = path, hint
-        super().__init__(f"Invalid field '{path}': {reason}")
+        self.path = path
+        super().__init__(f"Invalid field '{path}': {reason}", hint=hint)
 
 
 class FieldPath:

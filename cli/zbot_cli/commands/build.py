@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 
 import typer
 
-from zbot.errors import ZbotError
 from zbot.errors.suggestion import question, similar_names
 from zbot.package import packages
 from zbot.package.finder import BUNDLED_NAMES
@@ -24,6 +23,7 @@ from zbot.package.workspace import (
     package_folders,
     package_name,
 )
+from zbot_cli.errors import CommandError
 from zbot_cli.input.many_values import ManyValuesCommand
 from zbot_cli.output.exit_status import Status
 from zbot_cli.output.listing import new_app
@@ -55,36 +55,27 @@ _WITH_WORDS = frozenset({
 })  # fmt: skip
 
 
-class UnknownPackagesError(ZbotError):
-    """An option contains packages that are not in the workspace."""
-
-    def __init__(self, option: str, names: list[str], known: Iterable[str]) -> None:
-        self.names = names
-        guesses = question(near for name in names for near in similar_names(name, known))
-        there = ", ".join(sorted(known)) or "none"
-        self.hint = guesses or f"the packages here are: {there}"
-        quoted = ", ".join(f"'{name}'" for name in names)
-        super().__init__(f"unknown package{'s' * (len(names) > 1)} {quoted} in {option}")
+def unknown_packages_error(option: str, names: list[str], known: Iterable[str]) -> CommandError:
+    """Return the error that an option contains packages that are not in the workspace."""
+    guesses = question(near for name in names for near in similar_names(name, known))
+    there = ", ".join(sorted(known)) or "none"
+    hint = guesses or f"the packages here are: {there}"
+    quoted = ", ".join(f"'{name}'" for name in names)
+    return CommandError(f"unknown package{'s' * (len(names) > 1)} {quoted} in {option}", hint=hint)
 
 
-class DuplicatePackagesError(ZbotError):
-    """Several folders contain packages of the same name."""
-
-    def __init__(self, found: dict[str, list[Path]]) -> None:
-        self.found = found
-        lines = "".join(
-            f"\n- {name}:" + "".join(f"\n  - {folder}" for folder in folders)
-            for name, folders in sorted(found.items())
-        )
-        super().__init__(f"Duplicate package names not supported:{lines}")
+def duplicate_packages_error(found: dict[str, list[Path]]) -> CommandError:
+    """Return the error that several folders contain packages of the same name."""
+    lines = "".join(
+        f"\n- {name}:" + "".join(f"\n  - {folder}" for folder in folders)
+        for name, folders in sorted(found.items())
+    )
+    return CommandError(f"Duplicate package names not supported:{lines}")
 
 
-class DependencyCycleError(ZbotError):
-    """Packages depend on each other in a circle."""
-
-    def __init__(self, names: list[str]) -> None:
-        self.names = names
-        super().__init__(f"packages depend on each other in a circle: {' -> '.join(names)}")
+def dependency_cycle_error(names: list[str]) -> CommandError:
+    """Return the error that packages depend on each other in a circle."""
+    return CommandError(f"packages depend on each other in a circle: {' -> '.join(names)}")
 
 
 class _BuildCommand(ManyValuesCommand):
@@ -168,7 +159,7 @@ def _by_name(folders: list[Path]) -> dict[str, Path]:
         found.setdefault(package_name(folder), []).append(folder)
     twice = {name: places for name, places in found.items() if len(places) > 1}
     if twice:
-        raise DuplicatePackagesError(twice)
+        raise duplicate_packages_error(twice)
     return {name: places[0] for name, places in found.items()}
 
 
@@ -181,7 +172,7 @@ def _chosen(
     for option, names in {"--packages-select": select, "--packages-up-to": up_to}.items():
         unknown = [name for name in names or () if name not in folders]
         if unknown:
-            raise UnknownPackagesError(option, unknown, folders)
+            raise unknown_packages_error(option, unknown, folders)
     needs = {name: _needs(folder, folders) for name, folder in folders.items()}
     ordered = _in_order(needs, up_to or sorted(folders))
     return [name for name in ordered if name in (select or folders) and name not in (skip or ())]
@@ -201,7 +192,7 @@ def _in_order(needs: dict[str, list[str]], wanted: Iterable[str]) -> list[str]:
 
     def add(name: str, path: list[str]) -> None:
         if name in path:
-            raise DependencyCycleError([*path[path.index(name) :], name])
+            raise dependency_cycle_error([*path[path.index(name) :], name])
         if name not in done:
             for one in needs[name]:
                 add(one, [*path, name])

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from zbot.errors import ZbotError
 from zbot.graph.filters import Filters, Grouping, compile_filter
 from zbot.graph.view import BoxKind, Edge, GraphView, Mode, TopicView, view
 from zbot_cli.domain.client import client, snapshot
+from zbot_cli.errors import CommandError
 from zbot_cli.output.listing import AsJson, new_app, print_json
 
 if TYPE_CHECKING:
@@ -29,12 +29,9 @@ _MAX_NAMESPACES = 9
 _Filter = "names or regular expressions; to leave some out, put `-` before them"
 
 
-class PictureError(ZbotError, OSError):
-    """The file of a picture cannot be written."""
-
-    def __init__(self, path: str, reason: str) -> None:
-        self.path = path
-        super().__init__(f"cannot write {path}: {reason}; choose a folder that exists")
+def picture_error(path: str, reason: str) -> CommandError:
+    """Return the error that the file of a picture cannot be written."""
+    return CommandError(f"cannot write {path}: {reason}; choose a folder that exists")
 
 
 @app.command()
@@ -155,7 +152,7 @@ def _write(path: str, text: str) -> None:
         half.replace(target)
     except OSError as exc:
         half.unlink(missing_ok=True)
-        raise PictureError(path, exc.strerror or str(exc)) from exc
+        raise picture_error(path, exc.strerror or str(exc)) from exc
 
 
 def _dot(drawn: GraphView) -> str:

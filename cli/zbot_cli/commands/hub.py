@@ -8,19 +8,8 @@ from typing import Annotated
 
 import typer
 
-from zbot.errors import ZbotError
+from zbot_cli.errors import CommandError
 from zbot_cli.output.listing import new_app
-
-
-class KeystoreError(ZbotError):
-    """The option --keystore is given for the router of ROS 2, which cannot use zbot's keystore."""
-
-    def __init__(self) -> None:
-        super().__init__(
-            "`zbot hub --rmw` has no option --keystore: write TLS into the file that "
-            "ZENOH_ROUTER_CONFIG_URI names"
-        )
-
 
 app = new_app("Link other machines to this one", has_verbs=False)
 
@@ -89,7 +78,10 @@ def _serve_ros2(listen: list[str] | None, connect: list[str] | None, keystore: P
     from zbot.transport.rmw_meeting import RmwRouter  # noqa: PLC0415 - as above
 
     if keystore is not None:
-        raise KeystoreError
+        raise CommandError(
+            "`zbot hub --rmw` has no option --keystore: write TLS into the file that "
+            "ZENOH_ROUTER_CONFIG_URI names"
+        )
     router = RmwRouter(
         [parse_address(word).endpoint for word in listen or []],
         [parse_address(word).endpoint for word in connect or []],

@@ -9,7 +9,6 @@ from typing import Annotated
 
 import typer
 
-from zbot.errors import ZbotError
 from zbot.errors.suggestion import did_you_mean
 from zbot.interfaces import (
     ActionSpec,
@@ -23,6 +22,7 @@ from zbot.interfaces import (
 from zbot.interfaces.location import core_packages
 from zbot.interfaces.repositories import how_to_add, repository_of
 from zbot_cli.domain.types import all_types, find_types, type_hint
+from zbot_cli.errors import CommandError
 from zbot_cli.output.definition import definition
 from zbot_cli.output.exit_status import Status
 from zbot_cli.output.listing import AsJson, new_app, print_json
@@ -35,35 +35,21 @@ OnlyServices = Annotated[bool, typer.Option("-s", "--only-srvs", help="Only serv
 OnlyActions = Annotated[bool, typer.Option("-a", "--only-actions", help="Only actions")]
 
 
-class InterfaceNameError(ZbotError):
-    """A name does not have three parts, and is not the short name of exactly one type."""
-
-    def __init__(self, name: str, found: list[str]) -> None:
-        self.hint = type_hint(name, found, all_types()) if name else "write std_msgs/msg/String"
-        super().__init__(f"Invalid name '{name}'. Expected three parts separated by '/'")
-
-
-class PackageError(ZbotError):
-    """No package of that name has message, service or action types."""
-
-    def __init__(self, package: str) -> None:
-        if repository_of(package):
-            self.hint = how_to_add(package)
-        else:
-            self.hint = did_you_mean(package, packages()) or (
-                "`zbot interface packages` lists all packages"
-            )
-        super().__init__(f"Unknown package '{package}'")
+def package_error(package: str) -> CommandError:
+    """Return the error that no package of that name has message, service or action types."""
+    if repository_of(package):
+        hint = how_to_add(package)
+    else:
+        hint = did_you_mean(package, packages()) or ("`zbot interface packages` lists all packages")
+    return CommandError(f"Unknown package '{package}'", hint=hint)
 
 
-class InterfaceError(ZbotError):
-    """A package has no type of that name."""
-
-    def __init__(self, name: str) -> None:
-        package, _, interface = name.partition("/")
-        known = interface_names(package)
-        self.hint = did_you_mean(name, known) or f"there are {', '.join(known)}"
-        super().__init__(f"Interface '{interface}' not found in package '{package}'")
+def interface_error(name: str) -> CommandError:
+    """Return the error that a package has no type of that name."""
+    package, _, interface = name.partition("/")
+    known = interface_names(package)
+    hint = did_you_mean(name, known) or f"there are {', '.join(known)}"
+    return CommandError(f"Interface '{interface}' not found in package '{package}'", hint=hint)
 
 
 def _wanted(messages: bool, services: bool, actions: bool) -> list[str]:
@@ -106,7 +92,7 @@ def package_interfaces(
 ) -> None:
     """List the types of one package."""
     if package_name not in packages():
-        raise PackageError(package_name)
+        raise package_error(package_name)
     names = _names(package_name, _wanted(only_msgs, only_srvs, only_actions))
     if as_json:
         print_json(names)
@@ -169,10 +155,13 @@ def _spec(word: str) -> InterfaceSpec:
         return get_spec(found[0])
     parts = word.split("/")
     if len(parts) != 3 or not all(parts):
-        raise InterfaceNameError(word, found)
+        raise CommandError(
+            f"Invalid name '{word}'. Expected three parts separated by '/'",
+            hint=type_hint(word, found, all_types()) if word else "write std_msgs/msg/String",
+        )
     if parts[0] not in packages():
-        raise PackageError(parts[0])
-    raise InterfaceError(word)
+        raise package_error(parts[0])
+    raise interface_error(word)
 
 
 @app.command("proto")
@@ -201,14 +190,6 @@ def proto(
     print(text if no_quotes else f'"{text}"')
 
 
-class SourceNotFoundError(ZbotError):
-    """There is no file or folder with the name that was given to `zbot interface add`."""
-
-    def __init__(self, word: str) -> None:
-        self.word = word
-        super().__init__(f"there is no folder or archive '{word}'")
-
-
 @app.command("add")
 def add(
     source: Annotated[
@@ -230,7 +211,7 @@ def add(
 
     path = Path(source).expanduser()
     if not path.exists() and not pypi.is_name(source):
-        raise SourceNotFoundError(source)
+        raise CommandError(f"there is no folder or archive '{source}'")
     with nullcontext(path) if path.exists() else pypi.downloaded(source) as place:
         found = collection.collect(place)
     core = core_packages()

@@ -25,6 +25,7 @@ from zbot.package.absent import absent_packages_reported
 from zbot.package.ros_variables import set_ros_variables
 from zbot.package.workspace import set_workspace_variable
 from zbot_cli.commands.run import find as find_executable
+from zbot_cli.errors import CommandError
 from zbot_cli.output.listing import new_app
 from zbot_cli.packages import launch_file
 from zbot_cli.packages.executables import NOTED_VARIABLE, note_of_others
@@ -37,10 +38,6 @@ if TYPE_CHECKING:
     from zbot.launch.context import LaunchContext
 
 app = new_app("Run a launch file", has_verbs=False)
-
-
-class LaunchOptionError(ZbotError):
-    """An option of `zbot launch` needs another option."""
 
 
 @app.command()
@@ -92,7 +89,7 @@ def launch(
 ) -> int:
     """Run a launch file."""
     if prefix_filter and not prefix:
-        raise LaunchOptionError(
+        raise CommandError(
             "--launch-prefix must be specified if --launch-prefix-filter is provided"
         )
     # Launch files get zbot's `launch` even if ROS 2's `launch` is installed, because zbot can run

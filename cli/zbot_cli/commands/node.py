@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from zbot.errors import ZbotError
 from zbot.errors.suggestion import did_you_mean
 from zbot.graph.snapshot import full_names
 from zbot.names import fully_qualified, is_hidden
@@ -21,6 +20,7 @@ from zbot_cli.domain.client import (
     snapshot,
     snapshot_of,
 )
+from zbot_cli.errors import CommandError
 from zbot_cli.input.option_groups import with_option_groups
 from zbot_cli.output.listing import NO_DAEMON, AsJson, DaemonOptions, new_app, print_json
 
@@ -44,17 +44,10 @@ _KEYS = {
 }
 
 
-class UnknownNodeNameError(ZbotError):
-    """No node of that name is running. The hint contains a similar name."""
-
-    def __init__(self, name: str, known: list[str]) -> None:
-        self.name = name
-        self.hint = did_you_mean(name, known)
-        super().__init__(f"Unable to find node '{name}'")
-
-
-class NodeKillError(ZbotError):
-    """The process of a node cannot be ended."""
+def unknown_node_name_error(name: str, known: list[str]) -> CommandError:
+    """Return the error that no node of that name is running. The hint contains a similar name."""
+    hint = did_you_mean(name, known)
+    return CommandError(f"Unable to find node '{name}'", hint=hint)
 
 
 @app.command("list")
@@ -116,7 +109,7 @@ def info(
     name = full_name(node_name)
     found = full_names(graph.nodes).count(name)
     if not found:
-        raise UnknownNodeNameError(name, full_names(graph.nodes))
+        raise unknown_node_name_error(name, full_names(graph.nodes))
     if found > 1:
         print(
             f"There are {found} nodes in the graph with the exact name '{name}'. You are seeing "
@@ -167,7 +160,7 @@ def kill(
         nodes = snapshot_of(context).nodes
         sessions = {node.zid for node in nodes if _name(node) == name}
         if not sessions:
-            raise UnknownNodeNameError(name, full_names(nodes))
+            raise unknown_node_name_error(name, full_names(nodes))
         known = _processes(context)
         for zid in sessions:
             _end(name, known.get(zid), force=force)
@@ -180,12 +173,12 @@ def _processes(context: object) -> dict[str, Process]:
 
 
 def _check_own(name: str) -> None:
-    """Raise `NodeKillError` if a teacher wants to end the node of a student."""
+    """Raise `CommandError` if a teacher wants to end the node of a student."""
     from zbot.transport import config, membership  # noqa: PLC0415 - needed only by this verb
 
     joined, domain = membership.load(), config.domain_id()
     if joined is not None and joined.role == "teacher" and domain:
-        raise NodeKillError(
+        raise CommandError(
             f"{name} runs on the laptop of student {domain}, and a teacher cannot end programs "
             f"there: ask the student to type `zbot node kill {name}`"
         )
@@ -197,9 +190,9 @@ def _end(name: str, process: Process | None, *, force: bool) -> None:
 
     if process is None:
         _check_own(name)
-        raise NodeKillError(f"the process of {name} does not publish its pid; end it where it runs")
+        raise CommandError(f"the process of {name} does not publish its pid; end it where it runs")
     if not process.is_here:
-        raise NodeKillError(f"{name} runs on {process.host} (pid {process.pid}); end it there")
+        raise CommandError(f"{name} runs on {process.host} (pid {process.pid}); end it there")
     # On Windows SIGTERM ends a process immediately, as SIGKILL does elsewhere.
     number = signal.SIGTERM
     if sys.platform != "win32" and force:
@@ -207,9 +200,7 @@ def _end(name: str, process: Process | None, *, force: bool) -> None:
     try:
         os.kill(process.pid, number)
     except PermissionError:
-        raise NodeKillError(
-            f"the process {process.pid} of {name} belongs to another user"
-        ) from None
+        raise CommandError(f"the process {process.pid} of {name} belongs to another user") from None
     except OSError:  # Windows has no ProcessLookupError for a number that no process has
-        raise NodeKillError(f"the process {process.pid} of {name} has already ended") from None
+        raise CommandError(f"the process {process.pid} of {name} has already ended") from None
     print(f"{name}: ended process {process.pid} ({process.command})")

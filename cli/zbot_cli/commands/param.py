@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 
 import typer
 
-from zbot.errors import ZbotError
 from zbot.parameters.errors import ParameterAnswerError
 from zbot.parameters.file import sections
 from zbot.parameters.parameter import NoParametersError, Parameter
 from zbot_cli.domain.client import hidden_node, note_if_nobody_runs
 from zbot_cli.domain.parameters import ANSWER_TIMEOUT_S, ParameterNotSetError, RemoteParameters
+from zbot_cli.errors import CommandError
 from zbot_cli.input.many_values import ManyValuesCommand
 from zbot_cli.input.option_groups import with_option_groups
 from zbot_cli.output.exit_status import Status
@@ -50,10 +50,6 @@ class ListCommand(ManyValuesCommand):
     """Command that reads several prefixes, as in `zbot param list --param-prefixes A B`."""
 
     many: ClassVar = frozenset({"--param-prefixes"})
-
-
-class ParameterFilterError(ZbotError):
-    """A filter is not a regular expression."""
 
 
 @contextmanager
@@ -122,7 +118,7 @@ def _compiled(pattern: str | None) -> re.Pattern[str]:
     try:
         return re.compile(pattern or "")
     except re.error as error:
-        raise ParameterFilterError(f"--filter is not a regular expression: {error}") from error
+        raise CommandError(f"--filter is not a regular expression: {error}") from error
 
 
 def _print_names(typed: dict[str, dict[str, Any]], *, as_json: bool, is_one: bool) -> None:

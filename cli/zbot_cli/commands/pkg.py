@@ -21,6 +21,7 @@ from zbot.package.workspace import (
     packages_by_name,
 )
 from zbot_cli.commands.run import PackageNotFoundError as UnknownPackageError
+from zbot_cli.errors import CommandError
 from zbot_cli.input.many_values import ManyValuesCommand
 from zbot_cli.output.exit_status import Status
 from zbot_cli.output.listing import AsJson, new_app, print_json
@@ -51,21 +52,10 @@ class NoPackageError(ZbotError):
         super().__init__("Package not found")
 
 
-class NoManifestError(ZbotError):
-    """A package has no package.xml."""
-
-    def __init__(self, folder: Path) -> None:
-        self.folder = folder
-        super().__init__("Package XML manifest not found")
-
-
-class TagNotFoundError(ZbotError):
-    """A manifest has no such tag."""
-
-    def __init__(self, tag: str, known: list[str]) -> None:
-        self.tag = tag
-        self.hint = f"package.xml has the tags {', '.join(known)}"
-        super().__init__("XML tag not found")
+def tag_not_found_error(tag: str, known: list[str]) -> CommandError:
+    """Return the error that a manifest has no such tag."""
+    hint = f"package.xml has the tags {', '.join(known)}"
+    return CommandError("XML tag not found", hint=hint)
 
 
 class BuildType(str, Enum):
@@ -302,14 +292,14 @@ def xml(
         raise NoPackageError(package_name, did_you_mean(package_name, packages()))
     path = package.folder / MANIFEST
     if not path.is_file():
-        raise NoManifestError(package.folder)
+        raise CommandError("Package XML manifest not found")
     root = read_tree(path)
     if not tag:
         print(_text(path, root).rstrip("\n"))
         return
     texts = ["".join(one.itertext()).strip() for one in root.iter(tag)]
     if not texts:
-        raise TagNotFoundError(tag, sorted({one.tag for one in root.iter()}))
+        raise tag_not_found_error(tag, sorted({one.tag for one in root.iter()}))
     print(*texts, sep="\n")
 
 

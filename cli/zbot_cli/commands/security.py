@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 
 import typer
 
-from zbot.errors import SetupError
+from zbot_cli.errors import CommandError
 from zbot_cli.input.many_values import ManyValuesCommand
 from zbot_cli.output.listing import AsJson, new_app, print_json
 
@@ -34,24 +34,13 @@ Days = Annotated[int | None, typer.Option("--days", help="Days until the certifi
 Renew = Annotated[bool, typer.Option("--renew", help="Replace the existing key and certificate")]
 
 
-class NoKeystoreNamedError(SetupError, ValueError):
-    """The command line does not give a keystore."""
-
-    def __init__(self) -> None:
-        super().__init__(
-            "no keystore is named: use -k ROOT, or set ROS_SECURITY_KEYSTORE to its folder"
-        )
-
-
-class NoPoliciesError(SetupError, NotImplementedError):
-    """A verb needs ROS 2's permission files, which zbot does not have."""
-
-    def __init__(self, verb: str) -> None:
-        self.verb = verb
-        self.hint = "`zbot class start --pin` keeps students out of each other's domains"
-        super().__init__(
-            f"{verb}: zbot has no permission files; `zbot class` decides who may publish what"
-        )
+def no_policies_error(verb: str) -> CommandError:
+    """Return the error that a verb needs ROS 2's permission files, which zbot does not have."""
+    hint = "`zbot class start --pin` keeps students out of each other's domains"
+    return CommandError(
+        f"{verb}: zbot has no permission files; `zbot class` decides who may publish what",
+        hint=hint,
+    )
 
 
 def _both_spellings(name: str, **options: Any) -> Callable[[Verb], Verb]:
@@ -167,9 +156,11 @@ def generate_artifacts(
     from zbot.security.keystore import Keystore, enclave_name, is_keystore  # noqa: PLC0415 - not needed by `--help`
 
     if policy_files:
-        raise NoPoliciesError("generate_artifacts")
+        raise no_policies_error("generate_artifacts")
     if root is None:
-        raise NoKeystoreNamedError
+        raise CommandError(
+            "no keystore is named: use -k ROOT, or set ROS_SECURITY_KEYSTORE to its folder"
+        )
     wanted = [enclave_name(name) for name in enclaves or ()]
     if not is_keystore(root):
         create_keystore(root)
@@ -182,10 +173,10 @@ def generate_artifacts(
 @_both_spellings("create_permission", hidden=True)
 def create_permission(root: Root, name: Name, policy: Policy) -> None:
     """Say that there are no permission files."""
-    raise NoPoliciesError("create_permission")
+    raise no_policies_error("create_permission")
 
 
 @_both_spellings("generate_policy", hidden=True)
 def generate_policy(policy: Policy) -> None:
     """Say that there are no permission files."""
-    raise NoPoliciesError("generate_policy")
+    raise no_policies_error("generate_policy")

@@ -15,7 +15,8 @@ import zbot.compat
 from zbot.errors import ZbotError
 from zbot.package.ros_variables import set_ros_variables
 from zbot.package.workspace import packages_by_name, set_workspace_variable
-from zbot_cli.commands.build import UnknownPackagesError
+from zbot_cli.commands.build import unknown_packages_error
+from zbot_cli.errors import CommandError
 from zbot_cli.input.many_values import ManyValuesCommand
 from zbot_cli.output.exit_status import Status
 from zbot_cli.output.listing import new_app
@@ -30,23 +31,6 @@ app = new_app("Run tests, also those of launch files", has_verbs=False)
 _FUNCTION = "generate_test_description"
 _PLUGIN = "zbot.compat.pytest_plugin"
 _NO_TESTS = 5  #: exit code of pytest
-
-
-class NoTestsError(ZbotError):
-    """The command line contains a path that does not exist."""
-
-    def __init__(self, path: Path) -> None:
-        self.path = path
-        self.hint = "name a file, or a folder with test_*.py in it"
-        super().__init__(f"there is no {path}")
-
-
-class NoPytestError(ZbotError):
-    """Some tests need pytest, which is not installed."""
-
-    def __init__(self) -> None:
-        self.hint = "pip install pytest"
-        super().__init__("without pytest, zbot can run only launch files with test cases")
 
 
 class _TestCommand(ManyValuesCommand):
@@ -104,7 +88,9 @@ def _groups(paths: list[Path], names: list[str]) -> Iterator[list[Path]]:
     """
     for path in paths:
         if not path.exists():
-            raise NoTestsError(path)
+            raise CommandError(
+                f"there is no {path}", hint="name a file, or a folder with test_*.py in it"
+            )
     for folder in _folders(names):
         yield from groups_of(folder)
     if not (paths or names):
@@ -136,7 +122,7 @@ def _folders(names: list[str]) -> list[Path]:
     folders = {name: places[0] for name, places in copies.items()}
     unknown = [name for name in names if name not in folders]
     if unknown:
-        raise UnknownPackagesError("--packages-select", unknown, folders)
+        raise unknown_packages_error("--packages-select", unknown, folders)
     return [folders[name] for name in names]
 
 
@@ -187,6 +173,9 @@ def _run_launch(path: Path, words: Sequence[str]) -> bool:
 
 def _run_pytest(paths: Sequence[Path], options: Sequence[str]) -> int:
     if importlib.util.find_spec("pytest") is None:
-        raise NoPytestError
+        raise CommandError(
+            "without pytest, zbot can run only launch files with test cases",
+            hint="pip install pytest",
+        )
     command = [sys.executable, "-m", "pytest", "-p", _PLUGIN, *map(str, paths), *options]
     return subprocess.run(command, check=False).returncode  # noqa: S603 - the user's own tests

@@ -7,18 +7,10 @@ from typing import Annotated
 
 import typer
 
-from zbot.errors import ZbotError
+from zbot_cli.errors import CommandError
 from zbot_cli.output.listing import new_app
 
 app = new_app("Show the running system in a browser", has_verbs=False)
-
-
-class NoWebExtraError(ZbotError):
-    """The packages that the page needs are not installed."""
-
-    def __init__(self, missing: str) -> None:
-        self.missing = missing
-        super().__init__(f'the page needs {missing}: install it with pip install "zbot[web]"')
 
 
 @app.command()
@@ -66,7 +58,7 @@ def serve_page(
     """Serve the page until Ctrl-C, and open it in a browser at a path. See `zbot.web.server`.
 
     Raises:
-        NoWebExtraError: The extra `web` is not installed.
+        CommandError: The extra `web` is not installed.
     """
     from zbot.process.signals import SignalHandlerOptions, install  # noqa: PLC0415 - not needed by `--help`
 
@@ -90,10 +82,10 @@ def check_extra() -> None:
     """Check that the packages of the extra `web` are installed.
 
     Raises:
-        NoWebExtraError: One of the packages is not installed.
+        CommandError: One of the packages is not installed.
     """
     from importlib.util import find_spec  # noqa: PLC0415 - only the page needs it
 
     for module, name in (("nicegui", "nicegui"), ("psutil", "psutil"), ("PIL", "pillow")):
         if find_spec(module) is None:
-            raise NoWebExtraError(name)
+            raise CommandError(f'the page needs {name}: install it with pip install "zbot[web]"')

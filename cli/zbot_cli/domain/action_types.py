@@ -4,38 +4,23 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import ZbotError
 from zbot.errors.suggestion import did_you_mean
 from zbot_cli.domain.types import all_types, find_types, learn, type_hint
+from zbot_cli.errors import CommandError
 
 if TYPE_CHECKING:
     from zbot.graph.snapshot import Snapshot
 
 
-class InvalidActionTypeError(ZbotError):
-    """A word is not the name of an action type."""
-
-    def __init__(self, word: str, hint: str) -> None:
-        self.word, self.hint = word, hint
-        super().__init__("The passed action type is invalid")
+def invalid_action_type_error(hint: str) -> CommandError:
+    """Return the error that a word is not the name of an action type."""
+    return CommandError("The passed action type is invalid", hint=hint)
 
 
-class UnknownActionError(ZbotError):
-    """No action of that name has a server or a client."""
-
-    def __init__(self, name: str, graph: Snapshot) -> None:
-        self.name = name
-        self.hint = suggestion(name, graph)
-        super().__init__(f"Unknown action '{name}'")
-
-
-class SeveralActionTypesError(ZbotError):
-    """An action has more than one type, and the command line does not give a type."""
-
-    def __init__(self, name: str, types: list[str]) -> None:
-        self.name, self.types = name, types
-        self.hint = f"add the type that you mean, e.g. {types[0]}"
-        super().__init__(f"Action '{name}' has more than one type: [{', '.join(types)}]")
+def unknown_action_error(name: str, graph: Snapshot) -> CommandError:
+    """Return the error that no action of that name has a server or a client."""
+    hint = suggestion(name, graph)
+    return CommandError(f"Unknown action '{name}'", hint=hint)
 
 
 def suggestion(name: str, graph: Snapshot, before: str = "") -> str:
@@ -47,11 +32,11 @@ def resolve_action_type(word: str) -> str:
     """Return the full name of an action type.
 
     Raises:
-        InvalidActionTypeError: No type has this name, or several types have this short name.
+        CommandError: No type has this name, or several types have this short name.
     """
     found = [name for name in find_types(word) if _is_action(name)]
     if len(found) != 1:
-        raise InvalidActionTypeError(word, type_hint(word, found, filter(_is_action, all_types())))
+        raise invalid_action_type_error(type_hint(word, found, filter(_is_action, all_types())))
     return found[0]
 
 
@@ -63,7 +48,7 @@ def action_class(type_name: str) -> type[Any]:
     """Return an action class. If this machine lacks the definition, ask the nodes for it.
 
     Raises:
-        InvalidActionTypeError: No definition of the type is on this machine or in a node.
+        CommandError: No definition of the type is on this machine or in a node.
     """
     from zbot.interfaces import get_action  # noqa: PLC0415 - not needed by `list`
 
@@ -73,16 +58,19 @@ def action_class(type_name: str) -> type[Any]:
         if learn(type_name):
             return get_action(type_name)
         hint = "put its .action file into a package of your workspace"
-        raise InvalidActionTypeError(type_name, hint) from None
+        raise invalid_action_type_error(hint) from None
 
 
 def only_action_type(graph: Snapshot, name: str) -> str | None:
     """Return the type of an action, or `None` if no node uses the action.
 
     Raises:
-        SeveralActionTypesError: The action has more than one type.
+        CommandError: The action has more than one type.
     """
     types = dict(graph.actions()).get(name)
     if types is not None and len(types) > 1:
-        raise SeveralActionTypesError(name, types)
+        raise CommandError(
+            f"Action '{name}' has more than one type: [{', '.join(types)}]",
+            hint=f"add the type that you mean, e.g. {types[0]}",
+        )
     return None if types is None else types[0]

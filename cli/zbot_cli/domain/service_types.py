@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import ZbotError
 from zbot.errors.suggestion import did_you_mean
 from zbot.wire.tokens import EntityKind
 from zbot_cli.domain.types import all_types, find_types, learn, type_hint
+from zbot_cli.errors import CommandError
 
 if TYPE_CHECKING:
     from zbot.graph.snapshot import NamesAndTypes, Snapshot
@@ -27,40 +27,22 @@ NODE_SERVICE_TYPES = frozenset(
 )
 
 
-class InvalidServiceTypeError(ZbotError):
-    """A word is not the name of a service type."""
-
-    def __init__(self, word: str, hint: str, *, is_known: bool = False) -> None:
-        self.word, self.hint = word, hint
-        what = "passed type is not a service" if is_known else "passed service type is invalid"
-        super().__init__(f"The {what}")
+def invalid_service_type_error(hint: str, *, is_known: bool = False) -> CommandError:
+    """Return the error that a word is not the name of a service type."""
+    what = "passed type is not a service" if is_known else "passed service type is invalid"
+    return CommandError(f"The {what}", hint=hint)
 
 
-class UnknownServiceError(ZbotError):
-    """No service of that name has a server or a client."""
-
-    def __init__(self, name: str, graph: Snapshot) -> None:
-        self.name = name
-        self.hint = suggestion(name, graph)
-        super().__init__(f"Unknown service '{name}'")
+def unknown_service_error(name: str, graph: Snapshot) -> CommandError:
+    """Return the error that no service of that name has a server or a client."""
+    hint = suggestion(name, graph)
+    return CommandError(f"Unknown service '{name}'", hint=hint)
 
 
-class SeveralServiceTypesError(ZbotError):
-    """A service has more than one type, and the command line does not give a type."""
-
-    def __init__(self, name: str, types: list[str]) -> None:
-        self.name, self.types = name, types
-        self.hint = f"add the type that you mean, e.g. {types[0]}"
-        super().__init__(f"Service '{name}' has more than one type: [{', '.join(types)}]")
-
-
-class OtherServiceTypeError(ZbotError):
-    """The type on the command line is not the type of the service's servers."""
-
-    def __init__(self, name: str, wanted: str, types: list[str]) -> None:
-        self.name, self.wanted, self.types = name, wanted, types
-        self.hint = "leave the type out, and it is taken from the server"
-        super().__init__(f"Service '{name}' has the type {', '.join(types)}, not {wanted}")
+def several_service_types_error(name: str, types: list[str]) -> CommandError:
+    """Return the error that a service has several types, and the command line gives none."""
+    hint = f"add the type that you mean, e.g. {types[0]}"
+    return CommandError(f"Service '{name}' has more than one type: [{', '.join(types)}]", hint=hint)
 
 
 def suggestion(name: str, graph: Snapshot, before: str = "") -> str:
@@ -77,11 +59,11 @@ def served_type(graph: Snapshot, name: str) -> str | None:
     """Return the type of a service, or `None` if it has no server.
 
     Raises:
-        SeveralServiceTypesError: The service has more than one type.
+        CommandError: The service has more than one type.
     """
     types = dict(graph.services()).get(name)
     if types is not None and len(types) > 1:
-        raise SeveralServiceTypesError(name, types)
+        raise several_service_types_error(name, types)
     return None if types is None else types[0]
 
 
@@ -89,24 +71,27 @@ def check_served(graph: Snapshot, name: str, type_name: str) -> None:
     """Check that a service has a server of this type, or has no server at all.
 
     Raises:
-        OtherServiceTypeError: All servers have another type.
+        CommandError: All servers have another type.
     """
     types = dict(graph.services()).get(name, [type_name])
     if type_name not in types:
-        raise OtherServiceTypeError(name, type_name, types)
+        raise CommandError(
+            f"Service '{name}' has the type {', '.join(types)}, not {type_name}",
+            hint="leave the type out, and it is taken from the server",
+        )
 
 
 def resolve_service_type(word: str) -> str:
     """Return the full name of a service type.
 
     Raises:
-        InvalidServiceTypeError: No type has this name, or several types have this short name.
+        CommandError: No type has this name, or several types have this short name.
     """
     found = find_types(word)
     services = list(filter(_is_service, found))
     if len(services) != 1:
         hint = type_hint(word, services, filter(_is_service, all_types()))
-        raise InvalidServiceTypeError(word, hint, is_known=bool(found) and not services)
+        raise invalid_service_type_error(hint, is_known=bool(found) and not services)
     return services[0]
 
 
@@ -118,7 +103,7 @@ def service_class(type_name: str) -> type[Any]:
     """Return a service class. If this machine lacks the definition, ask the nodes for it.
 
     Raises:
-        InvalidServiceTypeError: No definition of the type is on this machine or in a node.
+        CommandError: No definition of the type is on this machine or in a node.
     """
     from zbot.interfaces import get_interface  # noqa: PLC0415 - not needed by `list`
 
@@ -128,4 +113,4 @@ def service_class(type_name: str) -> type[Any]:
         if learn(type_name):
             return get_interface(type_name)
         hint = "put its .srv file into a package of your workspace"
-        raise InvalidServiceTypeError(type_name, hint) from None
+        raise invalid_service_type_error(hint) from None

@@ -6,11 +6,11 @@ import sys
 import time
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import ZbotError
 from zbot.errors.suggestion import did_you_mean, similar_names
 from zbot.names import fully_qualified
 from zbot.wire.tokens import EntityKind
 from zbot_cli.domain.client import print_stopped_programs
+from zbot_cli.errors import CommandError
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -23,37 +23,20 @@ if TYPE_CHECKING:
 HINT_DELAY_S = 2.0
 
 
-class SeveralTypesError(ZbotError):
-    """A topic has more than one type, and the command line does not give a type."""
-
-    def __init__(self, name: str, types: list[str]) -> None:
-        self.name, self.types = name, types
-        self.hint = f"add the type that you mean, e.g. zbot topic echo {name} {types[0]}"
-        super().__init__(
-            f"Cannot echo topic '{name}', as it contains more than one type: [{', '.join(types)}]"
-        )
-
-
-class UndefinedTypeError(ZbotError):
-    """No definition of a topic's type was found on this machine or in a node."""
-
-    def __init__(self, type_name: str) -> None:
-        self.type_name = type_name
-        self.hint = "put its .msg file into a package of your workspace"
-        super().__init__(f"The message type '{type_name}' is invalid")
-
-
 def only_type(graph: Snapshot, name: str) -> str | None:
     """Return the type of a topic, or `None` if no node uses the topic.
 
     Raises:
-        SeveralTypesError: The topic has more than one type.
+        CommandError: The topic has more than one type.
     """
     types = dict(graph.topics()).get(name)
     if types is None:
         return None
     if len(types) > 1:
-        raise SeveralTypesError(name, types)
+        raise CommandError(
+            f"Cannot echo topic '{name}', as it contains more than one type: [{', '.join(types)}]",
+            hint=f"add the type that you mean, e.g. zbot topic echo {name} {types[0]}",
+        )
     return types[0]
 
 
@@ -150,7 +133,7 @@ def message_class(type_name: str) -> type[Any]:
     """Return a message class. If this machine lacks the definition, ask the nodes for it.
 
     Raises:
-        UndefinedTypeError: No definition of the type is on this machine or in a node.
+        CommandError: No definition of the type is on this machine or in a node.
     """
     from zbot.interfaces import get_message  # noqa: PLC0415 - not needed by `list`
 
@@ -161,4 +144,7 @@ def message_class(type_name: str) -> type[Any]:
 
         if learn(type_name):
             return get_message(type_name)
-        raise UndefinedTypeError(type_name) from None
+        raise CommandError(
+            f"The message type '{type_name}' is invalid",
+            hint="put its .msg file into a package of your workspace",
+        ) from None

@@ -5,29 +5,13 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from zbot import interfaces  # this package imports its modules when one of its names is used
-from zbot.errors import ZbotError
 from zbot.errors.suggestion import nearest, question
 from zbot.interfaces.errors import UnknownInterfaceError, UnknownPackageError
 from zbot.interfaces.kinds import KINDS
+from zbot_cli.errors import CommandError
 
 if TYPE_CHECKING:
     from collections.abc import Container, Iterator
-
-
-class InvalidTypeError(ZbotError):
-    """A word is not the name of a message type."""
-
-    def __init__(self, word: str, hint: str) -> None:
-        self.word, self.hint = word, hint
-        super().__init__("The passed message type is invalid")
-
-
-class UnknownTypeError(ZbotError):
-    """No type on this machine, and no type that a node uses, has this name."""
-
-    def __init__(self, word: str, hint: str) -> None:
-        self.word, self.hint = word, hint
-        super().__init__(f"Unknown type '{word}'")
 
 
 def check_known(word: str, kind: str, used: Container[str]) -> str:
@@ -39,12 +23,12 @@ def check_known(word: str, kind: str, used: Container[str]) -> str:
         used: Types that nodes use. This machine may lack their definitions.
 
     Raises:
-        UnknownTypeError: There is no such type.
+        CommandError: There is no such type.
     """
     name = word if word.count("/") == 2 else word.replace("/", f"/{kind}/", 1)
     if name not in used and not _exists(name):
         known = (one for one in all_types() if f"/{kind}/" in one)
-        raise UnknownTypeError(word, type_hint(word, [], known))
+        raise CommandError(f"Unknown type '{word}'", hint=type_hint(word, [], known))
     return name
 
 
@@ -61,11 +45,13 @@ def resolve_message_type(word: str) -> str:
     """Return the full name of a message type.
 
     Raises:
-        InvalidTypeError: No type has this name, or several types have this short name.
+        CommandError: No type has this name, or several types have this short name.
     """
     found = [name for name in find_types(word) if "/msg/" in name]
     if len(found) != 1:
-        raise InvalidTypeError(word, type_hint(word, found, all_messages()))
+        raise CommandError(
+            "The passed message type is invalid", hint=type_hint(word, found, all_messages())
+        )
     return found[0]
 
 

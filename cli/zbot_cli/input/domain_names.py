@@ -9,8 +9,8 @@ from __future__ import annotations
 import os
 import re
 
-from zbot.errors import ZbotError
 from zbot.transport.config import COMMAND_DOMAIN
+from zbot_cli.errors import CommandError
 
 NOUNS = frozenset({"action", "graph", "lifecycle", "node", "param", "service", "topic"})
 
@@ -19,13 +19,11 @@ _DOMAIN_NAME = re.compile(r"/([0-9]+)(/.*)?", re.ASCII | re.DOTALL)
 _VERBS_WITH_VALUES = frozenset({"call", "pub", "send_goal", "set"})
 
 
-class SeveralDomainsError(ZbotError):
-    """A command line contains names of two domains."""
-
-    def __init__(self, first: str, second: str) -> None:
-        super().__init__(
-            f"one command works in one domain, not in {first} and {second}: run it once for each"
-        )
+def several_domains_error(first: str, second: str) -> CommandError:
+    """Return the error that a command line contains names of two domains."""
+    return CommandError(
+        f"one command works in one domain, not in {first} and {second}: run it once for each"
+    )
 
 
 def select_domain(words: list[str]) -> list[str]:
@@ -35,7 +33,7 @@ def select_domain(words: list[str]) -> list[str]:
         words: A noun, its verb, and their arguments.
 
     Raises:
-        SeveralDomainsError: The words contain names of two domains.
+        CommandError: The words contain names of two domains.
     """
     only_first = len(words) > 1 and words[1] in _VERBS_WITH_VALUES
     domain: str | None = None
@@ -46,7 +44,7 @@ def select_domain(words: list[str]) -> list[str]:
             kept.append(word)
             continue
         if domain not in {None, match.group(1)}:
-            raise SeveralDomainsError(f"/{domain}", f"/{match.group(1)}")
+            raise several_domains_error(f"/{domain}", f"/{match.group(1)}")
         domain = match.group(1)
         kept += [match.group(2)] if match.group(2) else []
     if domain is not None:

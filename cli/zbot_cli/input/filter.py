@@ -13,8 +13,9 @@ import warnings
 from numbers import Real
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import ZbotError, shortened
+from zbot.errors import shortened
 from zbot.interfaces.field_path import FieldPathError, follow
+from zbot_cli.errors import CommandError
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -72,13 +73,10 @@ _TEXT_METHODS = frozenset(
 _CALLABLE = ", ".join(_FUNCTIONS) + " and methods of texts such as startswith()"
 
 
-class FilterError(ZbotError):
-    """A filter expression is invalid, or does not fit the message type."""
-
-    def __init__(self, expression: str, reason: str) -> None:
-        self.expression, self.reason = expression, reason
-        self.hint = "write a comparison of fields of m, e.g. --filter 'm.linear.x > 0.5'"
-        super().__init__(f"Invalid filter expression '{expression}': {reason}")
+def filter_error(expression: str, reason: str) -> CommandError:
+    """Return the error that a filter expression is invalid, or does not fit the message type."""
+    hint = "write a comparison of fields of m, e.g. --filter 'm.linear.x > 0.5'"
+    return CommandError(f"Invalid filter expression '{expression}': {reason}", hint=hint)
 
 
 class Filter:
@@ -88,20 +86,20 @@ class Filter:
         expression: The expression, e.g. `m.linear.x > 0.5`.
 
     Raises:
-        FilterError: `expression` is invalid, or contains an operation that is not allowed.
+        CommandError: `expression` is invalid, or contains an operation that is not allowed.
     """
 
     def __init__(self, expression: str) -> None:
         self._expression = expression
         if len(expression) > _MOST_CHARACTERS:
-            raise FilterError(shortened(expression), "it is too long")
+            raise filter_error(shortened(expression), "it is too long")
         try:
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore")  # the error below is enough
                 tree = ast.parse(expression.strip(), mode="eval")
         except (SyntaxError, ValueError, RecursionError, MemoryError) as exc:
             reason = getattr(exc, "msg", None) or "it is too long"
-            raise FilterError(expression, reason) from None
+            raise filter_error(expression, reason) from None
         _check(expression, tree)
         self._body = tree.body
 
@@ -109,12 +107,12 @@ class Filter:
         """Return whether the expression is true for a message or for one field of it.
 
         Raises:
-            FilterError: The expression does not fit the message.
+            CommandError: The expression does not fit the message.
         """
         try:
             return bool(_value(self._body, message))
         except (AttributeError, TypeError, LookupError, ArithmeticError, ValueError) as exc:
-            raise FilterError(self._expression, str(exc)) from None
+            raise filter_error(self._expression, str(exc)) from None
 
     def check(self, message_type: type[Any], subject: Callable[[Any], Any]) -> None:
         """Check that the expression fits a message type, before the first message arrives.
@@ -124,23 +122,23 @@ class Filter:
             subject: Function that finds `m` in a message. `m` is the message or one of its fields.
 
         Raises:
-            FilterError: A field does not exist, or two values have types that cannot be compared.
+            CommandError: A field does not exist, or two values have types that cannot be compared.
         """
         with contextlib.suppress(FieldPathError, LookupError, ArithmeticError, ValueError):
             try:
                 _value(self._body, subject(message_type()))
             except (AttributeError, TypeError) as exc:
-                raise FilterError(self._expression, str(exc)) from None
+                raise filter_error(self._expression, str(exc)) from None
 
 
 def _check(expression: str, tree: ast.Expression) -> None:
     nodes = list(ast.walk(tree))
     if len(nodes) > _MOST_NODES:
-        raise FilterError(expression, "it is too long")
+        raise filter_error(expression, "it is too long")
     for node in nodes:
         problem = _problem(node)
         if problem is not None:
-            raise FilterError(expression, problem)
+            raise filter_error(expression, problem)
 
 
 def _problem(node: ast.AST) -> str | None:

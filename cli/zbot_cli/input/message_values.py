@@ -33,16 +33,14 @@ class ValuesError(ZbotError):
     """The values on a command line are not YAML, or not a dictionary."""
 
     def __init__(self, text: str, hint: str | None = None) -> None:
-        self.hint = hint
-        super().__init__(text)
+        super().__init__(text, hint=hint)
 
 
 class PopulateError(ZbotError):
     """A value does not fit the message."""
 
     def __init__(self, reason: str, hint: str | None = None) -> None:
-        self.hint = hint
-        super().__init__(f"Failed to populate field: {reason}")
+        super().__init__(f"Failed to populate field: {reason}", hint=hint)
 
 
 @dataclass(frozen=True)

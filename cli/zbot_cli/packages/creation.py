@@ -10,6 +10,7 @@ from string import Template
 from typing import TYPE_CHECKING
 
 from zbot.errors import ZbotError
+from zbot_cli.errors import CommandError
 from zbot_cli.packages import templates
 
 if TYPE_CHECKING:
@@ -32,35 +33,6 @@ class PackageNameError(ZbotError):
         super().__init__(
             f"'{name}' cannot be a {what}'s name: use letters, digits and '_'; begin with a letter"
         )
-
-
-class PackageExistsError(ZbotError):
-    """The folder of the new package already exists."""
-
-    def __init__(self, folder: str) -> None:
-        self.folder = folder
-        super().__init__(
-            f"\nAborted!\nThe directory already exists: {folder}\nEither remove the directory or "
-            "choose a different destination directory or package name"
-        )
-
-
-class ReservedNameError(ZbotError):
-    """A Python package cannot be named `test`, because its tests are in a folder of this name."""
-
-    def __init__(self) -> None:
-        super().__init__(
-            "Aborted since 'ament_python' packages can't be named 'test'. "
-            "Please choose a different package name."
-        )
-
-
-class FolderError(ZbotError):
-    """A file of the new package cannot be written."""
-
-    def __init__(self, folder: str, error: OSError) -> None:
-        self.folder = folder
-        super().__init__(f"unable to create folder: {folder}: {error.strerror}")
 
 
 @dataclass(frozen=True)
@@ -108,16 +80,15 @@ def create(plan: Plan) -> None:
 
     Raises:
         PackageNameError: The name of the package, node or library is invalid.
-        ReservedNameError: The package is named `test`.
-        PackageExistsError: The folder of the package already exists.
-        FolderError: A file cannot be written.
+        CommandError: The package is named `test`, or the folder of the package already exists, or a
+            file cannot be written.
     """
     _check(plan)
     print(*plan.lines(), sep="\n")
     try:
         _Writer(plan).write()
     except OSError as exc:
-        raise FolderError(plan.destination, exc) from exc
+        raise CommandError(f"unable to create folder: {plan.destination}: {exc.strerror}") from exc
 
 
 def _check(plan: Plan) -> None:
@@ -126,10 +97,17 @@ def _check(plan: Plan) -> None:
         if (name or what == "package") and not _NAME.match(name):
             raise PackageNameError(what, name)
     if plan.build_type == "ament_python" and plan.name == "test":
-        raise ReservedNameError
+        raise CommandError(
+            "Aborted since 'ament_python' packages can't be named 'test'. "
+            "Please choose a different package name."
+        )
     folder = Path(plan.destination, plan.name)
     if folder.exists():
-        raise PackageExistsError(_shown(plan.destination, plan.name))
+        raise CommandError(
+            f"\nAborted!\nThe directory already exists: {_shown(plan.destination, plan.name)}\n"
+            "Either remove the directory or choose a different destination directory or "
+            "package name"
+        )
 
 
 def _shown(folder: str, *names: str) -> str:

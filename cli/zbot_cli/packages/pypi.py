@@ -12,7 +12,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING
 
-from zbot.errors import ZbotError
+from zbot_cli.errors import CommandError
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -22,12 +22,9 @@ _NAME = re.compile(r"[A-Za-z0-9]([A-Za-z0-9._-]*[A-Za-z0-9])?(==[A-Za-z0-9.!+_-]
 _PREFIX = re.compile(r"^\s*(ERROR|error|cause): ")
 
 
-class DownloadError(ZbotError):
-    """A package cannot be downloaded."""
-
-    def __init__(self, name: str, reason: str) -> None:
-        self.package, self.reason = name, reason
-        super().__init__(f"cannot download {name}: {reason}")
+def download_error(name: str, reason: str) -> CommandError:
+    """Return the error that a package cannot be downloaded."""
+    return CommandError(f"cannot download {name}: {reason}")
 
 
 def is_name(word: str) -> bool:
@@ -43,7 +40,7 @@ def downloaded(name: str) -> Iterator[Path]:
     because pip would run programs of a source archive to read its name.
 
     Raises:
-        DownloadError: Neither pip nor uv is installed, or there is no such wheel.
+        CommandError: Neither pip nor uv is installed, or there is no such wheel.
     """
     with TemporaryDirectory(prefix="zbot-") as folder:
         command = [*_command(name), folder, name]
@@ -53,7 +50,7 @@ def downloaded(name: str) -> Iterator[Path]:
         wheels = sorted(Path(folder).glob("*.whl"))
         if result.returncode:
             lines = [one for one in result.stderr.splitlines() if one.strip()] or ["no such wheel"]
-            raise DownloadError(name, _PREFIX.sub("", lines[-1]))
+            raise download_error(name, _PREFIX.sub("", lines[-1]))
         yield wheels[0] if wheels else Path(folder)
 
 
@@ -64,6 +61,6 @@ def _command(name: str) -> list[str]:
         return [sys.executable, "-m", "pip", "download", *options, "--dest"]
     program = shutil.which("uv")  # environments that uv has made have no pip
     if program is None:
-        raise DownloadError(name, "neither pip nor uv is installed; download the file yourself")
+        raise download_error(name, "neither pip nor uv is installed; download the file yourself")
     options = ["--no-deps", "--no-build", "--quiet", "--python", sys.executable]
     return [program, "pip", "install", *options, "--target"]

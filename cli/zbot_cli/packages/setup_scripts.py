@@ -9,7 +9,7 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING
 
-from zbot.errors import ZbotError
+from zbot_cli.errors import CommandError
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -55,13 +55,10 @@ _KINDS = {
 }
 
 
-class InstallFolderError(ZbotError, OSError):
-    """The scripts of a workspace cannot be written."""
-
-    def __init__(self, folder: Path, reason: str) -> None:
-        self.folder, self.reason = folder, reason
-        self.hint = "the packages run without it: go to their workspace and use `zbot run`"
-        super().__init__(f"cannot write {folder}: {reason}")
+def install_folder_error(folder: Path, reason: str) -> CommandError:
+    """Return the error that the scripts of a workspace cannot be written."""
+    hint = "the packages run without it: go to their workspace and use `zbot run`"
+    return CommandError(f"cannot write {folder}: {reason}", hint=hint)
 
 
 def write_setup_scripts(install: Path, folders: Sequence[Path]) -> bool:
@@ -75,7 +72,7 @@ def write_setup_scripts(install: Path, folders: Sequence[Path]) -> bool:
         True if the scripts were written. False if the folder belongs to a real `colcon build`.
 
     Raises:
-        InstallFolderError: A file cannot be written.
+        CommandError: A file cannot be written.
     """
     if not _is_ours(install):
         return False
@@ -85,7 +82,7 @@ def write_setup_scripts(install: Path, folders: Sequence[Path]) -> bool:
             for name in ("setup", "local_setup"):
                 _write(install / f"{name}.{ending}", _text(ending, folders))
     except OSError as exc:
-        raise InstallFolderError(install, exc.strerror or str(exc)) from exc
+        raise install_folder_error(install, exc.strerror or str(exc)) from exc
     return True
 
 

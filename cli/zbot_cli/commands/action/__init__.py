@@ -10,7 +10,7 @@ import typer
 
 from zbot.names import fully_qualified, validate_topic_name
 from zbot.wire.tokens import EntityKind
-from zbot_cli.domain.action_types import UnknownActionError, suggestion
+from zbot_cli.domain.action_types import suggestion, unknown_action_error
 from zbot_cli.domain.client import full_name, note_if_nobody_runs, snapshot
 from zbot_cli.domain.types import check_known
 from zbot_cli.input.form_options import DEFAULT_FORM, FormOptions
@@ -109,7 +109,7 @@ def type_of(action_name: ActionName) -> None:
     graph, name = snapshot(), _checked(action_name)
     types = dict(graph.actions()).get(name)
     if types is None:
-        raise UnknownActionError(name, graph)
+        raise unknown_action_error(name, graph)
     print("\n".join(types))
 
 

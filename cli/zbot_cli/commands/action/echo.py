@@ -5,7 +5,6 @@ from __future__ import annotations
 import sys
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import ZbotError
 from zbot.interfaces.plain_value import json_value
 from zbot.qos import QoSProfile, qos_profile_action_status_default
 from zbot_cli.domain.action_types import only_action_type, resolve_action_type, suggestion
@@ -46,8 +45,8 @@ class ActionEcho:
         form: How to show messages.
 
     Raises:
-        ActionInterfaceError: `interfaces` contains an unknown name.
-        InvalidActionTypeError: `type_word` is not the name of an action type.
+        CommandError: `interfaces` contains an unknown name, or `type_word` is not the name of an
+            action type.
     """
 
     def __init__(

@@ -6,7 +6,6 @@ import sys
 import time
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import ZbotError
 from zbot_cli.domain.action_types import (
     action_class,
     only_action_type,
@@ -14,6 +13,7 @@ from zbot_cli.domain.action_types import (
     suggestion,
 )
 from zbot_cli.domain.client import hidden_node
+from zbot_cli.errors import CommandError
 from zbot_cli.input.message_values import PopulateError, Template
 from zbot_cli.output.exit_status import Status
 from zbot_cli.output.listing import print_json
@@ -29,31 +29,18 @@ if TYPE_CHECKING:
 _STEP_S = 0.5  # Ctrl-C cannot interrupt waiting for the graph, so the command waits in steps
 
 
-class NoActionServerError(ZbotError):
-    """No server appeared in time."""
-
-    def __init__(self, name: str, timeout_s: float, hint: str | None) -> None:
-        self.name, self.timeout_s, self.hint = name, timeout_s, hint
-        super().__init__(
-            f"The action server {name} is not available after waiting {timeout_s:g} seconds"
-        )
+def no_action_server_error(name: str, timeout_s: float, hint: str | None) -> CommandError:
+    """Return the error that no server appeared in time."""
+    return CommandError(
+        f"The action server {name} is not available after waiting {timeout_s:g} seconds", hint=hint
+    )
 
 
-class GoalValuesError(ZbotError):
-    """The values on the command line do not fit the goal."""
-
-    def __init__(self, error: PopulateError) -> None:
-        self.hint = error.hint
-        reason = str(error).removeprefix("Failed to populate field: ")
-        super().__init__(f"Failed to populate message fields: {reason}")
-
-
-class CancelError(ZbotError):
-    """The server did not accept the request to cancel the goal."""
-
-    def __init__(self) -> None:
-        self.hint = "its server has no cancel_callback that accepts, or the goal has just ended"
-        super().__init__("Failed to cancel goal")
+def goal_values_error(error: PopulateError) -> CommandError:
+    """Return the error that the values on the command line do not fit the goal."""
+    hint = error.hint
+    reason = str(error).removeprefix("Failed to populate field: ")
+    return CommandError(f"Failed to populate message fields: {reason}", hint=hint)
 
 
 class SendGoal:
@@ -98,9 +85,8 @@ class SendGoal:
         """Send the goal. Return the exit code of the command.
 
         Raises:
-            NoActionServerError: No server appeared in time.
-            GoalValuesError: The values do not fit the goal.
-            CancelError: The server did not accept the request to cancel the goal.
+            CommandError: No server appeared in time, or the values do not fit the goal, or the
+                server did not accept the request to cancel the goal.
             ServiceError: The server ended before the goal ended.
         """
         import zbot  # noqa: F401, PLC0415 - makes the message packages importable
@@ -130,7 +116,7 @@ class SendGoal:
         try:
             return Template(action_class(type_name).Goal, self._values)
         except PopulateError as error:
-            raise GoalValuesError(error) from None
+            raise goal_values_error(error) from None
 
     def _client(self, node: Node) -> ActionClient[Any, Any, Any]:
         from zbot.action import ActionClient  # noqa: PLC0415 - not needed by `list`
@@ -149,9 +135,9 @@ class SendGoal:
             )
         return found
 
-    def _no_server(self) -> NoActionServerError:
+    def _no_server(self) -> CommandError:
         hint = suggestion(self._name, self._node.context.graph.snapshot())
-        return NoActionServerError(self._name, self._timeout_s or 0, hint)
+        return no_action_server_error(self._name, self._timeout_s or 0, hint)
 
     # -- the goal ------------------------------------------------------------------------------
 
@@ -180,7 +166,10 @@ class SendGoal:
         self._print_text("Canceling goal...")
         response = self._wait(handle.cancel_goal_async())
         if not response.goals_canceling:
-            raise CancelError
+            raise CommandError(
+                "Failed to cancel goal",
+                hint="its server has no cancel_callback that accepts, or the goal has just ended",
+            )
         self._print_text("Goal canceled.")
 
     def _end(self, response: Any) -> Status:

@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING
 
 from zbot.bag.player import Player
 from zbot.bag.player_services import PlayerServices
-from zbot.errors import ZbotError
 from zbot.executor.spin_thread import SpinThread
 from zbot_cli.commands.bag.options import set_log_level
 from zbot_cli.commands.bag.progress_bar import progress_bar
 from zbot_cli.domain.client import full_name, hidden_node
+from zbot_cli.errors import CommandError
 from zbot_cli.input.keyboard import has_keyboard, keys_to
 
 if TYPE_CHECKING:
@@ -24,14 +24,6 @@ if TYPE_CHECKING:
     from zbot.node.node import Node
 
 NODE_NAME = "rosbag2_player"
-
-
-class RemapError(ZbotError):
-    """A word of `--remap` is not a rule."""
-
-    def __init__(self, word: str) -> None:
-        self.word = word
-        super().__init__(f"--remap '{word}' is not OLD_TOPIC:=NEW_TOPIC")
 
 
 @dataclass(frozen=True)
@@ -85,12 +77,12 @@ def remap_rules(words: Sequence[str]) -> dict[str, str]:
     """Return the new names of topics by their old names.
 
     Raises:
-        RemapError: A word is not a rule.
+        CommandError: A word is not a rule.
     """
     found = {}
     for word in words:
         old, separator, new = word.partition(":=")
         if not (old and separator and new):
-            raise RemapError(word)
+            raise CommandError(f"--remap '{word}' is not OLD_TOPIC:=NEW_TOPIC")
         found[full_name(old)] = full_name(new)
     return found

@@ -15,21 +15,17 @@ from zbot.bag.qos_profiles import read_overrides
 from zbot.bag.recorder import Discovery, Recorder
 from zbot.bag.snapshot_buffer import SnapshotBuffer
 from zbot.bag.writer import Writer
-from zbot.errors import ZbotError
 from zbot.executor.single_threaded_executor import SingleThreadedExecutor
 from zbot_cli.commands.bag.options import set_log_level
 from zbot_cli.domain.client import full_name, hidden_node
 from zbot_cli.domain.topic_types import hint_if_silent
+from zbot_cli.errors import CommandError
 from zbot_cli.input.keyboard import has_keyboard, keys_to
 
 if TYPE_CHECKING:
     from zbot.bag.selection import Selection
 
 MIN_SPLIT_BYTES = 1024
-
-
-class RecordOptionError(ZbotError):
-    """The options of `zbot bag record` do not fit together."""
 
 
 @dataclass(frozen=True)
@@ -65,7 +61,7 @@ class Recording:
             BagExistsError: The bag exists.
             BagWriteError: The bag cannot be written, e.g. because the disk is full.
             NoBagExtraError: The extra `bag` is not installed.
-            RecordOptionError: The options do not fit together.
+            CommandError: The options do not fit together.
         """
         import_mcap()
         self._check()
@@ -124,19 +120,19 @@ class Recording:
 
     def _check(self) -> None:
         if 0 < self.max_bag_size < MIN_SPLIT_BYTES:
-            raise RecordOptionError(
+            raise CommandError(
                 f"--max-bag-size {self.max_bag_size} is too small: "
                 f"choose at least {MIN_SPLIT_BYTES} bytes"
             )
         if self.is_snapshot_mode and not (self.max_cache_size or self.max_cache_duration):
-            raise RecordOptionError(
+            raise CommandError(
                 "In snapshot mode, either the max_cache_duration or max_cache_size shall not be "
                 "set to zero."
             )
         if self.storage_config is not None and self.storage_id != "mcap":
-            raise RecordOptionError("--storage-config-file is only for --storage mcap")
+            raise CommandError("--storage-config-file is only for --storage mcap")
         if self.uses_sim_time and not self.discovery.is_on:
-            raise RecordOptionError(
+            raise CommandError(
                 "--use-sim-time and --no-discovery both set, but are incompatible settings. "
                 "The /clock topic needs to be discovered to record with sim time."
             )
@@ -146,12 +142,12 @@ def check_selection(selection: Selection) -> None:
     """Check that something is selected, and that each `--exclude-...` option has an effect.
 
     Raises:
-        RecordOptionError: Nothing is selected, or an `--exclude-...` option has no effect.
+        CommandError: Nothing is selected, or an `--exclude-...` option has no effect.
     """
     is_wide = selection.all_topics or selection.topic_types or selection.regex
     is_any = is_wide or selection.all_services or selection.all_actions
     if not (is_any or selection.names):
-        raise RecordOptionError(
+        raise CommandError(
             "Need to specify at least one option out of --all, --all-topics, --all-services, "
             "--all-actions, --services, --actions, --topics, --topic-types or --regex"
         )
@@ -184,7 +180,7 @@ def check_selection(selection: Selection) -> None:
     )
     for name, value, has_effect, needed in rules:
         if value and not has_effect:
-            raise RecordOptionError(f"--exclude-{name} argument requires either {needed}")
+            raise CommandError(f"--exclude-{name} argument requires either {needed}")
 
 
 def custom_data(words: list[str]) -> dict[str, str]:

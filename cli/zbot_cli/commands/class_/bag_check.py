@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 
 from zbot.bag.description import is_service_event, service_name
 from zbot.bag.reader import Reader
-from zbot.classroom.errors import ClassroomError
 from zbot.classroom.teacher.class_check import Verdict
 from zbot.time import S_TO_NS
 from zbot.wire.tokens import EntityKind
+from zbot_cli.errors import CommandError
 
 if TYPE_CHECKING:
     from collections.abc import Collection, Sequence
@@ -24,14 +24,11 @@ if TYPE_CHECKING:
 NUMBER_KEY, NAME_KEY = "student_number", "student_name"
 
 
-class NotInBagError(ClassroomError, ValueError):
-    """A bag cannot show whether an expectation is met."""
-
-    def __init__(self, verb: str) -> None:
-        self.verb = verb
-        super().__init__(
-            f"`{verb}` cannot be checked in a bag: a bag has only what was published, and calls"
-        )
+def not_in_bag_error(verb: str) -> CommandError:
+    """Return the error that a bag cannot show whether an expectation is met."""
+    return CommandError(
+        f"`{verb}` cannot be checked in a bag: a bag has only what was published, and calls"
+    )
 
 
 class _Recorded:
@@ -64,15 +61,15 @@ def check_bag(path: Path, expectations: Sequence[Expectation]) -> Verdict:
     Otherwise the verdict has the number 0 and the name of the bag.
 
     Raises:
-        NotInBagError: An expectation is not about publishers or services.
+        CommandError: An expectation is not about publishers or services.
         BagNotFoundError: There is no file or folder with this path.
         BagReadError: The path is not a bag, or a part of the bag is damaged.
     """
     for one in expectations:
         if one.kind is EntityKind.NODE:
-            raise NotInBagError("runs")
+            raise not_in_bag_error("runs")
         if one.kind is EntityKind.SUBSCRIPTION:
-            raise NotInBagError("subscribes")
+            raise not_in_bag_error("subscribes")
     with Reader(path) as bag:
         recorded = _Recorded(bag, {one.name for one in expectations if one.has_rate})
         facts = bag.metadata.custom_data

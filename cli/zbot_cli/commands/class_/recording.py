@@ -14,26 +14,18 @@ from zbot.bag.background import BackgroundRecording
 from zbot.bag.errors import BagExistsError, BagWriteError
 from zbot.bag.packages import import_mcap
 from zbot.bag.selection import Selection
-from zbot.classroom.errors import ClassroomError
 from zbot.classroom.teacher.opening import command
 from zbot.process.signals import SignalHandlerOptions, install
 from zbot.terminal.text import escape_control_characters
 from zbot_cli.commands.class_.bag_check import NAME_KEY, NUMBER_KEY
 from zbot_cli.domain.client import full_name
+from zbot_cli.errors import CommandError
 
 if TYPE_CHECKING:
     from collections.abc import Collection
 
 _LOOK_S = 2.0  #: seconds between two requests for the list of students
 _NOT_IN_NAMES = re.compile(r"[^A-Za-z0-9_-]+")
-
-
-class NoStudentError(ClassroomError, LookupError):
-    """No student in the class has the given number."""
-
-    def __init__(self, number: int) -> None:
-        self.number = number
-        super().__init__(f"nobody in the class has the number {number}: see zbot class list")
 
 
 class ClassRecording:
@@ -69,7 +61,7 @@ class ClassRecording:
 
         Raises:
             NoClassError: No class is open on this machine.
-            NoStudentError: One of the numbers belongs to no student.
+            CommandError: One of the numbers belongs to no student.
             BagExistsError: The folder exists.
             BagWriteError: The folder cannot be made.
             NoBagExtraError: The extra `bag` is not installed.
@@ -78,7 +70,7 @@ class ClassRecording:
         students = _students()
         missing = next((one for one in self._numbers if one not in students), None)
         if missing is not None:
-            raise NoStudentError(missing)
+            raise CommandError(f"nobody in the class has the number {missing}: see zbot class list")
         self._make_folder()
         install(SignalHandlerOptions.ALL)
         print(f"Recording to {self._folder}; Ctrl-C ends the recording", flush=True)

@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.bridge.rclpy_import import import_rclpy
 from zbot.classroom.hub.running_hub import READY, report_ready
-from zbot.errors import ZbotError
 from zbot.security.secret import make_private_folder
 from zbot.transport import background_process, membership
+from zbot_cli.errors import CommandError
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -24,22 +24,9 @@ _SPEC = re.compile(r"(?:(?P<name>[a-z][a-z0-9_]*)=)?dds(?::(?P<domain>\d{1,3}))?
 _END_S = 5.0
 
 
-class RobotSpecError(ZbotError, ValueError):
-    """The value of `--robot` is not valid."""
-
-    def __init__(self, text: str) -> None:
-        self.text = text
-        super().__init__(
-            f"cannot use --robot {text!r}: write dds, dds:DOMAIN or NAME=dds:DOMAIN, e.g. arm=dds:5"
-        )
-
-
-class RobotStartError(ZbotError):
-    """The bridge of a robot did not start."""
-
-    def __init__(self, name: str, log: str, last_line: str) -> None:
-        self.name, self.log = name, log
-        super().__init__(f"the bridge of the robot {name!r} did not start: {last_line or log}")
+def robot_start_error(name: str, log: str, last_line: str) -> CommandError:
+    """Return the error that the bridge of a robot did not start."""
+    return CommandError(f"the bridge of the robot {name!r} did not start: {last_line or log}")
 
 
 @dataclass(frozen=True)
@@ -54,11 +41,14 @@ class RobotSpec:
         """Parse a text such as `dds`, `dds:5` or `arm=dds:5`.
 
         Raises:
-            RobotSpecError: The text has another form.
+            CommandError: The text has another form.
         """
         found = _SPEC.fullmatch(text)
         if found is None or int(found["domain"] or 0) > 232:
-            raise RobotSpecError(text)
+            raise CommandError(
+                f"cannot use --robot {text!r}: write dds, dds:DOMAIN or NAME=dds:DOMAIN, "
+                "e.g. arm=dds:5"
+            )
         return cls(found["name"] or "robot", int(found["domain"] or 0))
 
 
@@ -71,7 +61,7 @@ def start(robot: RobotSpec, rates: list[str]) -> None:
     """Start a robot's bridge in the background. The bridge ends when the class is closed.
 
     Raises:
-        RobotStartError: The bridge did not start. The error has the last line of the bridge's log.
+        CommandError: The bridge did not start. The error has the last line of the bridge's log.
     """
     folder = membership.folder()
     make_private_folder(folder)
@@ -94,7 +84,7 @@ def start(robot: RobotSpec, rates: list[str]) -> None:
     if not is_ready:
         process.wait(_END_S)
         last = path.read_text(encoding="utf-8").strip().splitlines()[-1:]
-        raise RobotStartError(robot.name, str(path), "".join(last))
+        raise robot_start_error(robot.name, str(path), "".join(last))
     background_process.forget(process)
 
 

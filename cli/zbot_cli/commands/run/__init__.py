@@ -17,7 +17,7 @@ from zbot.package.errors import NotRunnableError
 from zbot.package.unavailable import Unavailable, unavailable_executable, unavailable_package
 from zbot_cli.commands.run import missing_file
 from zbot_cli.commands.run.execution import run_and_exit
-from zbot_cli.commands.run.missing_file import ProgramNotFoundError
+from zbot_cli.errors import CommandError
 from zbot_cli.output.exit_status import Status
 from zbot_cli.packages import executables
 from zbot_cli.packages.executables import BUNDLED, Executable, Package
@@ -62,25 +62,24 @@ class PackageNotFoundError(ZbotError):
         super().__init__(f"Package '{package}' not found")
 
 
-class ExecutableNotFoundError(ZbotError):
-    """The given package has no executable of this name, or no package has one."""
-
-    def __init__(self, name: str, known: Sequence[str], packages: Sequence[Package] = ()) -> None:
-        self.name = name
-        otherwise = "`zbot pkg executables` lists the nodes"
-        if packages:
-            otherwise = f"{packages[0].name} has {', '.join(known) or 'no nodes'}"
-            if packages[0].compiled and not known:
-                names = ", ".join(sorted(packages[0].compiled))
-                otherwise = f"its programs are C++, which zbot does not run: {names}"
-        self.hint = _hint(name, known, otherwise)
-        for package in packages:
-            if package.fault:
-                self.hint = package.fault
-            elif package.has_module(name):
-                entry = f"'{name} = {package.name}.{name}:main'"
-                self.hint = f"add {entry} to the console_scripts in {package.name}'s setup.py"
-        super().__init__("No executable found")
+def executable_not_found_error(
+    name: str, known: Sequence[str], packages: Sequence[Package] = ()
+) -> CommandError:
+    """Return the error that the given package, or any package, has no such executable."""
+    otherwise = "`zbot pkg executables` lists the nodes"
+    if packages:
+        otherwise = f"{packages[0].name} has {', '.join(known) or 'no nodes'}"
+        if packages[0].compiled and not known:
+            names = ", ".join(sorted(packages[0].compiled))
+            otherwise = f"its programs are C++, which zbot does not run: {names}"
+    hint = _hint(name, known, otherwise)
+    for package in packages:
+        if package.fault:
+            hint = package.fault
+        elif package.has_module(name):
+            entry = f"'{name} = {package.name}.{name}:main'"
+            hint = f"add {entry} to the console_scripts in {package.name}'s setup.py"
+    return CommandError("No executable found", hint=hint)
 
 
 class CompiledProgramError(NotRunnableError):
@@ -91,20 +90,11 @@ class CompiledProgramError(NotRunnableError):
         super().__init__(f"{name} of package {package}", kind)
 
 
-class SeveralExecutablesError(ZbotError):
-    """Several packages have an executable of that name."""
-
-    def __init__(self, found: Sequence[Executable]) -> None:
-        self.hint = f"name the package too: zbot run {found[0].package} {found[0].name}"
-        lines = "".join(f"\n- {one.package} {one.name} ({one.target})" for one in found)
-        super().__init__(f"Multiple executables found:{lines}")
-
-
-class PrefixError(ZbotError):
-    """The value of --prefix is not a command line."""
-
-    def __init__(self, prefix: str, reason: str) -> None:
-        super().__init__(f"cannot read --prefix {prefix!r}: {reason}")
+def several_executables_error(found: Sequence[Executable]) -> CommandError:
+    """Return the error that several packages have an executable of that name."""
+    hint = f"name the package too: zbot run {found[0].package} {found[0].name}"
+    lines = "".join(f"\n- {one.package} {one.name} ({one.target})" for one in found)
+    return CommandError(f"Multiple executables found:{lines}", hint=hint)
 
 
 def _hint(word: str, known: Iterable[str], otherwise: str) -> str:
@@ -163,17 +153,16 @@ def _split(prefix: str) -> list[str]:
     try:
         return shlex.split(prefix, posix=os.name != "nt")
     except ValueError as exc:
-        raise PrefixError(prefix, str(exc)) from None
+        raise CommandError(f"cannot read --prefix {prefix!r}: {exc!s}") from None
 
 
 def find(words: Sequence[str]) -> tuple[Executable, list[str]]:
     """Return the executable at the start of a command line, and the arguments after it.
 
     Raises:
-        ProgramNotFoundError: There is no file of that path.
+        CommandError: There is no file of that path, or there is no executable of that name, or
+            `words` has no package, and several packages have the executable.
         PackageNotFoundError: There is no package of that name.
-        ExecutableNotFoundError: There is no executable of that name.
-        SeveralExecutablesError: `words` has no package, and several packages have the executable.
     """
     first, rest = words[0], list(words[1:])
     if _is_path(first):
@@ -209,7 +198,7 @@ def _find_farther(
         raise error
     if rest and not rest[0].startswith("-"):
         raise PackageNotFoundError(first, sorted({one.name for one in packages if one.executables}))
-    raise ExecutableNotFoundError(first, _names(packages))
+    raise executable_not_found_error(first, _names(packages))
 
 
 def _file_error(word: str, packages: list[Package]) -> ZbotError | None:
@@ -217,9 +206,9 @@ def _file_error(word: str, packages: list[Package]) -> ZbotError | None:
     match = re.fullmatch(r"(\w+)[.:](\w+)", word)
     if match and _called(match[1], packages):
         hint = f"a package and its program are two words: zbot run {match[1]} {match[2]}"
-        return ProgramNotFoundError(f"'{word}' is not a program", hint)
+        return CommandError(f"'{word}' is not a program", hint=hint)
     if Path(f"{word}.py").is_file():
-        return ProgramNotFoundError(f"'{word}' is a file", f"type: zbot run {word}.py")
+        return CommandError(f"'{word}' is a file", hint=f"type: zbot run {word}.py")
     if Path(word).is_dir():
         return missing_file.folder(Path(word))
     return missing_file.launch_file(word)
@@ -227,15 +216,14 @@ def _file_error(word: str, packages: list[Package]) -> ZbotError | None:
 
 def _raise_not_found(name: str, inside: list[Package]) -> NoReturn:
     if missing_file.launch_file(name):
-        raise ProgramNotFoundError(
-            f"'{name}' is a launch file", f"type: zbot launch {inside[0].name} {name}"
-        )
+        hint = f"type: zbot launch {inside[0].name} {name}"
+        raise CommandError(f"'{name}' is a launch file", hint=hint)
     if any(name in package.compiled for package in inside):
         raise CompiledProgramError(name, inside[0].name)
     kind = unavailable_executable(inside[0].name, name)
     if kind is not None:
         raise NotRunnableError(f"{name} of package {inside[0].name}", kind)
-    raise ExecutableNotFoundError(name, _names(inside), inside)
+    raise executable_not_found_error(name, _names(inside), inside)
 
 
 def _called(name: str, packages: Iterable[Package]) -> list[Package]:
@@ -279,7 +267,7 @@ def _names(packages: Iterable[Package]) -> list[str]:
 
 def _single(found: list[Executable]) -> Executable:
     if len(found) > 1:
-        raise SeveralExecutablesError(found)
+        raise several_executables_error(found)
     return found[0]
 
 
@@ -290,7 +278,7 @@ def _run_behind(prefix: list[str], words: list[str]) -> int:
 
     program = shutil.which(prefix[0])
     if program is None:
-        raise ProgramNotFoundError(f"Prefix command '{prefix[0]}' not found")
+        raise CommandError(f"Prefix command '{prefix[0]}' not found")
     command = [*prefix, sys.executable, "-c", _ZBOT, "run", *words]
     sys.stdout.flush()
     if os.name != "nt":

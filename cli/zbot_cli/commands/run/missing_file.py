@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from zbot.errors import ZbotError
 from zbot.errors.suggestion import question, similar_names
 from zbot.package.workspace import MANIFEST
+from zbot_cli.errors import CommandError
 
 _LAUNCH_ENDINGS = (
     ".launch.py",
@@ -18,15 +18,7 @@ _LAUNCH_ENDINGS = (
 )
 
 
-class ProgramNotFoundError(ZbotError):
-    """A file or a prefix command does not exist, or `zbot run` cannot run the file."""
-
-    def __init__(self, reason: str, hint: str = "") -> None:
-        self.hint = hint
-        super().__init__(reason)
-
-
-def missing_file(word: str) -> ProgramNotFoundError:
+def missing_file(word: str) -> CommandError:
     """Return the error for a path without a file."""
     path = Path(word)
     if path.is_dir():
@@ -34,10 +26,10 @@ def missing_file(word: str) -> ProgramNotFoundError:
     near = question(map(str, _similar(path)))
     if not near and len(path.parts) == 2 and all(map(str.isidentifier, path.parts)):
         near = f"a package and its program are two words: zbot run {' '.join(path.parts)}"
-    return ProgramNotFoundError(f"File '{word}' not found", near)
+    return CommandError(f"File '{word}' not found", hint=near)
 
 
-def folder(path: Path) -> ProgramNotFoundError:
+def folder(path: Path) -> CommandError:
     """Return the error for the path of a folder."""
     programs = sorted(path.glob("*.py"))
     hint = "name a program: zbot run FILE.py, or zbot run PACKAGE PROGRAM"
@@ -45,21 +37,21 @@ def folder(path: Path) -> ProgramNotFoundError:
         hint = f"name the package and a program of it: zbot run {path.resolve().name} PROGRAM"
     elif programs:
         hint = f"name a file in it, e.g. zbot run {programs[0]}"
-    return ProgramNotFoundError(f"'{path}' is a folder, not a program", hint)
+    return CommandError(f"'{path}' is a folder, not a program", hint=hint)
 
 
-def launch_file(words: str) -> ProgramNotFoundError | None:
+def launch_file(words: str) -> CommandError | None:
     """Return the error for words that name a launch file, or `None` for other words."""
     if not words.endswith(_LAUNCH_ENDINGS):
         return None
-    return ProgramNotFoundError(f"'{words}' is a launch file", f"type: zbot launch {words}")
+    return CommandError(f"'{words}' is a launch file", hint=f"type: zbot launch {words}")
 
 
-def not_python(word: str) -> ProgramNotFoundError:
+def not_python(word: str) -> CommandError:
     """Return the error for a file that is not a Python program."""
     ending = Path(word).suffix
     hint = "zbot runs Python programs: C++ needs ROS 2" if ending in {".cpp", ".cc", ".c"} else ""
-    return ProgramNotFoundError(f"'{word}' is not a Python program", hint)
+    return CommandError(f"'{word}' is not a Python program", hint=hint)
 
 
 def _similar(path: Path) -> list[Path]:

@@ -10,7 +10,7 @@ import typer
 from zbot.names import fully_qualified, is_hidden
 from zbot.wire.tokens import EntityKind
 from zbot_cli.domain.client import full_name, note_if_nobody_runs, snapshot
-from zbot_cli.domain.service_types import NODE_SERVICE_TYPES, UnknownServiceError, known_services
+from zbot_cli.domain.service_types import NODE_SERVICE_TYPES, known_services, unknown_service_error
 from zbot_cli.domain.types import check_known
 from zbot_cli.input.form_options import DEFAULT_FORM, FormOptions
 from zbot_cli.input.option_groups import noun_option, with_option_groups
@@ -102,7 +102,7 @@ def type_of(
 def _types(graph: Snapshot, name: str) -> list[str]:
     types = dict(known_services(graph)).get(name)
     if types is None:
-        raise UnknownServiceError(name, graph)
+        raise unknown_service_error(name, graph)
     return types
 
 

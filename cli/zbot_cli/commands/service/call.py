@@ -6,7 +6,6 @@ import sys
 import time
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import ZbotError
 from zbot_cli.domain.client import hidden_node
 from zbot_cli.domain.pause import Pause
 from zbot_cli.domain.service_types import (
@@ -16,6 +15,7 @@ from zbot_cli.domain.service_types import (
     service_class,
     suggestion,
 )
+from zbot_cli.errors import CommandError
 from zbot_cli.output.listing import print_json
 
 if TYPE_CHECKING:
@@ -30,27 +30,14 @@ if TYPE_CHECKING:
 _STEP_S = 0.5  # Ctrl-C cannot interrupt waiting for the graph, so the command waits in steps
 
 
-class CallRateError(ZbotError):
-    """A rate is not above 0."""
-
-    def __init__(self) -> None:
-        super().__init__("rate must be greater than zero")
+def no_server_error(name: str, timeout_s: float) -> CommandError:
+    """Return the error that no server appeared in time."""
+    return CommandError(f"Service '{name}' is not available after waiting {timeout_s:g} seconds")
 
 
-class NoServerError(ZbotError):
-    """No server appeared in time."""
-
-    def __init__(self, name: str, timeout_s: float) -> None:
-        self.name, self.timeout_s = name, timeout_s
-        super().__init__(f"Service '{name}' is not available after waiting {timeout_s:g} seconds")
-
-
-class NoResponseError(ZbotError):
-    """The server did not answer in time."""
-
-    def __init__(self, name: str, timeout_s: float) -> None:
-        self.name, self.timeout_s = name, timeout_s
-        super().__init__(f"Service '{name}' did not respond within {timeout_s:g} seconds")
+def no_response_error(name: str, timeout_s: float) -> CommandError:
+    """Return the error that the server did not answer in time."""
+    return CommandError(f"Service '{name}' did not respond within {timeout_s:g} seconds")
 
 
 class ServiceCall:
@@ -78,7 +65,7 @@ class ServiceCall:
         as_json: bool,
     ) -> None:
         if rate_hz is not None and not rate_hz > 0:
-            raise CallRateError
+            raise CommandError("rate must be greater than zero")
         self._name = name
         self._type, self._values = _split(words)
         self._qos = qos
@@ -92,10 +79,9 @@ class ServiceCall:
         """Check the type and the values, wait for the server, and call the service.
 
         Raises:
-            NoServerError: No server appeared in time.
-            NoResponseError: The server did not answer in time.
+            CommandError: No server appeared in time, or the server did not answer in time, or the
+                servers have another type.
             ServiceError: The server's callback failed, or the server ended before it answered.
-            OtherServiceTypeError: The servers have another type.
         """
         import zbot  # noqa: F401, PLC0415 - makes the message packages importable
 
@@ -138,8 +124,8 @@ class ServiceCall:
         if hint and self._name not in dict(graph.services()):
             print(f"hint: {hint}", file=sys.stderr, flush=True)
 
-    def _no_server(self) -> NoServerError:
-        return NoServerError(self._name, self._timeout_s or 0)
+    def _no_server(self) -> CommandError:
+        return no_server_error(self._name, self._timeout_s or 0)
 
     # -- calling -------------------------------------------------------------------------------
 
@@ -161,7 +147,7 @@ class ServiceCall:
         try:
             response = client.call(request, self._timeout_s)
         except TimeoutError:
-            raise NoResponseError(self._name, self._timeout_s or 0) from None
+            raise no_response_error(self._name, self._timeout_s or 0) from None
         if self._as_json:
             from zbot.interfaces.plain_value import json_value  # noqa: PLC0415 - seldom used
 
@@ -180,8 +166,8 @@ def served_type_of(graph: Snapshot, name: str, wanted: str | None) -> str | None
         wanted: The type on the command line, if any.
 
     Raises:
-        OtherServiceTypeError: The type of the servers is not `wanted`.
-        SeveralServiceTypesError: The service has several types, and `wanted` is `None`.
+        CommandError: The type of the servers is not `wanted`, or the service has several types, and
+            `wanted` is `None`.
     """
     if wanted is None:
         return served_type(graph, name)

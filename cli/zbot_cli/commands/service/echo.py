@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 from zbot_cli.domain.client import hidden_node
 from zbot_cli.domain.service_types import (
-    SeveralServiceTypesError,
     known_services,
     resolve_service_type,
     service_class,
+    several_service_types_error,
     suggestion,
 )
 from zbot_cli.output.listing import print_json
@@ -37,7 +37,7 @@ class ServiceEcho:
         qos: Quality of service options.
 
     Raises:
-        InvalidServiceTypeError: `type_word` is not the name of a service type.
+        CommandError: `type_word` is not the name of a service type.
     """
 
     def __init__(self, name: str, type_word: str | None, form: Form, qos: QosOptions) -> None:
@@ -90,7 +90,7 @@ class ServiceEcho:
 def _known_type(graph: Snapshot, name: str) -> str | None:
     types = dict(known_services(graph)).get(name)
     if types is not None and len(types) > 1:
-        raise SeveralServiceTypesError(name, types)
+        raise several_service_types_error(name, types)
     return None if types is None else types[0]
 
 

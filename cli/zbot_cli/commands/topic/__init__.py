@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from zbot.errors import ZbotError
 from zbot.errors.suggestion import did_you_mean
 from zbot.names import fully_qualified, is_hidden
 from zbot.wire.tokens import EndpointToken, EntityKind
 from zbot_cli.domain.client import client, full_name, note_if_nobody_runs, snapshot, snapshot_of
 from zbot_cli.domain.types import check_known
+from zbot_cli.errors import CommandError
 from zbot_cli.input.form_options import DEFAULT_FORM, FormOptions
 from zbot_cli.input.option_groups import noun_option, with_option_groups
 from zbot_cli.input.qos_options import DEFAULT_QOS, QosOptions, profile_lines
@@ -42,13 +42,10 @@ TopicName = Annotated[str, typer.Argument(help="Name of the topic, e.g. /chatter
 UNKNOWN_TYPE = "unknown"
 
 
-class UnknownTopicError(ZbotError):
-    """No topic of that name has a publisher or a subscription."""
-
-    def __init__(self, name: str, known: list[str]) -> None:
-        self.name = name
-        self.hint = did_you_mean(name, known)
-        super().__init__(f"Unknown topic '{name}'")
+def unknown_topic_error(name: str, known: list[str]) -> CommandError:
+    """Return the error that no topic of that name has a publisher or a subscription."""
+    hint = did_you_mean(name, known)
+    return CommandError(f"Unknown topic '{name}'", hint=hint)
 
 
 @app.callback()
@@ -134,7 +131,7 @@ def info(
     graph, name = snapshot(), full_name(topic_name)
     types = dict(graph.topics()).get(name)
     if types is None:
-        raise UnknownTopicError(name, [known for known, _ in graph.topics()])
+        raise unknown_topic_error(name, [known for known, _ in graph.topics()])
     sides = (("Publisher", graph.publishers(name)), ("Subscription", graph.subscriptions(name)))
     if as_json:
         print_json(
@@ -188,7 +185,7 @@ def type_of(
     topics = dict(snapshot().topics())
     types = topics.get(full_name(topic_name))
     if types is None:
-        raise UnknownTopicError(full_name(topic_name), list(topics))
+        raise unknown_topic_error(full_name(topic_name), list(topics))
     print("\n".join(types))
 
 

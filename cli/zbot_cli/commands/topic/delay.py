@@ -5,20 +5,13 @@ from __future__ import annotations
 from collections import deque
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import ZbotError
 from zbot_cli.commands.topic.measurement import statistics
+from zbot_cli.errors import CommandError
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from zbot_cli.commands.topic.measurement import Meter
-
-
-class MissingHeaderError(ZbotError):
-    """The messages of a topic have no header, so they have no stamp to compare with."""
-
-    def __init__(self) -> None:
-        super().__init__("msg does not have header")
 
 
 class _DelayMeter:
@@ -30,7 +23,7 @@ class _DelayMeter:
     def add(self, message: Any) -> None:
         header = getattr(message, "header", None)
         if header is None:
-            raise MissingHeaderError
+            raise CommandError("msg does not have header")
         age_ns = self._now_ns() - (header.stamp.sec * 10**9 + header.stamp.nanosec)
         if self._started:  # ROS 2 does not count the first message either
             self._delays.append(age_ns / 1e9)

@@ -7,7 +7,6 @@ import time
 from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import ZbotError
 from zbot.executor.single_threaded_executor import SingleThreadedExecutor
 from zbot.node.event_callbacks import SubscriptionEventCallbacks
 from zbot.terminal.text import write_styled
@@ -19,6 +18,7 @@ from zbot_cli.domain.topic_types import (
     only_type,
     print_waiting,
 )
+from zbot_cli.errors import CommandError
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -32,13 +32,6 @@ if TYPE_CHECKING:
     from zbot_cli.output.message_text import Form
 
 _CLEAR = "\033[H\033[2J"
-
-
-class NothingReceivedError(ZbotError):
-    """No message arrived within the time limit."""
-
-    def __init__(self, topics: Sequence[str], timeout_s: float) -> None:
-        super().__init__(f"no message on {', '.join(topics)} within {timeout_s:g} s")
 
 
 class Echo:
@@ -84,7 +77,7 @@ class Echo:
         """Print messages until the end.
 
         Raises:
-            NothingReceivedError: The time limit passed without a message.
+            CommandError: The time limit passed without a message.
         """
         from zbot_cli.output.message_text import Formatter  # noqa: PLC0415 - only echo formats messages
 
@@ -97,7 +90,9 @@ class Echo:
             deadline = None if self._timeout_s is None else time.monotonic() + self._timeout_s
             self._spin(executor, deadline)
         if self._timeout_s is not None and not self._shown:
-            raise NothingReceivedError(self._names, self._timeout_s)
+            raise CommandError(
+                f"no message on {', '.join(self._names)} within {self._timeout_s:g} s"
+            )
 
     def _start(self, node: Node) -> list[str]:
         """Subscribe to the topics that exist. Return the topics without a printed similar name."""

@@ -12,9 +12,9 @@ import time
 from functools import partial
 from typing import TYPE_CHECKING, Any, Final, Protocol
 
-from zbot.errors import ZbotError
 from zbot_cli.domain.client import full_name, hidden_node
 from zbot_cli.domain.topic_types import hint_if_silent
+from zbot_cli.errors import CommandError
 from zbot_cli.output.listing import print_json
 
 if TYPE_CHECKING:
@@ -29,13 +29,6 @@ TIME_RESET: Final = "time has reset, resetting counters"
 _PERIOD_S = 1.0
 _DEPTH = 1000  # a message that is lost in the queue would make the figures wrong
 _NO_MESSAGES = "no new messages"
-
-
-class NoTopicError(ZbotError):
-    """The command line contains no topic to measure."""
-
-    def __init__(self) -> None:
-        super().__init__("name a topic (zbot topic hz /chatter), or say --all")
 
 
 class Meter(Protocol):
@@ -88,7 +81,7 @@ def measure(
     """Measure topics until Ctrl-C.
 
     Raises:
-        NoTopicError: `topics` is empty, and `all_topics` is false.
+        CommandError: `topics` is empty, and `all_topics` is false.
     """
     import zbot  # noqa: PLC0415 - makes the message packages importable
 
@@ -96,7 +89,7 @@ def measure(
         graph = node.context.graph.snapshot()
         names = [name for name, _ in graph.topics()] if all_topics else list(map(full_name, topics))
         if not names:
-            raise NoTopicError
+            raise CommandError("name a topic (zbot topic hz /chatter), or say --all")
         now_ns = time.monotonic_ns
         if use_sim_time or measurement.compares_stamps:
             now_ns = partial(_now_ns, node)

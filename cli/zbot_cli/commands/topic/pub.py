@@ -8,10 +8,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import ZbotError
 from zbot.wire.tokens import EntityKind
 from zbot_cli.domain.client import full_name, hidden_node, snapshot
 from zbot_cli.domain.pause import Pause
+from zbot_cli.errors import CommandError
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -22,47 +22,9 @@ if TYPE_CHECKING:
     from zbot_cli.input.qos_options import QosOptions
 
 
-class RateError(ZbotError):
-    """A rate is not above 0."""
-
-    def __init__(self) -> None:
-        super().__init__("argument -r/--rate: Value must be positive")
-
-
-class WaitOptionError(ZbotError):
-    """A time limit for waiting is given, but the command does not wait."""
-
-    def __init__(self) -> None:
-        super().__init__(
-            "--max-wait-time-secs option is only effective with --wait-matching-subscriptions, "
-            "--once or --times"
-        )
-
-
-class NoSubscriberError(ZbotError):
-    """Not enough subscriptions appeared in time."""
-
-    def __init__(self, expected: int, found: int) -> None:
-        self.expected, self.found = expected, found
-        super().__init__(
-            f"Timed out waiting for subscribers: Expected {expected} subscribers but only got "
-            f"{found} subscribers"
-        )
-
-
-class UntypedTopicError(ZbotError):
-    """The command line does not give a type, and no node uses the topic yet."""
-
-    def __init__(self, name: str) -> None:
-        self.hint = f'name the type: zbot topic pub {name} std_msgs/msg/String "data: hello"'
-        super().__init__(f"Could not determine the type of {name}: no node uses it yet")
-
-
-class ValuesFileError(ZbotError):
-    """A file of values cannot be read, or contains no message."""
-
-    def __init__(self, path: str, reason: str) -> None:
-        super().__init__(f"cannot read {path}: {reason}")
+def values_file_error(path: str, reason: str) -> CommandError:
+    """Return the error that a file of values cannot be read, or contains no message."""
+    return CommandError(f"cannot read {path}: {reason}")
 
 
 @dataclass(frozen=True)
@@ -85,13 +47,16 @@ class Pace:
         """Check that the values fit together.
 
         Raises:
-            RateError: The rate is not above 0.
-            WaitOptionError: `max_wait_s` is given, but there is nothing to wait for.
+            CommandError: The rate is not above 0, or `max_wait_s` is given, but there is nothing to
+                wait for.
         """
         if not self.rate_hz > 0:
-            raise RateError
+            raise CommandError("argument -r/--rate: Value must be positive")
         if self.max_wait_s is not None and not self.subscriptions:
-            raise WaitOptionError
+            raise CommandError(
+                "--max-wait-time-secs option is only effective with --wait-matching-subscriptions, "
+                "--once or --times"
+            )
 
 
 class Pub:
@@ -152,7 +117,11 @@ class Pub:
 
         found = only_type(snapshot(), self._topic)
         if found is None:
-            raise UntypedTopicError(self._topic)
+            raise CommandError(
+                f"Could not determine the type of {self._topic}: no node uses it yet",
+                hint=f"name the type: zbot topic pub {self._topic} "
+                'std_msgs/msg/String "data: hello"',
+            )
         return found, self._words
 
     def _templates(self, message_type: type[Any], values: list[str]) -> list[Template]:
@@ -161,7 +130,7 @@ class Pub:
         if self._yaml_file is not None:
             documents = split_documents(read_values(self._yaml_file))
             if not documents:
-                raise ValuesFileError(self._yaml_file, "there is no message in it")
+                raise values_file_error(self._yaml_file, "there is no message in it")
             return [Template(message_type, document) for document in documents]
         return [Template(message_type, sys.stdin.read() if self._stdin else values)]
 
@@ -190,7 +159,10 @@ class Pub:
             )
             found = publisher.get_subscription_count()
             if found < wanted and deadline is not None and time.monotonic() >= deadline:
-                raise NoSubscriberError(wanted, found)
+                raise CommandError(
+                    f"Timed out waiting for subscribers: Expected {wanted} subscribers "
+                    f"but only got {found} subscribers"
+                )
 
     def _publish(self, node: Node, publisher: Publisher[Any], templates: list[Template]) -> None:
         now_ns = lambda: node.get_clock().now().nanoseconds  # noqa: E731 - one expression, twice used
@@ -218,9 +190,9 @@ def read_values(path: str) -> str:
     """Return the text of a file of values.
 
     Raises:
-        ValuesFileError: The file cannot be read.
+        CommandError: The file cannot be read.
     """
     try:
         return Path(path).read_text(encoding="utf-8")
     except (OSError, UnicodeDecodeError) as exc:
-        raise ValuesFileError(path, getattr(exc, "strerror", None) or str(exc)) from exc
+        raise values_file_error(path, getattr(exc, "strerror", None) or str(exc)) from exc
