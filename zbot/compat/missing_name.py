@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-import re
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from zbot.compat.table import modules
 from zbot.errors import ZbotError
 from zbot.errors.suggestion import question, similar_names
 from zbot.interfaces.finder import is_import_statement
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Sequence
     from types import ModuleType
 
 _PACKAGES = Path(__file__).parent / "packages"
@@ -48,28 +48,22 @@ class WrongImportFinder:
 
 
 def _advice(package: str, name: str) -> str:
-    modules = dict(_modules(_PACKAGES / package, package))
-    last_part = {module.rpartition(".")[2]: module for module in modules}
+    known = {
+        module: entry.names
+        for module, entry in modules().items()
+        if module.startswith(f"{package}.") and not module.rpartition(".")[2].startswith("_")
+    }
+    last_part = {module.rpartition(".")[2]: module for module in known}
     near = tuple(last_part[one] for one in similar_names(name, last_part))
     if not name.islower():  # a class
-        classes = {one for text in modules.values() for one in re.findall(r"\b[A-Z]\w+", text)}
+        classes = {one for names in known.values() for one in names if one[0].isupper()}
         name = name if name in classes else next(iter(similar_names(name, classes)), name)
-    holders = [module for module, text in modules.items() if re.search(rf"\b{name}\b", text)]
+    holders = [module for module, names in known.items() if name in names]
     if not holders or (near and name.islower()):
         return question(near, "; ")
     # `rclpy.duration` comes before `rclpy.qos`, and `launch.actions` before `launch.events`.
     best = last_part.get(name.lower()) or min(holders, key=lambda one: ("event" in one, len(one)))
     return f": write from {best} import {name}"
-
-
-def _modules(folder: Path, package: str) -> Iterator[tuple[str, str]]:
-    """Yield each module of a package, with its source without the words of its first line."""
-    for file in sorted(folder.rglob("*.py")):
-        parts = file.relative_to(folder).with_suffix("").parts
-        parts = parts[:-1] if parts[-1] == "__init__" else parts
-        module = ".".join((package, *parts))
-        if parts and not parts[-1].startswith("_"):
-            yield module, file.read_text(encoding="utf-8").partition('"""\n')[2]
 
 
 def install() -> None:

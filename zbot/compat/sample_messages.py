@@ -1,13 +1,19 @@
-"""Messages and services with values in all fields, for tests that send every type."""
+"""Messages and services with values in all fields, for tests that send every type.
+
+`test_msgs.message_fixtures` and `test_msgs.service_fixtures` have some of these functions.
+"""
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING, Any, cast
 
 from zbot.interfaces import registry
 from zbot.interfaces.spec import INTEGER_RANGES
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from zbot.interfaces.spec import Field, FieldType, MessageSpec
 
 _SEQUENCE_LENGTH = 3  # for sequences without a bound
@@ -34,6 +40,38 @@ def sample_services(name: str) -> list[tuple[Any, Any]]:
     """Return pairs of request and response, with values as in `sample_messages`."""
     requests = sample_messages(f"{name}_Request")
     return list(zip(requests, sample_messages(f"{name}_Response"), strict=True))
+
+
+def get_test_msg(message_name: str) -> list[Any]:
+    """Return filled messages of a type of `test_msgs`, e.g. `Arrays`.
+
+    Raises:
+        UnknownInterfaceError: There is no such type.
+    """
+    return sample_messages(f"test_msgs/msg/{message_name}")
+
+
+def get_test_srv(service_name: str) -> list[tuple[Any, Any]]:
+    """Return pairs of a filled request and response of a service of `test_msgs`, e.g. `Arrays`.
+
+    Raises:
+        UnknownInterfaceError: There is no such service.
+    """
+    return sample_services(f"test_msgs/srv/{service_name}")
+
+
+def function_of_type(name: str) -> Callable[[], list[Any]]:
+    """Return the function of one type, e.g. `get_msg_wstrings` for `WStrings`.
+
+    This is the `__getattr__` of `test_msgs.message_fixtures`.
+    """
+    if name.startswith("get_msg_"):
+        wanted = name.removeprefix("get_msg_").replace("_", "")
+        for full in registry.interface_names("test_msgs"):
+            _, kind, short = full.split("/")
+            if kind == "msg" and short.lower() == wanted:
+                return partial(get_test_msg, short)
+    raise AttributeError(f"module 'test_msgs.message_fixtures' has no attribute {name!r}")
 
 
 def _filled(name: str, *, is_high: bool) -> Any:

@@ -10,9 +10,16 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-import numpy.typing as npt
-from transforms3d import affines, axangles, euler, quaternions, zooms
+from zbot.tf2.errors import NoTransforms3dError
+
+try:
+    import numpy as np
+    import numpy.typing as npt
+    from transforms3d import affines, axangles, euler, quaternions, zooms
+except ModuleNotFoundError as error:
+    if error.name not in {"numpy", "transforms3d"}:
+        raise
+    raise NoTransforms3dError(error.name) from None
 
 if TYPE_CHECKING:
     from collections.abc import Callable

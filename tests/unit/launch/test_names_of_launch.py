@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
+from zbot.compat.launch_utilities import create_future, visit_all_entities_and_collect_futures
 from zbot.launch import LaunchContext, LaunchDescription, LaunchService
 from zbot.launch.action import Action
 from zbot.launch.actions import (
@@ -38,7 +39,6 @@ from zbot.launch.frontend.registry import expose
 from zbot.launch.parameters import evaluate_parameters, normalize_parameters, to_words
 from zbot.launch.signal_manager import AsyncSafeSignalManager
 from zbot.launch.source import LaunchDescriptionSource
-from zbot.launch.visit import create_future, visit_all_entities_and_collect_futures
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

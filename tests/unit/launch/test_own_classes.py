@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
+from zbot.compat.launch_utilities import ensure_argument_type, is_a, is_a_subclass
 from zbot.launch import (
     Action,
     LaunchContext,
@@ -28,7 +29,6 @@ from zbot.launch.actions import (
     ReplaceEnvironmentVariables,
     TimerAction,
 )
-from zbot.launch.argument_check import ensure_argument_type, is_a, is_a_subclass
 from zbot.launch.condition import (
     AndCondition,
     IfCondition,

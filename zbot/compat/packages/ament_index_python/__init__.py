@@ -1,10 +1,14 @@
+# Written by python -m zbot.compat.generator; do not edit.
 """ROS 2's `ament_index_python`: functions that find packages."""
 
+from typing import TYPE_CHECKING
+
+from zbot.compat.first_use import at_first_use
 from zbot.package import PackageNotFoundError
 from zbot.package.ament_index import (
-    RESOURCE_INDEX_SUBFOLDER,
     InvalidResourceNameError,
     InvalidResourceTypeNameError,
+    RESOURCE_INDEX_SUBFOLDER,
     get_package_prefix,
     get_package_share_directory,
     get_package_share_path,
@@ -15,3 +19,33 @@ from zbot.package.ament_index import (
     get_search_paths,
     has_resource,
 )
+
+__all__ = [
+    "InvalidResourceNameError",
+    "InvalidResourceTypeNameError",
+    "PackageNotFoundError",
+    "RESOURCE_INDEX_SUBFOLDER",
+    "get_package_prefix",
+    "get_package_share_directory",
+    "get_package_share_path",
+    "get_packages_with_prefixes",
+    "get_resource",
+    "get_resource_types",
+    "get_resources",
+    "get_search_paths",
+    "has_resource",
+]
+
+if TYPE_CHECKING:
+    from . import constants as constants
+    from . import packages as packages
+    from . import resources as resources
+    from . import search_paths as search_paths
+else:
+    __getattr__ = at_first_use(
+        __name__,
+        "constants",
+        "packages",
+        "resources",
+        "search_paths",
+    )

@@ -1,5 +1,9 @@
+# Written by python -m zbot.compat.generator; do not edit.
 """ROS 2's `camera_info_manager` for Python: calibrations of cameras."""
 
+from typing import TYPE_CHECKING
+
+from zbot.compat.first_use import at_first_use
 from zbot.libraries.camera_calibration import (
     CameraInfoError,
     loadCalibrationFile,
@@ -19,3 +23,29 @@ from zbot.libraries.camera_info_manager import (
     resolveURL,
     saveCalibration,
 )
+
+__all__ = [
+    "CameraInfoError",
+    "CameraInfoManager",
+    "CameraInfoMissingError",
+    "URL_empty",
+    "URL_file",
+    "URL_invalid",
+    "URL_package",
+    "default_camera_info_url",
+    "genCameraName",
+    "getPackageFileName",
+    "loadCalibrationFile",
+    "parseURL",
+    "resolveURL",
+    "saveCalibration",
+    "saveCalibrationFile",
+]
+
+if TYPE_CHECKING:
+    from . import camera_info_manager as camera_info_manager
+else:
+    __getattr__ = at_first_use(
+        __name__,
+        "camera_info_manager",
+    )

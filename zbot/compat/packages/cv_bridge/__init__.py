@@ -1,8 +1,24 @@
+# Written by python -m zbot.compat.generator; do not edit.
 """ROS 2's `cv_bridge`: images as arrays."""
 
-from zbot.libraries.image_array import (
-    CvBridge,
-    CvBridgeError,
-    cvtColorForDisplay,
-    getCvType,
-)
+from typing import TYPE_CHECKING
+
+from zbot.compat.first_use import at_first_use
+from zbot.libraries.image_array import CvBridge, CvBridgeError, cvtColorForDisplay, getCvType
+
+__all__ = [
+    "CvBridge",
+    "CvBridgeError",
+    "cvtColorForDisplay",
+    "getCvType",
+]
+
+if TYPE_CHECKING:
+    from . import boost as boost
+    from . import core as core
+else:
+    __getattr__ = at_first_use(
+        __name__,
+        "boost",
+        "core",
+    )

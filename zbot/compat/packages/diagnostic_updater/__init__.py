@@ -1,3 +1,4 @@
+# Written by python -m zbot.compat.generator; do not edit.
 """ROS 2's `diagnostic_updater`: tasks that report the health of a device."""
 
 from zbot.libraries.diagnostic_updater import (
@@ -16,5 +17,24 @@ from zbot.libraries.diagnostic_updater import (
     TopicDiagnostic,
     Updater,
 )
-
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus, KeyValue
+
+__all__ = [
+    "CompositeDiagnosticTask",
+    "DiagnosedPublisher",
+    "DiagnosticArray",
+    "DiagnosticStatus",
+    "DiagnosticStatusWrapper",
+    "DiagnosticTask",
+    "DiagnosticTaskVector",
+    "FrequencyStatus",
+    "FrequencyStatusParam",
+    "FunctionDiagnosticTask",
+    "HeaderlessTopicDiagnostic",
+    "Heartbeat",
+    "KeyValue",
+    "TimeStampStatus",
+    "TimeStampStatusParam",
+    "TopicDiagnostic",
+    "Updater",
+]

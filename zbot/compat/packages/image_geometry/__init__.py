@@ -1,3 +1,20 @@
+# Written by python -m zbot.compat.generator; do not edit.
 """ROS 2's `image_geometry`: geometry of calibrated cameras."""
 
+from typing import TYPE_CHECKING
+
+from zbot.compat.first_use import at_first_use
 from zbot.libraries.camera_model import PinholeCameraModel, StereoCameraModel
+
+__all__ = [
+    "PinholeCameraModel",
+    "StereoCameraModel",
+]
+
+if TYPE_CHECKING:
+    from . import cameramodels as cameramodels
+else:
+    __getattr__ = at_first_use(
+        __name__,
+        "cameramodels",
+    )

@@ -1,3 +1,8 @@
-"""The same name under its own module."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `MenuHandler`."""
 
 from zbot.libraries.interactive_markers import MenuHandler
+
+__all__ = [
+    "MenuHandler",
+]

@@ -1,3 +1,19 @@
+# Written by python -m zbot.compat.generator; do not edit.
 """ROS 2's `laser_geometry`: laser scans as point clouds."""
 
+from typing import TYPE_CHECKING
+
+from zbot.compat.first_use import at_first_use
 from zbot.libraries.laser_projection import LaserProjection
+
+__all__ = [
+    "LaserProjection",
+]
+
+if TYPE_CHECKING:
+    from . import laser_geometry as laser_geometry
+else:
+    __getattr__ = at_first_use(
+        __name__,
+        "laser_geometry",
+    )

@@ -1,3 +1,8 @@
-"""The same name under its own module."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `LaserProjection`."""
 
 from zbot.libraries.laser_projection import LaserProjection
+
+__all__ = [
+    "LaserProjection",
+]

@@ -1,3 +1,8 @@
-"""`Action` under its own module's name."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `Action`."""
 
 from zbot.launch import Action
+
+__all__ = [
+    "Action",
+]

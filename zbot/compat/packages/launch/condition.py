@@ -1,3 +1,8 @@
-"""`Condition` under its own module's name."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `Condition`."""
 
 from zbot.launch import Condition
+
+__all__ = [
+    "Condition",
+]

@@ -1,3 +1,8 @@
-"""`LaunchDescription` under its own module's name."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `LaunchDescription`."""
 
 from zbot.launch import LaunchDescription
+
+__all__ = [
+    "LaunchDescription",
+]

@@ -1,3 +1,8 @@
-"""`LaunchDescriptionEntity` under its own module's name."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `LaunchDescriptionEntity`."""
 
 from zbot.launch import LaunchDescriptionEntity
+
+__all__ = [
+    "LaunchDescriptionEntity",
+]

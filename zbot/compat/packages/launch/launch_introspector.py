@@ -1,3 +1,8 @@
-"""`LaunchIntrospector` under its own module's name."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `LaunchIntrospector`."""
 
 from zbot.launch import LaunchIntrospector
+
+__all__ = [
+    "LaunchIntrospector",
+]

@@ -1,15 +1,30 @@
+# Written by python -m zbot.compat.generator; do not edit.
 """ROS 2's `launch_ros`: nodes in launch files."""
 
-from zbot.compat.submodules import submodules
+from typing import TYPE_CHECKING
 
-__getattr__ = submodules(
-    __name__,
-    "actions",
-    "descriptions",
-    "event_handlers",
-    "events",
-    "parameter_descriptions",
-    "ros_adapters",
-    "substitutions",
-    "utilities",
-)
+from zbot.compat.first_use import at_first_use
+
+if TYPE_CHECKING:
+    from . import actions as actions
+    from . import descriptions as descriptions
+    from . import event_handlers as event_handlers
+    from . import events as events
+    from . import parameter_descriptions as parameter_descriptions
+    from . import parameters_type as parameters_type
+    from . import ros_adapters as ros_adapters
+    from . import substitutions as substitutions
+    from . import utilities as utilities
+else:
+    __getattr__ = at_first_use(
+        __name__,
+        "actions",
+        "descriptions",
+        "event_handlers",
+        "events",
+        "parameter_descriptions",
+        "parameters_type",
+        "ros_adapters",
+        "substitutions",
+        "utilities",
+    )

@@ -1,6 +1,9 @@
+# Written by python -m zbot.compat.generator; do not edit.
 """Runs of a test file."""
 
-from zbot.launch.testing import test_run
+from zbot.launch.testing.test_run import TestRun, test_runs as LoadTestsFromPythonModule
 
-LoadTestsFromPythonModule = test_run.test_runs
-TestRun = test_run.TestRun
+__all__ = [
+    "LoadTestsFromPythonModule",
+    "TestRun",
+]

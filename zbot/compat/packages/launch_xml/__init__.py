@@ -1,7 +1,25 @@
+# Written by python -m zbot.compat.generator; do not edit.
 """ROS 2's `launch_xml`: launch files in XML."""
 
-from zbot.compat.submodules import submodules
+from typing import TYPE_CHECKING
+
+from zbot.compat.first_use import at_first_use
 from zbot.launch.frontend.parser import Parser
 from zbot.launch.frontend.xml_file import Entity
 
-__getattr__ = submodules(__name__, "launch_description_sources", "entity", "parser")
+__all__ = [
+    "Entity",
+    "Parser",
+]
+
+if TYPE_CHECKING:
+    from . import entity as entity
+    from . import launch_description_sources as launch_description_sources
+    from . import parser as parser
+else:
+    __getattr__ = at_first_use(
+        __name__,
+        "entity",
+        "launch_description_sources",
+        "parser",
+    )

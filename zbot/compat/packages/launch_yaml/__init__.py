@@ -1,7 +1,23 @@
+# Written by python -m zbot.compat.generator; do not edit.
 """ROS 2's `launch_yaml`: launch files in YAML."""
 
-from zbot.compat.submodules import submodules
+from typing import TYPE_CHECKING
+
+from zbot.compat.first_use import at_first_use
 from zbot.launch.frontend.parser import Parser
 from zbot.launch.frontend.yaml_file import Entity
 
-__getattr__ = submodules(__name__, "launch_description_sources", "parser")
+__all__ = [
+    "Entity",
+    "Parser",
+]
+
+if TYPE_CHECKING:
+    from . import launch_description_sources as launch_description_sources
+    from . import parser as parser
+else:
+    __getattr__ = at_first_use(
+        __name__,
+        "launch_description_sources",
+        "parser",
+    )

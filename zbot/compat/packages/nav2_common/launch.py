@@ -1,3 +1,4 @@
+# Written by python -m zbot.compat.generator; do not edit.
 """Substitutions that change files before nodes read them."""
 
 from zbot.launch.substitutions.nav2_common import (
@@ -7,3 +8,11 @@ from zbot.launch.substitutions.nav2_common import (
     ReplaceString,
     RewrittenYaml,
 )
+
+__all__ = [
+    "HasNodeParams",
+    "LaunchConfigAsBool",
+    "ParseMultiRobotPose",
+    "ReplaceString",
+    "RewrittenYaml",
+]

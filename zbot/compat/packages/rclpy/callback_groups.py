@@ -1,3 +1,4 @@
+# Written by python -m zbot.compat.generator; do not edit.
 """Groups that decide which callbacks may run at the same time."""
 
 from zbot.executor.callback_group import (
@@ -5,3 +6,9 @@ from zbot.executor.callback_group import (
     MutuallyExclusiveCallbackGroup,
     ReentrantCallbackGroup,
 )
+
+__all__ = [
+    "CallbackGroup",
+    "MutuallyExclusiveCallbackGroup",
+    "ReentrantCallbackGroup",
+]

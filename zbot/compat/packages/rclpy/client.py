@@ -1,3 +1,4 @@
+# Written by python -m zbot.compat.generator; do not edit.
 """Clients of services."""
 
 from zbot.context import Context
@@ -5,10 +6,29 @@ from zbot.executor.callback_group import CallbackGroup
 from zbot.executor.clock import Clock
 from zbot.executor.task import Future
 from zbot.interfaces.message import Service as Srv
-from zbot.interfaces.type_support import SrvRequestT, SrvResponseT
-from zbot.interfaces.type_support import SrvRequestT as SrvTypeRequest
-from zbot.interfaces.type_support import SrvResponseT as SrvTypeResponse
-from zbot.interfaces.type_support import SrvT as SrvType
+from zbot.interfaces.type_support import (
+    SrvRequestT,
+    SrvRequestT as SrvTypeRequest,
+    SrvResponseT,
+    SrvResponseT as SrvTypeResponse,
+    SrvT as SrvType,
+)
 from zbot.node.client import Client
 from zbot.node.service_introspection import ServiceIntrospectionState
 from zbot.qos import QoSProfile
+
+__all__ = [
+    "CallbackGroup",
+    "Client",
+    "Clock",
+    "Context",
+    "Future",
+    "QoSProfile",
+    "ServiceIntrospectionState",
+    "Srv",
+    "SrvRequestT",
+    "SrvResponseT",
+    "SrvType",
+    "SrvTypeRequest",
+    "SrvTypeResponse",
+]

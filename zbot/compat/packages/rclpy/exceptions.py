@@ -1,14 +1,16 @@
+# Written by python -m zbot.compat.generator; do not edit.
 """zbot's errors under rclpy's names."""
 
-from zbot.errors import InvalidHandleError as InvalidHandle
-from zbot.errors import InvalidNameError as NameValidationException
-from zbot.errors import InvalidNamespaceError as InvalidNamespaceException
-from zbot.errors import InvalidNodeNameError as InvalidNodeNameException
-from zbot.errors import InvalidServiceNameError as InvalidServiceNameException
-from zbot.errors import InvalidTopicNameError as InvalidTopicNameException
-from zbot.errors import NotInitializedError as NotInitializedException
-from zbot.executor.errors import RateInterruptedError as ROSInterruptException
-from zbot.executor.errors import TimerCancelledError
+from zbot.errors import (
+    InvalidHandleError as InvalidHandle,
+    InvalidNameError as NameValidationException,
+    InvalidNamespaceError as InvalidNamespaceException,
+    InvalidNodeNameError as InvalidNodeNameException,
+    InvalidServiceNameError as InvalidServiceNameException,
+    InvalidTopicNameError as InvalidTopicNameException,
+    NotInitializedError as NotInitializedException,
+)
+from zbot.executor.errors import RateInterruptedError as ROSInterruptException, TimerCancelledError
 from zbot.interfaces.errors import NotAMessageTypeError as NoTypeSupportImportedException
 from zbot.parameters.errors import (
     InvalidParameterException,
@@ -20,3 +22,24 @@ from zbot.parameters.errors import (
     ParameterNotDeclaredException,
     ParameterUninitializedException,
 )
+
+__all__ = [
+    "InvalidHandle",
+    "InvalidNamespaceException",
+    "InvalidNodeNameException",
+    "InvalidParameterException",
+    "InvalidParameterTypeException",
+    "InvalidParameterValueException",
+    "InvalidServiceNameException",
+    "InvalidTopicNameException",
+    "NameValidationException",
+    "NoTypeSupportImportedException",
+    "NotInitializedException",
+    "ParameterAlreadyDeclaredException",
+    "ParameterException",
+    "ParameterImmutableException",
+    "ParameterNotDeclaredException",
+    "ParameterUninitializedException",
+    "ROSInterruptException",
+    "TimerCancelledError",
+]

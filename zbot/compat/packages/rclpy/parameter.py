@@ -1,3 +1,4 @@
+# Written by python -m zbot.compat.generator; do not edit.
 """Parameters."""
 
 from zbot.compat.annotation import AllowableParameterValue, AllowableParameterValueT
@@ -7,8 +8,18 @@ from zbot.parameters.parameter import (
     parameter_dict_from_yaml_file,
     parameter_value_to_python,
 )
+from rcl_interfaces.msg import Parameter as ParameterMsg, ParameterType, ParameterValue
+from zbot.compat.constants import PARAMETER_SEPARATOR_STRING
 
-from rcl_interfaces.msg import Parameter as ParameterMsg
-from rcl_interfaces.msg import ParameterType, ParameterValue
-
-PARAMETER_SEPARATOR_STRING = "."
+__all__ = [
+    "AllowableParameterValue",
+    "AllowableParameterValueT",
+    "PARAMETER_SEPARATOR_STRING",
+    "Parameter",
+    "ParameterMsg",
+    "ParameterType",
+    "ParameterValue",
+    "get_parameter_value",
+    "parameter_dict_from_yaml_file",
+    "parameter_value_to_python",
+]

@@ -1,3 +1,4 @@
+# Written by python -m zbot.compat.generator; do not edit.
 """Changes of parameters."""
 
 from zbot.executor.callback_group import CallbackGroup
@@ -10,6 +11,18 @@ from zbot.remote.parameter_event_handler import (
     ParameterEventCallbackHandle,
     ParameterEventHandler,
 )
+from rcl_interfaces.msg import Parameter as ParameterMsg, ParameterEvent
 
-from rcl_interfaces.msg import Parameter as ParameterMsg
-from rcl_interfaces.msg import ParameterEvent
+__all__ = [
+    "CallbackGroup",
+    "Node",
+    "ParameterCallbackHandle",
+    "ParameterEvent",
+    "ParameterEventCallbackHandle",
+    "ParameterEventHandler",
+    "ParameterMsg",
+    "QoSOverridingOptions",
+    "QoSProfile",
+    "SubscriptionEventCallbacks",
+    "qos_profile_parameter_events",
+]

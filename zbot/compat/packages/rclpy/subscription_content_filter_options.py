@@ -1,3 +1,8 @@
+# Written by python -m zbot.compat.generator; do not edit.
 """Options of a subscription that takes only some messages."""
 
 from zbot.node.content_filter_options import ContentFilterOptions
+
+__all__ = [
+    "ContentFilterOptions",
+]

@@ -1,3 +1,11 @@
+# Written by python -m zbot.compat.generator; do not edit.
 """Points in time."""
 
-from zbot.time import S_TO_NS, ClockType, Duration, Time
+from zbot.time import ClockType, Duration, S_TO_NS, Time
+
+__all__ = [
+    "ClockType",
+    "Duration",
+    "S_TO_NS",
+    "Time",
+]

@@ -1,3 +1,4 @@
+# Written by python -m zbot.compat.generator; do not edit.
 """Checks of types."""
 
 from zbot.action.generic import FeedbackT, GoalT, ResultT
@@ -16,9 +17,7 @@ from zbot.compat.annotation import (
     SendGoalServiceResponse,
 )
 from zbot.interfaces.errors import NotAMessageTypeError as NoTypeSupportImportedException
-from zbot.interfaces.message import Action
-from zbot.interfaces.message import Message as Msg
-from zbot.interfaces.message import Service as Srv
+from zbot.interfaces.message import Action, Message as Msg, Service as Srv
 from zbot.interfaces.type_support import (
     ActionT,
     MsgT,
@@ -29,7 +28,39 @@ from zbot.interfaces.type_support import (
     check_is_valid_msg_type,
     check_is_valid_srv_type,
 )
-
 from builtin_interfaces.msg import Time
 from service_msgs.msg import ServiceEventInfo
 from unique_identifier_msgs.msg import UUID
+
+__all__ = [
+    "Action",
+    "ActionT",
+    "CommonMsgSrvMetaClass",
+    "EventMessage",
+    "FeedbackMessage",
+    "FeedbackT",
+    "GetResultService",
+    "GetResultServiceRequest",
+    "GetResultServiceResponse",
+    "GoalT",
+    "Msg",
+    "MsgMetaClass",
+    "MsgT",
+    "NoTypeSupportImportedException",
+    "ProtocolType",
+    "PyCapsule",
+    "ResultT",
+    "SendGoalService",
+    "SendGoalServiceRequest",
+    "SendGoalServiceResponse",
+    "ServiceEventInfo",
+    "Srv",
+    "SrvRequestT",
+    "SrvResponseT",
+    "SrvT",
+    "Time",
+    "UUID",
+    "check_for_type_support",
+    "check_is_valid_msg_type",
+    "check_is_valid_srv_type",
+]

@@ -1,5 +1,14 @@
+# Written by python -m zbot.compat.generator; do not edit.
 """Checks of full names."""
 
-from zbot.errors import InvalidServiceNameError as InvalidServiceNameException
-from zbot.errors import InvalidTopicNameError as InvalidTopicNameException
+from zbot.errors import (
+    InvalidServiceNameError as InvalidServiceNameException,
+    InvalidTopicNameError as InvalidTopicNameException,
+)
 from zbot.names import validate_full_topic_name
+
+__all__ = [
+    "InvalidServiceNameException",
+    "InvalidTopicNameException",
+    "validate_full_topic_name",
+]

@@ -1,3 +1,4 @@
+# Written by python -m zbot.compat.generator; do not edit.
 """ROS 2's `rosbag2_py`, which writes, reads, records and plays bags."""
 
 from zbot.compat.rosbag2.sequential import (
@@ -40,3 +41,42 @@ from zbot.compat.rosbag2.transport_options import (
     RecordOptions,
     ServiceRequestsSource,
 )
+
+__all__ = [
+    "BagMetadata",
+    "CompressionMode",
+    "CompressionOptions",
+    "ConverterOptions",
+    "FileInformation",
+    "Info",
+    "LocalMessageDefinitionSource",
+    "MessageDefinition",
+    "MessageOrder",
+    "MetadataIo",
+    "PlayOptions",
+    "Player",
+    "ReadOrder",
+    "ReadOrderSortBy",
+    "RecordOptions",
+    "Recorder",
+    "Reindexer",
+    "SequentialCompressionReader",
+    "SequentialCompressionWriter",
+    "SequentialReader",
+    "SequentialWriter",
+    "ServiceRequestsSource",
+    "StorageFilter",
+    "StorageOptions",
+    "TopicInformation",
+    "TopicMetadata",
+    "bag_rewrite",
+    "compression_mode_from_string",
+    "compression_mode_to_string",
+    "convert_rclcpp_qos_to_rclpy_qos",
+    "get_default_storage_id",
+    "get_registered_compressors",
+    "get_registered_readers",
+    "get_registered_serializers",
+    "get_registered_writers",
+    "to_rclcpp_qos_vector",
+]

@@ -1,3 +1,4 @@
+# Written by python -m zbot.compat.generator; do not edit.
 """The types of fields."""
 
 from zbot.interfaces.slot_type import (
@@ -19,3 +20,23 @@ from zbot.interfaces.slot_type import (
     UnboundedString,
     UnboundedWString,
 )
+
+__all__ = [
+    "AbstractGenericString",
+    "AbstractNestableType",
+    "AbstractNestedType",
+    "AbstractSequence",
+    "AbstractString",
+    "AbstractType",
+    "AbstractWString",
+    "Array",
+    "BasicType",
+    "BoundedSequence",
+    "BoundedString",
+    "BoundedWString",
+    "NamedType",
+    "NamespacedType",
+    "UnboundedSequence",
+    "UnboundedString",
+    "UnboundedWString",
+]

@@ -1,6 +1,16 @@
+# Written by python -m zbot.compat.generator; do not edit.
 """Base classes of all generated classes in distributions after Kilted."""
 
-from zbot.interfaces.message import Action as BaseAction
-from zbot.interfaces.message import Impl as BaseImpl
-from zbot.interfaces.message import Message as BaseMessage
-from zbot.interfaces.message import Service as BaseService
+from zbot.interfaces.message import (
+    Action as BaseAction,
+    Impl as BaseImpl,
+    Message as BaseMessage,
+    Service as BaseService,
+)
+
+__all__ = [
+    "BaseAction",
+    "BaseImpl",
+    "BaseMessage",
+    "BaseService",
+]

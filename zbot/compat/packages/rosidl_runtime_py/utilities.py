@@ -1,3 +1,4 @@
+# Written by python -m zbot.compat.generator; do not edit.
 """Functions that find a class by its name."""
 
 from zbot.compat.rosidl.lookup import (
@@ -9,3 +10,13 @@ from zbot.compat.rosidl.lookup import (
     is_message,
     is_service,
 )
+
+__all__ = [
+    "get_action",
+    "get_interface",
+    "get_message",
+    "get_service",
+    "is_action",
+    "is_message",
+    "is_service",
+]

@@ -1,3 +1,20 @@
+# Written by python -m zbot.compat.generator; do not edit.
 """ROS 2's `tf2_sensor_msgs`: point clouds in other frames."""
 
+from typing import TYPE_CHECKING
+
+from zbot.compat.first_use import at_first_use
 from zbot.tf2.cloud_transform import do_transform_cloud, transform_points
+
+__all__ = [
+    "do_transform_cloud",
+    "transform_points",
+]
+
+if TYPE_CHECKING:
+    from . import tf2_sensor_msgs as tf2_sensor_msgs
+else:
+    __getattr__ = at_first_use(
+        __name__,
+        "tf2_sensor_msgs",
+    )

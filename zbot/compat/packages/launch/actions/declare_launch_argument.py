@@ -1,3 +1,8 @@
-"""`DeclareLaunchArgument` under its own module's name."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `DeclareLaunchArgument`."""
 
 from zbot.launch.actions import DeclareLaunchArgument
+
+__all__ = [
+    "DeclareLaunchArgument",
+]

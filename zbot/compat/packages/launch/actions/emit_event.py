@@ -1,3 +1,8 @@
-"""`EmitEvent` under its own module's name."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `EmitEvent`."""
 
 from zbot.launch.actions import EmitEvent
+
+__all__ = [
+    "EmitEvent",
+]

@@ -1,3 +1,8 @@
-"""`GroupAction` under its own module's name."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `GroupAction`."""
 
 from zbot.launch.actions import GroupAction
+
+__all__ = [
+    "GroupAction",
+]

@@ -1,3 +1,8 @@
-"""`IncludeLaunchDescription` under its own module's name."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `IncludeLaunchDescription`."""
 
 from zbot.launch.actions import IncludeLaunchDescription
+
+__all__ = [
+    "IncludeLaunchDescription",
+]

@@ -1,3 +1,8 @@
-"""`LogDebug` under its own module's name."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `LogDebug`."""
 
 from zbot.launch.actions import LogDebug
+
+__all__ = [
+    "LogDebug",
+]

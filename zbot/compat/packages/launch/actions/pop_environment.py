@@ -1,3 +1,8 @@
-"""`PopEnvironment` under its own module's name."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `PopEnvironment`."""
 
 from zbot.launch.actions import PopEnvironment
+
+__all__ = [
+    "PopEnvironment",
+]

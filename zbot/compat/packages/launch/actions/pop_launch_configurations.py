@@ -1,3 +1,8 @@
-"""`PopLaunchConfigurations` under its own module's name."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `PopLaunchConfigurations`."""
 
 from zbot.launch.actions import PopLaunchConfigurations
+
+__all__ = [
+    "PopLaunchConfigurations",
+]

@@ -1,3 +1,8 @@
-"""`ReplaceEnvironmentVariables` under its own module's name."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `ReplaceEnvironmentVariables`."""
 
 from zbot.launch.actions import ReplaceEnvironmentVariables
+
+__all__ = [
+    "ReplaceEnvironmentVariables",
+]

@@ -1,3 +1,8 @@
-"""`ResetEnvironment` under its own module's name."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `ResetEnvironment`."""
 
 from zbot.launch.actions import ResetEnvironment
+
+__all__ = [
+    "ResetEnvironment",
+]

@@ -1,3 +1,8 @@
-"""`Shutdown` under its own module's name."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `Shutdown`."""
 
 from zbot.launch.actions import Shutdown
+
+__all__ = [
+    "Shutdown",
+]

@@ -1,3 +1,8 @@
-"""`TimerAction` under its own module's name."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `TimerAction`."""
 
 from zbot.launch.actions import TimerAction
+
+__all__ = [
+    "TimerAction",
+]

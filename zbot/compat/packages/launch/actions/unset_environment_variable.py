@@ -1,3 +1,8 @@
-"""`UnsetEnvironmentVariable` under its own module's name."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `UnsetEnvironmentVariable`."""
 
 from zbot.launch.actions import UnsetEnvironmentVariable
+
+__all__ = [
+    "UnsetEnvironmentVariable",
+]

@@ -1,3 +1,8 @@
-"""`UnsetLaunchConfiguration` under its own module's name."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `UnsetLaunchConfiguration`."""
 
 from zbot.launch.actions import UnsetLaunchConfiguration
+
+__all__ = [
+    "UnsetLaunchConfiguration",
+]

@@ -1,3 +1,8 @@
-"""`AndCondition` under its own module's name."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `AndCondition`."""
 
 from zbot.launch.condition import AndCondition
+
+__all__ = [
+    "AndCondition",
+]

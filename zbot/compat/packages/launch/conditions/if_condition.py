@@ -1,3 +1,8 @@
-"""`IfCondition` under its own module's name."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `IfCondition`."""
 
 from zbot.launch.condition import IfCondition
+
+__all__ = [
+    "IfCondition",
+]

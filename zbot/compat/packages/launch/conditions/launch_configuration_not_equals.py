@@ -1,3 +1,8 @@
-"""`LaunchConfigurationNotEquals` under its own module's name."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `LaunchConfigurationNotEquals`."""
 
 from zbot.launch.condition import LaunchConfigurationNotEquals
+
+__all__ = [
+    "LaunchConfigurationNotEquals",
+]

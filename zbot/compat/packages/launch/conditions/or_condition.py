@@ -1,3 +1,8 @@
-"""`OrCondition` under its own module's name."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `OrCondition`."""
 
 from zbot.launch.condition import OrCondition
+
+__all__ = [
+    "OrCondition",
+]

@@ -1,3 +1,8 @@
-"""`UnlessCondition` under its own module's name."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `UnlessCondition`."""
 
 from zbot.launch.condition import UnlessCondition
+
+__all__ = [
+    "UnlessCondition",
+]

@@ -1,3 +1,8 @@
-"""`OnExecutionComplete` under its own module's name."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `OnExecutionComplete`."""
 
 from zbot.launch.event_handler import OnExecutionComplete
+
+__all__ = [
+    "OnExecutionComplete",
+]

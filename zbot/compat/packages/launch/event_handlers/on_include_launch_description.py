@@ -1,3 +1,8 @@
-"""`OnIncludeLaunchDescription` under its own module's name."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `OnIncludeLaunchDescription`."""
 
 from zbot.launch.event_handler import OnIncludeLaunchDescription
+
+__all__ = [
+    "OnIncludeLaunchDescription",
+]

@@ -1,3 +1,8 @@
-"""`OnProcessExit` under its own module's name."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `OnProcessExit`."""
 
 from zbot.launch.event_handler import OnProcessExit
+
+__all__ = [
+    "OnProcessExit",
+]

@@ -1,8 +1,15 @@
+# Written by python -m zbot.compat.generator; do not edit.
 """Events of a launch."""
 
-from zbot.compat.submodules import submodules
-from zbot.launch.event import ExecutionComplete, Shutdown, TimerEvent
-from zbot.launch.event import IncludeLaunchDescriptionEvent as IncludeLaunchDescription
+from typing import TYPE_CHECKING
+
+from zbot.compat.first_use import at_first_use
+from zbot.launch.event import (
+    ExecutionComplete,
+    IncludeLaunchDescriptionEvent as IncludeLaunchDescription,
+    Shutdown,
+    TimerEvent,
+)
 from zbot.launch.process_event import matches_action
 
 __all__ = [
@@ -13,4 +20,20 @@ __all__ = [
     "matches_action",
 ]
 
-__getattr__ = submodules(__name__, "process")
+if TYPE_CHECKING:
+    from . import execution_complete as execution_complete
+    from . import include_launch_description as include_launch_description
+    from . import matchers as matchers
+    from . import process as process
+    from . import shutdown as shutdown
+    from . import timer_event as timer_event
+else:
+    __getattr__ = at_first_use(
+        __name__,
+        "execution_complete",
+        "include_launch_description",
+        "matchers",
+        "process",
+        "shutdown",
+        "timer_event",
+    )

@@ -1,5 +1,8 @@
-"""`IncludeLaunchDescription` under its own module's name."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `IncludeLaunchDescription`."""
 
 from zbot.launch.event import IncludeLaunchDescriptionEvent as IncludeLaunchDescription
 
-__all__ = ["IncludeLaunchDescription"]
+__all__ = [
+    "IncludeLaunchDescription",
+]

@@ -1,3 +1,8 @@
-"""`TimerEvent` under its own module's name."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `TimerEvent`."""
 
 from zbot.launch.event import TimerEvent
+
+__all__ = [
+    "TimerEvent",
+]

@@ -1,11 +1,34 @@
+# Written by python -m zbot.compat.generator; do not edit.
 """Launch files in XML and YAML."""
 
-from zbot.compat.submodules import submodules
+from typing import TYPE_CHECKING
+
+from zbot.compat.first_use import at_first_use
 from zbot.launch.frontend.entity import Entity
-from zbot.launch.frontend.errors import (
-    InvalidFrontendLaunchFileError,
-)
+from zbot.launch.frontend.errors import InvalidFrontendLaunchFileError
 from zbot.launch.frontend.parser import Parser
 from zbot.launch.frontend.registry import expose_action, expose_substitution
 
-__getattr__ = submodules(__name__, "entity", "expose", "parse_substitution", "parser", "type_utils")
+__all__ = [
+    "Entity",
+    "InvalidFrontendLaunchFileError",
+    "Parser",
+    "expose_action",
+    "expose_substitution",
+]
+
+if TYPE_CHECKING:
+    from . import entity as entity
+    from . import expose as expose
+    from . import parse_substitution as parse_substitution
+    from . import parser as parser
+    from . import type_utils as type_utils
+else:
+    __getattr__ = at_first_use(
+        __name__,
+        "entity",
+        "expose",
+        "parse_substitution",
+        "parser",
+        "type_utils",
+    )

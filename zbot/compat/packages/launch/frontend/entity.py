@@ -1,3 +1,8 @@
-"""`Entity` under its own module's name."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `Entity`."""
 
 from zbot.launch.frontend.entity import Entity
+
+__all__ = [
+    "Entity",
+]

@@ -1,24 +1,51 @@
+# Written by python -m zbot.compat.generator; do not edit.
 """Sources of launch descriptions."""
 
-from zbot.compat.submodules import submodules
-from zbot.launch.errors import InvalidLaunchFileError
-from zbot.launch.errors import LaunchFileError as InvalidPythonLaunchFileError
+from typing import TYPE_CHECKING
+
+from zbot.compat.first_use import at_first_use
+from zbot.launch.errors import (
+    InvalidLaunchFileError,
+    LaunchFileError as InvalidPythonLaunchFileError,
+)
 from zbot.launch.frontend.errors import InvalidFrontendLaunchFileError
 from zbot.launch.python_file import load_module as load_python_launch_file_as_module
 from zbot.launch.source import (
     AnyLaunchDescriptionSource,
     FrontendLaunchDescriptionSource,
     PythonLaunchDescriptionSource,
-)
-from zbot.launch.source import load_launch_file as get_launch_description_from_any_launch_file
-from zbot.launch.source import load_launch_file as get_launch_description_from_frontend_launch_file
-from zbot.launch.source import (
+    load_launch_file as get_launch_description_from_any_launch_file,
+    load_launch_file as get_launch_description_from_frontend_launch_file,
     load_python_launch_file as get_launch_description_from_python_launch_file,
 )
 
-__getattr__ = submodules(
-    __name__,
-    "any_launch_file_utilities",
-    "frontend_launch_file_utilities",
-    "python_launch_file_utilities",
-)
+__all__ = [
+    "AnyLaunchDescriptionSource",
+    "FrontendLaunchDescriptionSource",
+    "InvalidFrontendLaunchFileError",
+    "InvalidLaunchFileError",
+    "InvalidPythonLaunchFileError",
+    "PythonLaunchDescriptionSource",
+    "get_launch_description_from_any_launch_file",
+    "get_launch_description_from_frontend_launch_file",
+    "get_launch_description_from_python_launch_file",
+    "load_python_launch_file_as_module",
+]
+
+if TYPE_CHECKING:
+    from . import any_launch_description_source as any_launch_description_source
+    from . import any_launch_file_utilities as any_launch_file_utilities
+    from . import frontend_launch_description_source as frontend_launch_description_source
+    from . import frontend_launch_file_utilities as frontend_launch_file_utilities
+    from . import python_launch_description_source as python_launch_description_source
+    from . import python_launch_file_utilities as python_launch_file_utilities
+else:
+    __getattr__ = at_first_use(
+        __name__,
+        "any_launch_description_source",
+        "any_launch_file_utilities",
+        "frontend_launch_description_source",
+        "frontend_launch_file_utilities",
+        "python_launch_description_source",
+        "python_launch_file_utilities",
+    )

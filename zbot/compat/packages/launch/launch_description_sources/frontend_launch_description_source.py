@@ -1,3 +1,8 @@
-"""`FrontendLaunchDescriptionSource` under its own module's name."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `FrontendLaunchDescriptionSource`."""
 
 from zbot.launch.source import FrontendLaunchDescriptionSource
+
+__all__ = [
+    "FrontendLaunchDescriptionSource",
+]

@@ -1,4 +1,5 @@
-"""Launch files in Python."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `InvalidPythonLaunchFileError` and `load_python_launch_file_as_module` and `get_launch_description_from_python_launch_file`."""
 
 from zbot.launch.errors import LaunchFileError as InvalidPythonLaunchFileError
 from zbot.launch.python_file import load_module as load_python_launch_file_as_module

@@ -1,3 +1,8 @@
-"""`AnonName` under its own module's name."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `AnonName`."""
 
 from zbot.launch.substitutions import AnonName
+
+__all__ = [
+    "AnonName",
+]

@@ -1,4 +1,5 @@
-"""Substitutions with the values true and false."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `AllSubstitution` and `AndSubstitution` and `AnySubstitution` and `NotSubstitution` and `OrSubstitution`."""
 
 from zbot.launch.substitutions import (
     AllSubstitution,
@@ -7,3 +8,11 @@ from zbot.launch.substitutions import (
     NotSubstitution,
     OrSubstitution,
 )
+
+__all__ = [
+    "AllSubstitution",
+    "AndSubstitution",
+    "AnySubstitution",
+    "NotSubstitution",
+    "OrSubstitution",
+]

@@ -1,3 +1,8 @@
-"""`EnvironmentVariable` under its own module's name."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `EnvironmentVariable`."""
 
 from zbot.launch.substitutions import EnvironmentVariable
+
+__all__ = [
+    "EnvironmentVariable",
+]

@@ -1,3 +1,8 @@
-"""`IsEmptySubstitution` under its own module's name."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `IsEmptySubstitution`."""
 
 from zbot.launch.substitutions import IsEmptySubstitution
+
+__all__ = [
+    "IsEmptySubstitution",
+]

@@ -1,3 +1,8 @@
-"""`LaunchConfiguration` under its own module's name."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `LaunchConfiguration`."""
 
 from zbot.launch.substitutions import LaunchConfiguration
+
+__all__ = [
+    "LaunchConfiguration",
+]

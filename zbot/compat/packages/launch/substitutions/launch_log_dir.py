@@ -1,3 +1,8 @@
-"""`LaunchLogDir` under its own module's name."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `LaunchLogDir`."""
 
 from zbot.launch.substitutions import LaunchLogDir
+
+__all__ = [
+    "LaunchLogDir",
+]

@@ -1,3 +1,8 @@
-"""`PathJoinSubstitution` under its own module's name."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `PathJoinSubstitution`."""
 
 from zbot.launch.substitutions import PathJoinSubstitution
+
+__all__ = [
+    "PathJoinSubstitution",
+]

@@ -1,3 +1,8 @@
-"""`StringJoinSubstitution` under its own module's name."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `StringJoinSubstitution`."""
 
 from zbot.launch.substitutions import StringJoinSubstitution
+
+__all__ = [
+    "StringJoinSubstitution",
+]

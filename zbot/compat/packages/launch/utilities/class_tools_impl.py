@@ -1,3 +1,10 @@
-"""Names of `launch.utilities` under the name of their own module."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `is_a` and `is_a_subclass` and `isclassinstance`."""
 
-from zbot.launch.argument_check import is_a, is_a_subclass, isclassinstance
+from zbot.compat.launch_utilities import is_a, is_a_subclass, isclassinstance
+
+__all__ = [
+    "is_a",
+    "is_a_subclass",
+    "isclassinstance",
+]

@@ -1,3 +1,8 @@
-"""Names of `launch.utilities` under the name of their own module."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `create_future`."""
 
-from zbot.launch.visit import create_future
+from zbot.compat.launch_utilities import create_future
+
+__all__ = [
+    "create_future",
+]

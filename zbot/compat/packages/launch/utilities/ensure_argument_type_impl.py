@@ -1,3 +1,8 @@
-"""Names of `launch.utilities` under the name of their own module."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `ensure_argument_type`."""
 
-from zbot.launch.argument_check import ensure_argument_type
+from zbot.compat.launch_utilities import ensure_argument_type
+
+__all__ = [
+    "ensure_argument_type",
+]

@@ -1,5 +1,8 @@
-"""Names of `launch.utilities` under the name of their own module."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `perform_substitutions`."""
 
 from zbot.launch.substitution import perform as perform_substitutions
 
-__all__ = ["perform_substitutions"]
+__all__ = [
+    "perform_substitutions",
+]

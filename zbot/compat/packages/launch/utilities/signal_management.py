@@ -1,3 +1,8 @@
-"""Names of `launch.utilities` under the name of their own module."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `AsyncSafeSignalManager`."""
 
 from zbot.launch.signal_manager import AsyncSafeSignalManager
+
+__all__ = [
+    "AsyncSafeSignalManager",
+]

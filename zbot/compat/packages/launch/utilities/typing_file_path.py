@@ -1,7 +1,8 @@
+# Written by python -m zbot.compat.generator; do not edit.
 """Type of arguments that are paths."""
 
-import os
+from zbot.compat.launch_utilities import FilePath
 
-FilePath = str | bytes | os.PathLike[str] | os.PathLike[bytes]
-
-__all__ = ["FilePath"]
+__all__ = [
+    "FilePath",
+]

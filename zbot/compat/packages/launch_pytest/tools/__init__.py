@@ -1,6 +1,9 @@
+# Written by python -m zbot.compat.generator; do not edit.
 """Functions that wait for processes."""
 
-from zbot.compat.submodules import submodules
+from typing import TYPE_CHECKING
+
+from zbot.compat.first_use import at_first_use
 from zbot.launch.testing.tool import (
     assert_output,
     assert_output_sync,
@@ -16,4 +19,25 @@ from zbot.launch.testing.tool import (
     wait_for_stderr_sync,
 )
 
-__getattr__ = submodules(__name__, "process")
+__all__ = [
+    "assert_output",
+    "assert_output_sync",
+    "assert_stderr",
+    "assert_stderr_sync",
+    "wait_for_exit",
+    "wait_for_exit_sync",
+    "wait_for_output",
+    "wait_for_output_sync",
+    "wait_for_start",
+    "wait_for_start_sync",
+    "wait_for_stderr",
+    "wait_for_stderr_sync",
+]
+
+if TYPE_CHECKING:
+    from . import process as process
+else:
+    __getattr__ = at_first_use(
+        __name__,
+        "process",
+    )

@@ -1,4 +1,5 @@
-"""Functions that wait for processes."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for all names of `launch_pytest.tools`."""
 
 from zbot.launch.testing.tool import (
     assert_output,
@@ -14,3 +15,18 @@ from zbot.launch.testing.tool import (
     wait_for_stderr,
     wait_for_stderr_sync,
 )
+
+__all__ = [
+    "assert_output",
+    "assert_output_sync",
+    "assert_stderr",
+    "assert_stderr_sync",
+    "wait_for_exit",
+    "wait_for_exit_sync",
+    "wait_for_output",
+    "wait_for_output_sync",
+    "wait_for_start",
+    "wait_for_start_sync",
+    "wait_for_stderr",
+    "wait_for_stderr_sync",
+]

@@ -1,3 +1,8 @@
-"""`LoadComposableNodes` under its own module's name."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `LoadComposableNodes`."""
 
 from zbot.launch.actions import LoadComposableNodes
+
+__all__ = [
+    "LoadComposableNodes",
+]

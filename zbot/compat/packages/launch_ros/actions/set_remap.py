@@ -1,3 +1,8 @@
-"""`SetRemap` under its own module's name."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `SetRemap`."""
 
 from zbot.launch.actions import SetRemap
+
+__all__ = [
+    "SetRemap",
+]

@@ -1,3 +1,8 @@
-"""`OnStateTransition` under its own module's name."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `OnStateTransition`."""
 
 from zbot.launch.lifecycle_event import OnStateTransition
+
+__all__ = [
+    "OnStateTransition",
+]

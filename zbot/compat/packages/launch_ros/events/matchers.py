@@ -1,3 +1,8 @@
-"""Function that checks whether an event is for a node."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `matches_node_name`."""
 
 from zbot.launch.lifecycle_event import matches_node_name
+
+__all__ = [
+    "matches_node_name",
+]

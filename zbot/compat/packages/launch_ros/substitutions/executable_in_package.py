@@ -1,3 +1,8 @@
-"""`ExecutableInPackage` under its own module's name."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `ExecutableInPackage`."""
 
 from zbot.launch.substitutions import ExecutableInPackage
+
+__all__ = [
+    "ExecutableInPackage",
+]

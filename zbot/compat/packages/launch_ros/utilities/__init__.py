@@ -1,13 +1,18 @@
+# Written by python -m zbot.compat.generator; do not edit.
 """Helpers for launch files and their tests."""
 
-from zbot.launch.actions.ros_names import absolute as make_namespace_absolute
+from typing import TYPE_CHECKING
+
+from zbot.compat.first_use import at_first_use
 from zbot.launch.actions.ros_names import (
+    absolute as make_namespace_absolute,
     is_namespace_absolute,
     is_root_namespace,
     prefix_namespace,
 )
 from zbot.launch.node_names import add_node_name, get_node_name_count
-from zbot.launch.parameters import evaluate_parameters, normalize_parameters
+from .evaluate_parameters import evaluate_parameters
+from .normalize_parameters import normalize_parameters
 
 __all__ = [
     "add_node_name",
@@ -19,3 +24,13 @@ __all__ = [
     "normalize_parameters",
     "prefix_namespace",
 ]
+
+if TYPE_CHECKING:
+    from . import namespace_utils as namespace_utils
+    from . import track_node_names as track_node_names
+else:
+    __getattr__ = at_first_use(
+        __name__,
+        "namespace_utils",
+        "track_node_names",
+    )

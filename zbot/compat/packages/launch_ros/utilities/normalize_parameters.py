@@ -1,3 +1,8 @@
-"""Function that normalizes a node's parameters."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `normalize_parameters`."""
 
 from zbot.launch.parameters import normalize_parameters
+
+__all__ = [
+    "normalize_parameters",
+]

@@ -1,5 +1,19 @@
+# Written by python -m zbot.compat.generator; do not edit.
 """Tools for outputs of nodes."""
 
+from typing import TYPE_CHECKING
+
+from zbot.compat.first_use import at_first_use
 from zbot.launch.testing.output_text import ros_output_filter as basic_output_filter
 
-__all__ = ["basic_output_filter"]
+__all__ = [
+    "basic_output_filter",
+]
+
+if TYPE_CHECKING:
+    from . import output as output
+else:
+    __getattr__ = at_first_use(
+        __name__,
+        "output",
+    )

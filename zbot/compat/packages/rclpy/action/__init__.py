@@ -1,5 +1,9 @@
+# Written by python -m zbot.compat.generator; do not edit.
 """Action servers and clients."""
 
+from typing import TYPE_CHECKING
+
+from zbot.compat.first_use import at_first_use
 from zbot.action.client import ActionClient
 from zbot.action.graph import (
     get_action_client_names_and_types_by_node,
@@ -7,6 +11,25 @@ from zbot.action.graph import (
     get_action_server_names_and_types_by_node,
 )
 from zbot.action.server import ActionServer, CancelResponse, GoalResponse
-from zbot.compat.submodules import submodules
 
-__getattr__ = submodules(__name__, "client", "graph", "server")
+__all__ = [
+    "ActionClient",
+    "ActionServer",
+    "CancelResponse",
+    "GoalResponse",
+    "get_action_client_names_and_types_by_node",
+    "get_action_names_and_types",
+    "get_action_server_names_and_types_by_node",
+]
+
+if TYPE_CHECKING:
+    from . import client as client
+    from . import graph as graph
+    from . import server as server
+else:
+    __getattr__ = at_first_use(
+        __name__,
+        "client",
+        "graph",
+        "server",
+    )

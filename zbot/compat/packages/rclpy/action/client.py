@@ -1,3 +1,4 @@
+# Written by python -m zbot.compat.generator; do not edit.
 """Action clients."""
 
 from zbot.action.client import ActionClient
@@ -17,8 +18,36 @@ from zbot.interfaces.message import Action
 from zbot.interfaces.type_support import check_for_type_support
 from zbot.node.service_introspection import ServiceIntrospectionState
 from zbot.qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
-
 from action_msgs.msg import GoalStatus, GoalStatusArray
 from action_msgs.srv import CancelGoal
 from builtin_interfaces.msg import Time
 from unique_identifier_msgs.msg import UUID
+
+__all__ = [
+    "Action",
+    "ActionClient",
+    "CancelGoal",
+    "ClientGoalHandle",
+    "ClientGoalHandleDict",
+    "Clock",
+    "FeedbackMessage",
+    "FeedbackT",
+    "Future",
+    "GetResultServiceResponse",
+    "GoalStatus",
+    "GoalStatusArray",
+    "GoalT",
+    "NumberOfEntities",
+    "QoSProfile",
+    "ResultT",
+    "SendGoalKWargs",
+    "SendGoalServiceResponse",
+    "ServiceIntrospectionState",
+    "Time",
+    "UUID",
+    "Waitable",
+    "await_or_execute",
+    "check_for_type_support",
+    "qos_profile_action_status_default",
+    "qos_profile_services_default",
+]

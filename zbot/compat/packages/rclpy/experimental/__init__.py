@@ -1,7 +1,19 @@
+# Written by python -m zbot.compat.generator; do not edit.
 """ROS 2's `rclpy.experimental`: zbot's own executor is driven by events."""
 
-from zbot.compat.submodules import submodules
+from typing import TYPE_CHECKING
+
+from zbot.compat.first_use import at_first_use
 from zbot.executor.single_threaded_executor import SingleThreadedExecutor as EventsExecutor
 
-__all__ = ["EventsExecutor"]
-__getattr__ = submodules(__name__, "events_executor")
+__all__ = [
+    "EventsExecutor",
+]
+
+if TYPE_CHECKING:
+    from . import events_executor as events_executor
+else:
+    __getattr__ = at_first_use(
+        __name__,
+        "events_executor",
+    )

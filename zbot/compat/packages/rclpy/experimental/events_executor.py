@@ -1,5 +1,8 @@
-"""ROS 2's `rclpy.experimental.events_executor`: zbot's own executor is driven by events."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `EventsExecutor`."""
 
 from zbot.executor.single_threaded_executor import SingleThreadedExecutor as EventsExecutor
 
-__all__ = ["EventsExecutor"]
+__all__ = [
+    "EventsExecutor",
+]

@@ -1,5 +1,18 @@
+# Written by python -m zbot.compat.generator; do not edit.
 """Internal modules of rclpy that programs use."""
 
-from zbot.compat.submodules import submodules
+from typing import TYPE_CHECKING
 
-__getattr__ = submodules(__name__, "implementation_singleton", "logging_severity", "rcutils_logger")
+from zbot.compat.first_use import at_first_use
+
+if TYPE_CHECKING:
+    from . import implementation_singleton as implementation_singleton
+    from . import logging_severity as logging_severity
+    from . import rcutils_logger as rcutils_logger
+else:
+    __getattr__ = at_first_use(
+        __name__,
+        "implementation_singleton",
+        "logging_severity",
+        "rcutils_logger",
+    )

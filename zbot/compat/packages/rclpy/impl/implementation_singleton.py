@@ -1,5 +1,8 @@
+# Written by python -m zbot.compat.generator; do not edit.
 """ROS 2's `rclpy.impl.implementation_singleton`, which names the C extension."""
 
-import importlib
+from .. import _rclpy_pybind11 as rclpy_implementation
 
-rclpy_implementation = importlib.import_module("rclpy._rclpy_pybind11")
+__all__ = [
+    "rclpy_implementation",
+]

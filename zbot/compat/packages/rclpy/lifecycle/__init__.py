@@ -1,6 +1,9 @@
+# Written by python -m zbot.compat.generator; do not edit.
 """Managed nodes."""
 
-from zbot.compat.submodules import submodules
+from typing import TYPE_CHECKING
+
+from zbot.compat.first_use import at_first_use
 from zbot.lifecycle import (
     LifecycleState,
     Node,
@@ -13,4 +16,28 @@ from zbot.lifecycle.managed_entity import ManagedEntity, SimpleManagedEntity
 from zbot.lifecycle.node import LifecycleNode, LifecycleNodeMixin
 from zbot.lifecycle.publisher import LifecyclePublisher
 
-__getattr__ = submodules(__name__, "managed_entity", "node", "publisher")
+__all__ = [
+    "LifecycleNode",
+    "LifecycleNodeMixin",
+    "LifecyclePublisher",
+    "LifecycleState",
+    "ManagedEntity",
+    "Node",
+    "NodeMixin",
+    "Publisher",
+    "SimpleManagedEntity",
+    "State",
+    "TransitionCallbackReturn",
+]
+
+if TYPE_CHECKING:
+    from . import managed_entity as managed_entity
+    from . import node as node
+    from . import publisher as publisher
+else:
+    __getattr__ = at_first_use(
+        __name__,
+        "managed_entity",
+        "node",
+        "publisher",
+    )

@@ -1,3 +1,4 @@
+# Written by python -m zbot.compat.generator; do not edit.
 """Managed nodes."""
 
 from zbot.compat.annotation import CallbackNames, CreateLifecyclePublisherArgs, LifecycleNodeArgs
@@ -11,3 +12,22 @@ from zbot.log import Logger as RcutilsLogger
 from zbot.node.node import Node
 from zbot.node.service import Service
 from zbot.qos import QoSProfile
+
+__all__ = [
+    "CallbackGroup",
+    "CallbackNames",
+    "CreateLifecyclePublisherArgs",
+    "LifecycleNode",
+    "LifecycleNodeArgs",
+    "LifecycleNodeMixin",
+    "LifecyclePublisher",
+    "LifecycleState",
+    "ManagedEntity",
+    "MsgT",
+    "Node",
+    "QoSProfile",
+    "RcutilsLogger",
+    "Service",
+    "TransitionCallbackReturn",
+    "check_is_valid_srv_type",
+]

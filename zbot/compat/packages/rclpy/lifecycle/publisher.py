@@ -1,3 +1,4 @@
+# Written by python -m zbot.compat.generator; do not edit.
 """Publishers of managed nodes."""
 
 from zbot.executor.callback_group import CallbackGroup
@@ -7,3 +8,13 @@ from zbot.lifecycle.publisher import LifecyclePublisher
 from zbot.node.event_callbacks import PublisherEventCallbacks
 from zbot.node.publisher import Publisher
 from zbot.qos import QoSProfile
+
+__all__ = [
+    "CallbackGroup",
+    "LifecyclePublisher",
+    "MsgT",
+    "Publisher",
+    "PublisherEventCallbacks",
+    "QoSProfile",
+    "SimpleManagedEntity",
+]

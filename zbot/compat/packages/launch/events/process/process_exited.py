@@ -1,3 +1,8 @@
-"""`ProcessExited` under its own module's name."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `ProcessExited`."""
 
 from zbot.launch.process_event import ProcessExited
+
+__all__ = [
+    "ProcessExited",
+]

@@ -1,3 +1,8 @@
-"""`ProcessTargetedEvent` under its own module's name."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `ProcessTargetedEvent`."""
 
 from zbot.launch.process_event import ProcessTargetedEvent
+
+__all__ = [
+    "ProcessTargetedEvent",
+]

@@ -1,3 +1,8 @@
-"""`RunningProcessEvent` under its own module's name."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `RunningProcessEvent`."""
 
 from zbot.launch.process_event import RunningProcessEvent
+
+__all__ = [
+    "RunningProcessEvent",
+]

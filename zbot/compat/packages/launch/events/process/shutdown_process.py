@@ -1,3 +1,8 @@
-"""`ShutdownProcess` under its own module's name."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `ShutdownProcess`."""
 
 from zbot.launch.process_event import ShutdownProcess
+
+__all__ = [
+    "ShutdownProcess",
+]

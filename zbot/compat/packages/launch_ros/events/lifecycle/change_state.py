@@ -1,3 +1,8 @@
-"""`ChangeState` under its own module's name."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `ChangeState`."""
 
 from zbot.launch.lifecycle_event import ChangeState
+
+__all__ = [
+    "ChangeState",
+]

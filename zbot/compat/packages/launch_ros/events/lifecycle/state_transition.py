@@ -1,3 +1,8 @@
-"""`StateTransition` under its own module's name."""
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for `StateTransition`."""
 
 from zbot.launch.lifecycle_event import StateTransition
+
+__all__ = [
+    "StateTransition",
+]

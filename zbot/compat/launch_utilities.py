@@ -1,13 +1,21 @@
-"""Type checks for the arguments of custom launch actions, as in `launch.utilities`."""
+"""Functions of `launch.utilities` for custom launch actions: checks of arguments, and a visitor."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+import asyncio
+import os
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from zbot.launch.errors import EntityTypeError
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
+
+    from zbot.launch.context import LaunchContext
+    from zbot.launch.entity import LaunchDescriptionEntity
+
+#: Type of arguments that are paths.
+FilePath: TypeAlias = str | bytes | os.PathLike[str] | os.PathLike[bytes]
 
 
 def ensure_argument_type(
@@ -46,3 +54,22 @@ def is_a_subclass(obj: object, entity_type: type[Any]) -> bool:
 def isclassinstance(obj: object) -> bool:
     """Return True, because in Python every object is an instance of a class."""
     return isinstance(obj, object)
+
+
+def create_future(loop: asyncio.AbstractEventLoop | None) -> asyncio.Future[Any]:
+    """Return a new future of an event loop. None means the loop of this thread."""
+    if loop is None:
+        loop = asyncio.get_event_loop_policy().get_event_loop()
+    return loop.create_future()
+
+
+def visit_all_entities_and_collect_futures(
+    entity: LaunchDescriptionEntity, context: LaunchContext
+) -> list[tuple[LaunchDescriptionEntity, asyncio.Future[Any]]]:
+    """Visit an entity and all entities that it returns. Return pairs of entity and future."""
+    following = entity.visit(context)
+    future = entity.get_asyncio_future()
+    found = [] if future is None else [(entity, future)]
+    for one in following or ():
+        found += visit_all_entities_and_collect_futures(one, context)
+    return found

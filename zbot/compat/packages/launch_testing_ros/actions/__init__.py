@@ -1,3 +1,0 @@
-"""Actions of `launch_testing`."""
-
-from zbot.launch.actions.testing import ReadyToTest

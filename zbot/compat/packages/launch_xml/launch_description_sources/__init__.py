@@ -1,3 +1,0 @@
-"""Launch files in XML as sources."""
-
-from zbot.launch.source import XMLLaunchDescriptionSource

@@ -1,3 +1,0 @@
-"""Launch files in YAML as sources."""
-
-from zbot.launch.source import YAMLLaunchDescriptionSource

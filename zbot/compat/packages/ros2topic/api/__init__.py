@@ -1,3 +1,0 @@
-"""Topics."""
-
-from zbot.compat.graph_listing import get_msg_class, get_topic_names, get_topic_names_and_types
