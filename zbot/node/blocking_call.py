@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     import zenoh
 
     from zbot.context import Context
-    from zbot.executor.executor import Executor
+    from zbot.executor.spinnable import NodeExecutor
     from zbot.node.service import Service
     from zbot.node.service_request import ServiceRequest
 
@@ -129,7 +129,7 @@ def _waking(
             service.watchers.remove(wake)
 
 
-def _servers_of(executor: Executor, service_name: str) -> list[Service[Any, Any]]:
+def _servers_of(executor: NodeExecutor, service_name: str) -> list[Service[Any, Any]]:
     return [
         service
         for node in executor.get_nodes()
@@ -138,7 +138,7 @@ def _servers_of(executor: Executor, service_name: str) -> list[Service[Any, Any]
     ]
 
 
-def _serve(executor: Executor | None, own: list[Service[Any, Any]]) -> bool:
+def _serve(executor: NodeExecutor | None, own: list[Service[Any, Any]]) -> bool:
     """Run the next request of servers in the thread's executor. Return whether there was one."""
     if executor is None:
         return False

@@ -24,8 +24,8 @@ from zbot.wire.tokens import EndpointToken, NodeToken
 
 if TYPE_CHECKING:
     from zbot.context import Context
-    from zbot.executor.executor import Executor
     from zbot.executor.guard_condition import GuardCondition
+    from zbot.executor.spinnable import NodeExecutor
     from zbot.executor.timer import Rate, Timer
     from zbot.executor.waitable import Waitable
     from zbot.node.client import Client
@@ -54,7 +54,7 @@ class NodeState:
         self.context = context
         self.arguments = arguments
         self.ready_queue = ReadyQueue()
-        self.executor: Executor | None = None
+        self.executor: NodeExecutor | None = None
         self.default_callback_group: CallbackGroup = MutuallyExclusiveCallbackGroup()
         self.publishers: list[Publisher[Any]] = []
         self.subscriptions: list[Subscription[Any]] = []
