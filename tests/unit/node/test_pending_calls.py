@@ -43,9 +43,7 @@ class Calls:
     def _post(self) -> None:
         self.posts += 1
 
-    def send(
-        self, number: int, timeout_s: float | None = None
-    ) -> tuple[ResponseFuture[Any], Sender]:
+    def send(self, number: int, timeout_s: float | None = None) -> tuple[Any, Sender]:
         request = ServiceRequest(b"", pack(number, 0, bytes(16)), timeout_s=timeout_s)
         sender = Sender()
         response: ResponseFuture[Any] = ResponseFuture(self.calls, request, sender)
@@ -212,7 +210,7 @@ def test_a_reply_of_a_server_in_the_same_executor_waits_for_the_end_of_its_callb
 ) -> None:
     response, sender = calls.send(1)
     executor: Any = object()
-    calls.ready_queue.attach(executor, bool)
+    calls.ready_queue.attach(executor, list[Any]().append)
     running_callbacks.stack.append((executor, None))  # type: ignore[arg-type]
     sender.answer(reply(Response()))
     assert not response.done()

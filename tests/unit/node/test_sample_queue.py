@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import queue
 import threading
+from itertools import islice
 from typing import Any
 
 import pytest
@@ -23,8 +24,9 @@ def queue_of(*samples: Any, depth: int | None, batch: int = 100) -> SampleQueue:
     return made
 
 
-def all_of(samples: SampleQueue) -> list[Any]:
-    return list(iter(samples.take, None))
+def all_of(samples: SampleQueue, count: int | None = None) -> list[Any]:
+    """Take all samples, or some of them."""
+    return list(islice(iter(samples.take, None), count))
 
 
 def test_keep_last_drops_the_oldest_samples() -> None:
@@ -43,14 +45,14 @@ def test_a_keep_all_queue_leaves_samples_in_zenohs_queue_while_it_has_some() -> 
     samples.listen()
     left = []
     for expected in (0, 1, 2):
-        assert [samples.take()] == [expected]
+        assert all_of(samples, 1) == [expected]
         left.append(len(channel.samples))
     assert left == [7, 4, 4]
 
 
 def test_a_queue_is_true_if_there_is_a_sample_and_keeps_it() -> None:
     samples = queue_of("a", "b", depth=None)
-    assert [samples.take()] == ["a"]
+    assert all_of(samples, 1) == ["a"]
     assert bool(samples)
     assert bool(samples)
     assert all_of(samples) == ["b"]
