@@ -362,8 +362,8 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
         self._context.remove_waker(self._arrival.set)
         self._arrival.set()
         self.end_introspection()
-        declared = (self._announcement, self._listener, querier)
-        self._context.undeclare(*(one for one in declared if one is not None))
+        listener = () if self._listener is None else (self._listener,)
+        self._context.undeclare(self._announcement, *listener, querier)
 
 
 class ResponseHeader(NamedTuple):

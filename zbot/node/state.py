@@ -151,7 +151,7 @@ class NodeState:
 
     def remove_waitable(self, waitable: Waitable[Any]) -> None:
         """Remove a waitable. Nothing happens if the node does not have it."""
-        for entity in [one for one in self.waitables if one.waitable is waitable]:
+        for entity in [known for known in self.waitables if known.waitable is waitable]:
             self.waitables.remove(entity)
             self.ready_queue.remove(entity)
             entity.destroy()
@@ -188,9 +188,13 @@ class NodeState:
                 publisher.msg_type(
                     stamp=self.clock.now().to_msg(),
                     node=self.full_name,
-                    new_parameters=[one.to_parameter_msg() for one in changes.new],
-                    changed_parameters=[one.to_parameter_msg() for one in changes.changed],
-                    deleted_parameters=[one.to_parameter_msg() for one in changes.deleted],
+                    new_parameters=[parameter.to_parameter_msg() for parameter in changes.new],
+                    changed_parameters=[
+                        parameter.to_parameter_msg() for parameter in changes.changed
+                    ],
+                    deleted_parameters=[
+                        parameter.to_parameter_msg() for parameter in changes.deleted
+                    ],
                 )
             )
 

@@ -98,8 +98,8 @@ def _describe(request: Any, response: Any) -> Any:
 
 
 def _specs(described: dict[str, Any]) -> Iterator[InterfaceSpec]:
-    for one in (described["type_description"], *described["referenced_type_descriptions"]):
-        yield get_spec(one["type_name"])
+    for part in (described["type_description"], *described["referenced_type_descriptions"]):
+        yield get_spec(part["type_name"])
 
 
 def _description_message(described: dict[str, Any]) -> Any:
@@ -115,23 +115,23 @@ def _description_message(described: dict[str, Any]) -> Any:
     )
 
 
-def _individual(one: dict[str, Any]) -> Any:
+def _individual(described: dict[str, Any]) -> Any:
     from type_description_interfaces.msg import (  # noqa: PLC0415 - the import makes the class
         Field,
         FieldType,
         IndividualTypeDescription,
     )
 
-    defaults = _defaults(get_spec(one["type_name"]))
+    defaults = _defaults(get_spec(described["type_name"]))
     fields = [
         Field(
             name=field["name"],
             type=FieldType(**field["type"]),
             default_value=defaults.get(field["name"], ""),
         )
-        for field in one["fields"]
+        for field in described["fields"]
     ]
-    return IndividualTypeDescription(type_name=one["type_name"], fields=fields)
+    return IndividualTypeDescription(type_name=described["type_name"], fields=fields)
 
 
 def _defaults(spec: InterfaceSpec) -> dict[str, str]:
