@@ -80,7 +80,8 @@ robot = Robot()
 chosen = {call}
 def trace(frame, event, arg):
     global chosen
-    chosen -= frame.f_code.co_filename.endswith(("threading.py", "context.py", "publisher.py"))
+    files = ("threading.py", "context.py", "state.py", "session.py", "threads.py", "publisher.py")
+    chosen -= frame.f_code.co_filename.endswith(files)
     if not chosen:
         sys.settrace(None)
         signal.raise_signal(signal.SIGINT)
