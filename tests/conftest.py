@@ -99,8 +99,8 @@ def clean_environment(
     monkeypatch.setenv("XDG_CONFIG_HOME", str(settings))
     monkeypatch.setenv("ZBOT_HUB_PORT", "9")  # "discard": an unused port
     # A context of a test gets the answers of others also if the whole suite keeps the machine busy.
-    monkeypatch.setattr("zbot.context._PEERS_TIMEOUT_S", 2.0)
-    monkeypatch.setattr("zbot.context._DISCOVERY_TIMEOUT_S", 5.0)
+    monkeypatch.setattr("zbot.context.domain_session._PEERS_TIMEOUT_S", 2.0)
+    monkeypatch.setattr("zbot.context.domain_session._DISCOVERY_TIMEOUT_S", 5.0)
 
 
 @pytest.hookimpl(optionalhook=True)

@@ -8,9 +8,8 @@ import pytest
 
 import zbot
 from tests.conftest import wait_until
-from zbot.executor.wait_set import WaitSet
 from zbot.interfaces.content_filter import ContentFilterError
-from zbot.node.content_filter_options import ContentFilterOptions, NoContentFilterError
+from zbot.node.content_filter_options import ContentFilterOptions
 from zbot.wire.serialization import deserialize_message
 
 from std_msgs.msg import Int64
@@ -53,37 +52,11 @@ def test_the_callback_receives_the_messages_that_match_the_filter(
     assert [message.data for message in messages] == [3, 4, 5]
 
 
-def test_a_filter_can_be_changed_and_removed(node: zbot.Node) -> None:
-    subscription = node.create_subscription(Int64, "number", print, 10)
-    assert not subscription.is_cft_enabled
-    with pytest.raises(NoContentFilterError):
-        subscription.get_content_filter()
-    subscription.set_content_filter("data < %0", ["9"])
-    assert subscription.get_content_filter() == ("data < %0", ["9"])
-    with pytest.raises(ContentFilterError):
-        subscription.set_content_filter("bogus < 3", [])
-    assert subscription.get_content_filter() == ("data < %0", ["9"])
-    subscription.set_content_filter("", [])
-    assert not subscription.is_cft_enabled
-
-
 def test_an_invalid_filter_refuses_the_subscription(node: zbot.Node) -> None:
     bad = ContentFilterOptions("bogus > 3", [])
     with pytest.raises(ContentFilterError):
         node.create_subscription(Int64, "number", print, 10, content_filter_options=bad)
     assert not any(one.topic_name == "/number" for one in node.subscriptions)
-
-
-def test_messages_taken_without_an_executor_are_filtered(node: zbot.Node) -> None:
-    subscription = node.create_subscription(
-        Int64, "number", print, 10, content_filter_options=ABOVE_TWO
-    )
-    numbered(publisher_of(node), 4)
-    waiting = WaitSet()
-    waiting.add_subscription(subscription.handle)
-    waiting.wait(5_000_000_000)
-    taken = iter(subscription.take_message, 0)
-    assert wait_until(lambda: any(one is not None and one[0].data == 3 for one in [next(taken)]))
 
 
 def test_the_message_info_names_the_publisher(node: zbot.Node, spin: Spin) -> None:

@@ -34,17 +34,6 @@ def test_the_default_context_may_be_shut_down_twice(domain: int) -> None:
         assert not zbot.ok()
 
 
-def test_shutdown_callbacks_may_be_added_before_init(domain: int) -> None:
-    context, called = zbot.Context(), list[str]()
-    context.on_shutdown(lambda: called.append("early"))
-    context.init([], domain_id=domain)
-    context.on_shutdown(lambda: called.append("late"))
-    with pytest.raises(TypeError, match="callback must be a function, not int: 3"):
-        context.on_shutdown(3)  # type: ignore[arg-type]
-    context.shutdown()
-    assert called == ["early", "late"]
-
-
 def test_the_default_context_that_was_shut_down_can_be_requested(domain: int) -> None:
     zbot.init(domain_id=domain)
     context = zbot.get_default_context()

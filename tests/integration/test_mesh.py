@@ -156,7 +156,7 @@ def test_a_later_node_replaces_a_stopped_router(
     publisher = first.create_publisher(Int64, "count", 10)
     spin(later)
     assert wait_until(lambda: publisher.get_subscription_count() == 1)
-    peering = later.context._peering
+    peering = later.context._domain_session._peering
     assert wait_until(lambda: peering is not None and peering._watch_pause_s is not None)
     stopped = router_process.pid(domain)
     assert stopped is not None

@@ -103,16 +103,6 @@ def test_messages_of_other_domains_are_ignored(talker: zbot.Node, spin: Spin) ->
 # -- forms of subscriptions ------------------------------------------------------------------------
 
 
-def test_a_subscription_knows_the_arguments_of_its_callback(listener: zbot.Node) -> None:
-    kinds = zbot.Subscription.CallbackType
-    for callback, kind in (
-        (lambda _: None, kinds.MessageOnly),
-        (lambda _, __: None, kinds.WithMessageInfo),
-    ):
-        subscription = listener.create_subscription(String, "chatter", callback, 1)
-        assert subscription._callback_type is kind
-
-
 @pytest.mark.own_dialect("it reads a message in zbot's own form")
 def test_a_raw_subscription_receives_the_sent_bytes(
     talker: zbot.Node, listener: zbot.Node, spin: Spin

@@ -14,7 +14,7 @@ from zbot.interfaces import MessageSpec, get_message, get_spec, type_hash
 from zbot.interfaces.errors import DefinitionLimitError
 from zbot.interfaces.parser import parse
 from zbot.interfaces.remote_definition import hash_among, specs_from_sources
-from zbot.node.type_description import SERVICE_TYPE
+from zbot.node.service_types import DESCRIPTION_SERVICE
 from zbot.remote.types import learn_type
 from zbot.wire.tokens import EntityKind
 
@@ -93,7 +93,7 @@ def test_a_refusal_has_its_reason(describe: Callable[..., Any]) -> None:
 
 
 def test_the_service_carries_the_hash_of_its_type() -> None:
-    assert type_hash(GetTypeDescription) == SERVICE_TYPE[1]
+    assert type_hash(GetTypeDescription) == DESCRIPTION_SERVICE[1]
 
 
 def test_the_service_can_be_switched_off_by_a_parameter(make_context: MakeContext) -> None:

@@ -26,7 +26,7 @@ EXCEPTIONS = {
     "zbot.package.finder": "it reads only the direct_url.json that pip writes",
     "zbot.node.service": "the attachment has the right length, which _request_id checks",
     "zbot.node.service_introspection": "it reads the bytes that zbot.node.service has checked",
-    "zbot.node.service_request": "it reads an attachment that this process has packed",
+    "zbot.node.pending_calls": "it reads an attachment that this process has packed",
     "zbot.transport.config": "it reads the settings that Zenoh has checked",
     "zbot.transport.environment": "it reads the settings that Zenoh has checked",
     "zbot.transport.running_programs": "it reads the files that this user's programs write",

@@ -356,6 +356,7 @@ class ActionClient(ActionEndpoint[GoalT, ResultT, FeedbackT]):
             )
 
     def _handle(self, goal_id: UUID, response: Any) -> ClientGoalHandle[GoalT, ResultT, FeedbackT]:
+        handle: ClientGoalHandle[GoalT, ResultT, FeedbackT]
         handle = ClientGoalHandle(self, goal_id, response)
         with self._lock:
             goal = self._goals.get(handle.key)

@@ -2,17 +2,36 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 from zbot.action.generic import ActionGeneric, FeedbackT, GoalT, ResultT
 
 if TYPE_CHECKING:
-    from zbot.action.client import ActionClient
     from zbot.executor.task import Future
 
     from action_msgs.srv import CancelGoal
     from builtin_interfaces.msg import Time
     from unique_identifier_msgs.msg import UUID
+
+
+class GoalClient(Protocol):
+    """The part of an action client that a goal uses."""
+
+    def get_result(self, goal_handle: Any) -> Any:
+        """Wait for a goal's result and return it."""
+        ...
+
+    def get_result_async(self, goal_handle: Any) -> Future[Any]:
+        """Return a future of a goal's result."""
+        ...
+
+    def cancel_goal(self, goal_handle: Any) -> CancelGoal.Response:
+        """Ask the server to cancel a goal, and wait for the response."""
+        ...
+
+    def cancel_goal_async(self, goal_handle: Any) -> Future[CancelGoal.Response]:
+        """Ask the server to cancel a goal. Return a future of the response."""
+        ...
 
 
 class ClientGoalHandle(ActionGeneric[GoalT, ResultT, FeedbackT]):
@@ -30,7 +49,7 @@ class ClientGoalHandle(ActionGeneric[GoalT, ResultT, FeedbackT]):
 
     def __init__(
         self,
-        action_client: ActionClient[GoalT, ResultT, FeedbackT],
+        action_client: GoalClient,
         goal_id: UUID,
         goal_response: Any,
     ) -> None:

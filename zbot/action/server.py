@@ -237,6 +237,7 @@ class ActionServer(ActionEndpoint[GoalT, ResultT, FeedbackT]):
         key = bytes(request.goal_id.uuid)
         if key not in self._goal_handles and await self._is_accepted(request.goal):
             info = GoalInfo(goal_id=request.goal_id, stamp=self._node.get_clock().now().to_msg())
+            handle: ServerGoalHandle[GoalT, ResultT, FeedbackT]
             handle = ServerGoalHandle(self, info, request.goal)
             if self._goal_handles.setdefault(key, handle) is handle:
                 response.accepted, response.stamp = True, info.stamp

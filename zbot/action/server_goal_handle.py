@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 from zbot.action.generic import ActionGeneric, FeedbackT, GoalT, ResultT
 from zbot.action.goal_state import GoalEvent, GoalState, next_state
@@ -12,11 +12,36 @@ from zbot.time import S_TO_NS
 from action_msgs.msg import GoalInfo, GoalStatus
 
 if TYPE_CHECKING:
+    import threading
     from collections.abc import Callable
 
-    from zbot.action.server import ActionServer
-
     from unique_identifier_msgs.msg import UUID
+
+
+class GoalServer(Protocol):
+    """The part of an action server that a goal uses."""
+
+    lock: threading.RLock  #: held while a goal's state changes and is published
+
+    def notify_execute(self, goal_handle: Any, execute_callback: Callable[..., Any] | None) -> None:
+        """Let the executor run a goal."""
+        ...
+
+    def publish_feedback(self, handle: Any, feedback: Any) -> None:
+        """Publish feedback of a goal."""
+        ...
+
+    def publish_status(self) -> None:
+        """Publish the states of all goals."""
+        ...
+
+    def check_result(self, result: object) -> None:
+        """Raise an `ActionMessageError` if an object is not a result of the action."""
+        ...
+
+    def deliver(self, handle: Any, result: Any) -> None:
+        """Send a goal's result to present and later requests."""
+        ...
 
 
 class ServerGoalHandle(ActionGeneric[GoalT, ResultT, FeedbackT]):
@@ -32,7 +57,7 @@ class ServerGoalHandle(ActionGeneric[GoalT, ResultT, FeedbackT]):
 
     def __init__(
         self,
-        action_server: ActionServer[GoalT, ResultT, FeedbackT],
+        action_server: GoalServer,
         goal_info: GoalInfo,
         goal_request: GoalT,
     ) -> None:

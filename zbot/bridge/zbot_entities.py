@@ -233,7 +233,6 @@ class _Call:
         self._attempt = 0
         self._lock = threading.Lock()
         self._is_over = False
-        self._is_to_be_repeated = False
 
     def send(self) -> None:
         """Send the request, for the first time or again."""
@@ -249,15 +248,13 @@ class _Call:
 
     @called_by_zenoh
     def _on_reply(self, reply: zenoh.Reply) -> None:
-        if self._request.is_to_be_repeated(reply):
-            self._is_to_be_repeated = True
-        else:
+        if not self._request.is_timeout(reply):
             self.end(reply)
 
     @called_by_zenoh
     def _on_end(self) -> None:
-        if self._is_to_be_repeated and not self._is_over and not self._caller.client.is_destroyed:
-            self._is_to_be_repeated = False
+        is_wanted = not (self._is_over or self._caller.client.is_destroyed)
+        if is_wanted and self._request.is_to_be_repeated():
             self.send()
         else:
             self.end(None)

@@ -10,15 +10,15 @@ from zbot.process import fork
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from zbot.executor.executor import Executor
     from zbot.executor.ready_queue import Entity
+    from zbot.executor.spinnable import NodeExecutor
 
 
 class CallbackStack(threading.local):
     """The callbacks that the calling thread runs. The innermost callback is the last item."""
 
     def __init__(self) -> None:
-        self.stack: list[tuple[Executor, Entity]] = []
+        self.stack: list[tuple[NodeExecutor, Entity]] = []
         self._at_end: list[tuple[int, Callable[[], object]]] = []
 
     def clear(self) -> None:
@@ -42,6 +42,6 @@ running_callbacks = CallbackStack()
 fork.in_child.append(running_callbacks.clear)
 
 
-def current_executor() -> Executor | None:
+def current_executor() -> NodeExecutor | None:
     """Return the executor whose callback the calling thread runs, if any."""
     return running_callbacks.stack[-1][0] if running_callbacks.stack else None

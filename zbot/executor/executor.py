@@ -16,11 +16,10 @@ from typing import TYPE_CHECKING, Any
 from zbot.errors import ArgumentTypeError, NotInitializedError
 from zbot.executor.callback_group import ReentrantCallbackGroup
 from zbot.executor.callback_stack import running_callbacks
-from zbot.executor.entity_queue import EntityQueue
 from zbot.executor.errors import ConditionReachedException, ExecutorBusyError, ShutdownError
+from zbot.executor.executor_nodes import ExecutorNodes
 from zbot.executor.forgotten_spin import Program
-from zbot.executor.set_by_init import MissingSuperInitError, set_by_init
-from zbot.executor.spinnable import check_node
+from zbot.executor.set_by_init import set_by_init
 from zbot.executor.task import Future, Task
 from zbot.executor.task_step import TaskStep
 from zbot.process import signals
@@ -33,7 +32,7 @@ if TYPE_CHECKING:
     from typing_extensions import Self
 
     from zbot.context import Context
-    from zbot.executor.ready_queue import Entity, ReadyQueue
+    from zbot.executor.ready_queue import Entity
     from zbot.executor.spinnable import SpinnableNode
 
 
@@ -56,28 +55,23 @@ def _check_future(future: object) -> None:
         raise ArgumentTypeError("future", "a future, e.g. the result of call_async()", future)
 
 
-class Executor(EntityQueue):
-    """Base class of all executors. It has the nodes, runs their callbacks, and waits for work.
+class Executor(ExecutorNodes):
+    """Base class of all executors. It runs the callbacks of its nodes, and waits for work.
 
     Args:
         context: Spinning ends when this context is shut down. If left out, the default context is
             used.
     """
 
-    _nodes: list[SpinnableNode] = set_by_init()
     _spinning_thread: int | None = set_by_init()
     _spin_lock: threading.Lock = set_by_init()
 
     def __init__(self, *, context: Context | None = None) -> None:
-        super().__init__()
         if context is None:
             from zbot.context import get_default_context  # noqa: PLC0415 - not before it is needed
 
             context = get_default_context()
-        self._context = context
-        self._nodes = []
-        self._paused: ReadyQueue | None = None
-        self._is_shutdown = False
+        super().__init__(context)
         self._due_ns: int | None = None  # when the first timer is due
         self._spin_lock = threading.Lock()
         self._spinning_thread = None
@@ -88,88 +82,6 @@ class Executor(EntityQueue):
     def is_spinning(self) -> bool:
         """Whether a thread spins this executor now."""
         return self._spinning_thread is not None
-
-    @property
-    def is_shutdown(self) -> bool:
-        """Whether the executor was shut down. After that, `add_node` raises an error."""
-        return self._is_shutdown
-
-    @property
-    def context(self) -> Context:
-        """The context whose shutdown ends spinning."""
-        try:
-            return self._context
-        except AttributeError:  # each turn of a loop reads it: `set_by_init` would cost too much
-            raise MissingSuperInitError(type(self), "") from None
-
-    def add_node(self, node: SpinnableNode) -> bool:
-        """Run a node's callbacks from now on. Return `False` if the node is already added.
-
-        Raises:
-            NodeArgumentError: The argument is not a node.
-            ShutdownError: This executor was shut down.
-        """
-        check_node(f"{type(self).__name__}.add_node", node)
-        nodes = self._nodes
-        self._require_own(node.handle.context)
-        if self._is_shutdown:
-            raise ShutdownError("this executor")
-        if node in nodes:
-            return False
-        if node.executor is not None:
-            node.executor.remove_node(node)
-        nodes.append(node)
-        handle = node.handle
-        handle.executor = self
-        if self._paused is handle.ready_queue:
-            self._paused = None
-        if handle.ready_queue.executor is not self:
-            handle.ready_queue.attach(self, self._post)
-        return True
-
-    @staticmethod
-    def _require_own(context: Context) -> None:
-        """Raise an error if a context belongs to the parent of this forked process."""
-        if context.is_inherited:
-            context.require_valid("this executor")
-
-    def _require_ready(self) -> None:
-        """Raise an error if `__init__` did not run, or if this is a forked child of its process."""
-        self._require_own(self.context)
-
-    def leave_to_parent(self) -> None:
-        """In a forked child, end all loops. From now on, `spin` raises an error."""
-        self._is_shutdown = True
-
-    def pause_node(self, node: SpinnableNode) -> None:
-        """Remove a node, but still queue the node's entities when they may have work.
-
-        So it costs little to add the node again. The queued entities are removed when this executor
-        spins without the node.
-        """
-        if node in self._nodes:
-            self._drop_paused()
-            self._nodes.remove(node)
-            node.handle.executor = None
-            self._paused = node.handle.ready_queue
-
-    def _drop_paused(self) -> None:
-        paused, self._paused = self._paused, None
-        if paused is not None and paused.executor is self:
-            paused.detach()
-            self._discard(paused.entities)
-
-    def remove_node(self, node: SpinnableNode) -> None:
-        """Stop running a node's callbacks. Do nothing if this executor does not have the node."""
-        if node in self._nodes:
-            self._nodes.remove(node)
-            node.handle.ready_queue.detach()
-            node.handle.executor = None
-            self._discard(node.handle.ready_queue.entities)
-
-    def get_nodes(self) -> list[SpinnableNode]:
-        """Return the nodes in the order in which they were added."""
-        return list(self._nodes)
 
     def create_future(self) -> Future[Any]:
         """Return a future whose done callbacks run in this executor."""
@@ -282,10 +194,6 @@ class Executor(EntityQueue):
             self._execute(entity, taken)
         finally:
             self._wakeup.set()  # for the thread that spins: the entity may have more work
-
-    def _node_of(self, entity: Entity) -> SpinnableNode | None:
-        owners = (node for node in self._nodes if node.handle.ready_queue is entity.ready_queue)
-        return next(owners, None)
 
     def _execute(self, entity: Entity, taken: Any) -> None:
         """Run a piece of work. Then run more work of this entity while no other entity has work."""

@@ -12,7 +12,7 @@ class MissingSuperInitError(ZbotError, AttributeError):
 
     def __init__(self, cls: type[Any], arguments: str) -> None:
         self.cls = cls
-        base = next(one for one in cls.__mro__ if one.__module__.startswith("zbot."))
+        base = next(base for base in cls.__mro__ if base.__module__.startswith("zbot."))
         # Without a `name`, Python would add one, and suggest private attributes.
         AttributeError.__init__(
             self,

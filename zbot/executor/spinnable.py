@@ -11,8 +11,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from zbot.context import Context
-    from zbot.executor.executor import Executor
-    from zbot.executor.ready_queue import ReadyQueue
+    from zbot.executor.ready_queue import Entity, ReadyQueue
     from zbot.executor.waitable import WaitableEntity
 
 
@@ -33,11 +32,36 @@ def check_node(call: str, value: Any) -> None:
         raise NodeArgumentError(call, value) from None
 
 
+class NodeExecutor(Protocol):
+    """The part of an executor that its nodes and their callbacks use."""
+
+    @property
+    def context(self) -> Context:
+        """The context whose shutdown ends spinning."""
+        ...
+
+    def get_nodes(self) -> list[SpinnableNode]:
+        """Return the nodes in the order in which they were added."""
+        ...
+
+    def remove_node(self, node: SpinnableNode) -> None:
+        """Stop running a node's callbacks."""
+        ...
+
+    def serve(self, entity: Entity) -> bool:
+        """Run one piece of an entity's work inside the present callback, if it has work."""
+        ...
+
+    def leave_to_parent(self) -> None:
+        """In a forked child, end all loops."""
+        ...
+
+
 class SpinnableState(Protocol):
     """The part of a node's state that an executor uses."""
 
     context: Context
-    executor: Executor | None
+    executor: NodeExecutor | None
 
     @property
     def ready_queue(self) -> ReadyQueue:
@@ -64,7 +88,7 @@ class SpinnableNode(Protocol):
         ...
 
     @property
-    def executor(self) -> Executor | None:
+    def executor(self) -> NodeExecutor | None:
         """The executor that runs the node's callbacks, if any."""
         ...
 

@@ -10,19 +10,19 @@ import contextlib
 import time
 from functools import partial
 from queue import Empty, SimpleQueue
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any, Protocol, cast
 
 from zbot.executor.callback_stack import current_executor
 from zbot.process import signals
-from zbot.threads.wakeup import LONGEST_WAIT_S
+from zbot.threads.wakeup import LONGEST_WAIT_S, BusyWait
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
     import zenoh
 
-    from zbot.executor.executor import Executor
-    from zbot.node.client import Client
+    from zbot.context import Context
+    from zbot.executor.spinnable import NodeExecutor
     from zbot.node.service import Service
     from zbot.node.service_request import ServiceRequest
 
@@ -30,8 +30,33 @@ if TYPE_CHECKING:
 _WOKEN = object()
 
 
+class Caller(Protocol):
+    """The part of a client that a blocking call uses."""
+
+    busy_wait: BusyWait  #: for the threads that wait
+
+    @property
+    def context(self) -> Context:
+        """The context of the client."""
+        ...
+
+    @property
+    def service_name(self) -> str:
+        """The full name of the service."""
+        ...
+
+    def send(
+        self,
+        request: ServiceRequest,
+        on_reply: Callable[[zenoh.Reply], object],
+        on_end: Callable[[], object],
+    ) -> None:
+        """Send a request. Zenoh's thread calls `on_reply` for each reply, then `on_end` once."""
+        ...
+
+
 def wait_for_reply(
-    client: Client[Any, Any], request: ServiceRequest, timeout_sec: float | None
+    client: Caller, request: ServiceRequest, timeout_sec: float | None
 ) -> zenoh.Reply | None:
     """Send a request and return its reply, or `None` if the server ended without a reply.
 
@@ -51,19 +76,16 @@ def wait_for_reply(
         attempt = 0
         while True:
             client.send(request, arrivals.put, partial(arrivals.put, attempt))
-            is_to_be_repeated = False
-            # One attempt may time out twice: in this session and in the server's session.
             while (reply := _wait(client, arrivals, attempt, deadline, serve)) is not None:
-                if not request.is_to_be_repeated(reply):
+                if not request.is_timeout(reply):
                     return reply
-                is_to_be_repeated = True
-            if not is_to_be_repeated:
+            if not request.is_to_be_repeated():
                 return None
             attempt += 1
 
 
 def _wait(
-    client: Client[Any, Any],
+    client: Caller,
     arrivals: SimpleQueue[Any],
     attempt: int,
     deadline: float | None,
@@ -93,7 +115,7 @@ def _wait(
 
 @contextlib.contextmanager
 def _waking(
-    client: Client[Any, Any], own: list[Service[Any, Any]], wake: Callable[[], None]
+    client: Caller, own: list[Service[Any, Any]], wake: Callable[[], None]
 ) -> Iterator[None]:
     context = client.context
     context.add_waker(wake)
@@ -107,7 +129,7 @@ def _waking(
             service.watchers.remove(wake)
 
 
-def _servers_of(executor: Executor, service_name: str) -> list[Service[Any, Any]]:
+def _servers_of(executor: NodeExecutor, service_name: str) -> list[Service[Any, Any]]:
     return [
         service
         for node in executor.get_nodes()
@@ -116,7 +138,7 @@ def _servers_of(executor: Executor, service_name: str) -> list[Service[Any, Any]
     ]
 
 
-def _serve(executor: Executor | None, own: list[Service[Any, Any]]) -> bool:
+def _serve(executor: NodeExecutor | None, own: list[Service[Any, Any]]) -> bool:
     """Run the next request of servers in the thread's executor. Return whether there was one."""
     if executor is None:
         return False

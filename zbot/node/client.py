@@ -6,32 +6,29 @@ So `call` needs no executor. The executor runs a future's callbacks, as it runs 
 
 from __future__ import annotations
 
-import inspect
 import threading
 import time
-from collections import deque
 from functools import partial
 from typing import TYPE_CHECKING, Any, Generic, NamedTuple, TypeVar, cast
 
 import zenoh
 
 from zbot.errors import InvalidHandleError
-from zbot.executor.callback_stack import current_executor, running_callbacks
 from zbot.handle import Handle
 from zbot.interfaces import type_name
 from zbot.log import get_logger
 from zbot.node.blocking_call import wait_for_reply
 from zbot.node.errors import RequestTypeError, ServiceError
+from zbot.node.pending_calls import PendingCalls, ResponseFuture
 from zbot.node.service_introspection import ServiceEndpoint, Step
-from zbot.node.service_request import ResponseFuture, ServiceRequest
+from zbot.node.service_reply import response_sample
+from zbot.node.service_request import ServiceRequest
 from zbot.process import signals
 from zbot.process.memory import LARGE_BYTES, keep_freed_memory
 from zbot.threads.foreign_call import without_interruption
 from zbot.threads.wakeup import BinarySemaphore, BusyWait
 from zbot.time import as_seconds
 from zbot.wire.attachment import GID_LENGTH, LAYOUT
-from zbot.wire.error_reply import unpack_error
-from zbot.wire.errors import CodecError
 from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:
@@ -81,8 +78,6 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
         self.srv_name = token.name
         self.callback_group = callback_group
         self.ready_queue = ready_queue
-        #: This function is called for each response. It must return quickly.
-        self.on_response: Callable[[int], object] | None = None
         self._context = context
         self._token = token
         self._logger_name = logger_name
@@ -94,8 +89,12 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
         self._gid = token.gid
         self._next_number = context.graph.numbers.message_numbers(token)
         self._lock = threading.RLock()  # re-entrant, because a signal handler may use it
-        self._pending: dict[ResponseFuture[ResponseT], int] = {}
-        self._completed: deque[ResponseFuture[ResponseT]] = deque()
+        self._calls: PendingCalls[ResponseT] = PendingCalls(
+            *(self._read, lambda: context.is_closed, ready_queue),
+            post=partial(ready_queue.post, self),
+        )
+        #: Returns the oldest completed call whose callbacks have not run, or `None`.
+        self.take: Callable[[], ResponseFuture[ResponseT] | None] = self._calls.take
         self._arrival = BinarySemaphore()
         self.busy_wait = BusyWait()  #: for the threads that wait in `call`
         self._has_warned = False  #: whether a missing server was logged
@@ -195,8 +194,7 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
         """
         response, error = self._try_to_send(request)
         if error is not None:
-            with self._lock:
-                self._pending[response] = response.number
+            self._calls.add(response)
             if not self._has_warned:
                 self._has_warned = True
                 get_logger(self._logger_name).warning(f"this call gets no response: {error}")
@@ -219,13 +217,12 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
     ) -> tuple[ResponseFuture[ResponseT], ServiceError | None]:
         """Send a request. Return its future, and an error if there is no server."""
         prepared = self._prepare(request)
-        response: ResponseFuture[ResponseT] = ResponseFuture(self, prepared)
+        response: ResponseFuture[ResponseT] = ResponseFuture(self._calls, prepared, self.send)
         try:
             self._check_server()
         except ServiceError as error:
             return response, error
-        with self._lock:
-            self._pending[response] = response.number
+        self._calls.add(response)
         if self._introspection is not None:
             self._introspection.report(Step.REQUEST_SENT, prepared.attachment, request=request)
         response.send()
@@ -313,14 +310,9 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
             timeout=request.timeout_s,
         )
 
-    def is_pending(self, response: ResponseFuture[ResponseT]) -> bool:
-        """Return whether a call still waits for its response."""
-        return response in self._pending and not self._context.is_closed
-
     def remove_pending_request(self, future: Future[ResponseT]) -> None:
         """Forget a call and never complete its future. Nothing happens if the call is over."""
-        with self._lock:
-            self._pending.pop(cast("ResponseFuture[ResponseT]", future), None)
+        self._calls.forget(future)
 
     def get_pending_request(self, sequence_number: int) -> Future[ResponseT]:
         """Return the future of the call with a number, which is usually 1 for the first call.
@@ -328,93 +320,50 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
         Raises:
             KeyError: There is no such call, or it is over.
         """
-        with self._lock:
-            for future, number in self._pending.items():
-                if number == sequence_number:
-                    return future
-        raise KeyError(f"no pending request with number {sequence_number}")
-
-    def complete(self, response: ResponseFuture[ResponseT], reply: zenoh.Reply | None) -> None:
-        """Complete a call's future. Zenoh's thread or the thread of a local server calls this."""
-        with self._lock:
-            if self._pending.pop(response, None) is None:
-                return  # the call was forgotten
-        executor = current_executor()
-        if reply is not None and executor is not None and executor is self.ready_queue.executor:
-            # The server's callback still runs in this thread. `spin_until_future_complete` must not
-            # return before that callback ends.
-            running_callbacks.at_end(partial(self._finish, response, reply))
-        else:
-            self._finish(response, reply)
-
-    def _finish(self, response: ResponseFuture[ResponseT], reply: zenoh.Reply | None) -> None:
-        try:
-            response.set_result(self._read(reply))
-        except (ServiceError, CodecError) as error:
-            response.set_exception(error)
-        if self.on_response is not None:
-            self.on_response(1)
+        return self._calls.with_number(sequence_number)
 
     def _read(self, reply: zenoh.Reply | None) -> ResponseT:
-        if reply is None:
-            raise ServiceError(
-                self.service_name, "server_gone", "the server ended before it answered"
-            )
-        if reply.ok is None:
-            error = reply.err
-            payload = b"" if error is None else error.payload.to_bytes()
-            raise ServiceError(self.service_name, *unpack_error(payload))
-        payload = reply.ok.payload.to_bytes()
+        sample = response_sample(reply, self.service_name)
+        payload = sample.payload.to_bytes()
         if len(payload) >= LARGE_BYTES:
             keep_freed_memory()
         response = self._decode(payload)
         if self._introspection is not None:
-            attachment = reply.ok.attachment
+            attachment = sample.attachment
             call = b"" if attachment is None else attachment.to_bytes()
             self._introspection.report(Step.RESPONSE_RECEIVED, call, response=response)
         return response
 
-    def post(self, response: ResponseFuture[ResponseT]) -> None:
-        """Let the executor run the callbacks of a call's future. Any thread may call this."""
-        # A response without callbacks is added only if the queue is empty: one response is enough
-        # to end `spin_once`. If all were added, the queue would grow for ever in a program that
-        # stops to spin as soon as its own call is over.
-        if response.has_callbacks or not self._completed:
-            self._completed.append(response)
-        self.ready_queue.post(self)
+    @property
+    def on_response(self) -> Callable[[int], object] | None:
+        """This function is called for each response. It must return quickly."""
+        return self._calls.on_response
+
+    @on_response.setter
+    def on_response(self, callback: Callable[[int], object] | None) -> None:
+        self._calls.on_response = callback
 
     @property
     def has_work(self) -> bool:
         """Whether there is a completed call whose callbacks have not run."""
-        return bool(self._completed)
-
-    def take(self) -> ResponseFuture[ResponseT] | None:
-        """Return the oldest completed call whose callbacks have not run, or `None`."""
-        try:
-            return self._completed.popleft()
-        except IndexError:
-            return None
+        return bool(self._calls)
 
     def execute(self, response: ResponseFuture[ResponseT]) -> None:
         """Run the callbacks of a call's future."""
-        for callback in response.pop_callbacks():
-            outcome = callback(response)
-            executor: Any = self.ready_queue.executor
-            if inspect.iscoroutine(outcome) and executor is not None:
-                executor.create_task(outcome)
+        response.run_callbacks(self.ready_queue.executor)
 
     def destroy(self) -> None:
         """Leave the graph and forget the waiting calls. This method may be called twice."""
         with self._lock:
             querier, self._querier = self._querier, None
-            self._pending.clear()
+            self._calls.clear()
         if querier is None:
             return
         self._context.remove_waker(self._arrival.set)
         self._arrival.set()
         self.end_introspection()
-        declared = (self._announcement, self._listener, querier)
-        self._context.undeclare(*(one for one in declared if one is not None))
+        listener = () if self._listener is None else (self._listener,)
+        self._context.undeclare(self._announcement, *listener, querier)
 
 
 class ResponseHeader(NamedTuple):

@@ -16,7 +16,7 @@ from zbot.interfaces.errors import (
     UnknownPackageError,
 )
 from zbot.interfaces.remote_definition import hash_among, specs_from, specs_from_sources
-from zbot.node.type_description import SERVICE_TYPE
+from zbot.node.service_types import DESCRIPTION_SERVICE
 from zbot.transport import admin_query
 from zbot.wire.attachment import GID_LENGTH, pack
 from zbot.wire.errors import CodecError
@@ -48,7 +48,7 @@ def definitions_of(context: Context, end: EndpointToken) -> list[InterfaceSpec]:
     services = context.graph.query().of_kind(EntityKind.SERVICE)
     for service in services:
         is_of_node = (service.zid, service.nid) == (end.zid, end.nid)
-        if is_of_node and service.type_name == SERVICE_TYPE[0]:
+        if is_of_node and service.type_name == DESCRIPTION_SERVICE[0]:
             provider = Provider(service, end.type_name, end.type_hash)
             return request_definitions(context, provider, end.type_name)
     return []
@@ -72,7 +72,7 @@ def request_definitions(
 
 def _ask(context: Context, service: EndpointToken, name: str, timeout_s: float) -> Any:
     """Return a node's response, or `None` if there is none or the type is unknown."""
-    srv_type: Any = get_interface(SERVICE_TYPE[0])
+    srv_type: Any = get_interface(DESCRIPTION_SERVICE[0])
     dialect = context.dialect
     replies = context.session.get(
         dialect.data_key(service),

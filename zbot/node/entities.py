@@ -68,6 +68,11 @@ class NodeEntities(PrivateAliases):
 
     _zbot_state: NodeState
 
+    @property
+    def handle(self) -> NodeState:
+        """The node's internal state, which user code must not use."""
+        return self._zbot_state
+
     publishers = _Listing("publishers")
     subscriptions = _Listing("subscriptions")
     services = _Listing("services")

@@ -9,7 +9,7 @@ from zbot.log.errors import InvalidSeverityError
 from zbot.qos import qos_profile_services_default
 
 if TYPE_CHECKING:
-    from zbot.node.node import Node
+    from zbot.node.entities import NodeEntities
 
 _INVALID_LEVEL = "Failed reason: Invalid logger level."  # rclpy's text, which programs compare
 
@@ -23,7 +23,7 @@ class LoggingService:
         node: The node that offers the services. Its executor runs their callbacks.
     """
 
-    def __init__(self, node: Node) -> None:
+    def __init__(self, node: NodeEntities) -> None:
         from rcl_interfaces.srv import (  # noqa: PLC0415 - the import makes the class
             GetLoggerLevels,
             SetLoggerLevels,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from zbot.context import get_default_context
 from zbot.executor.set_by_init import set_by_init
@@ -128,11 +128,6 @@ class Node(GraphQueries, NodeEntities, NodeParameters):
         )
 
     @property
-    def handle(self) -> NodeState:
-        """The node's internal state, which user code must not use."""
-        return self._zbot_state
-
-    @property
     def context(self) -> Context:
         """The context of the node."""
         return self._zbot_state.context
@@ -143,7 +138,7 @@ class Node(GraphQueries, NodeEntities, NodeParameters):
 
         If a program sets this property, the node moves to the new executor.
         """
-        return self._zbot_state.executor
+        return cast("Executor | None", self._zbot_state.executor)
 
     @executor.setter
     def executor(self, new_executor: Executor | None) -> None:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 from zbot.errors import ZbotError
 from zbot.interfaces.lazy_service import LazyService
 from zbot.node.service import Service
+from zbot.node.service_types import PARAMETER_SERVICES
 from zbot.parameters.errors import ParameterException
 from zbot.parameters.parameter import Parameter
 from zbot.parameters.store import prefixes_of
@@ -17,35 +18,6 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from zbot.node.state import NodeState
-
-#: Types and type hashes of the services, which never change in ROS 2. They are constants because
-#: loading the classes would double the time to create a node, and most nodes get no request.
-SERVICES = {
-    "describe_parameters": (
-        "rcl_interfaces/srv/DescribeParameters",
-        "RIHS01_845b484d71eb0673dae682f2e3ba3c4851a65a3dcfb97bddd82c5b57e91e4cff",
-    ),
-    "get_parameter_types": (
-        "rcl_interfaces/srv/GetParameterTypes",
-        "RIHS01_da199c878688b3e530bdfe3ca8f74cb9fa0c303101e980a9e8f260e25e1c80ca",
-    ),
-    "get_parameters": (
-        "rcl_interfaces/srv/GetParameters",
-        "RIHS01_bf9803d5c74cf989a5de3e0c2e99444599a627c7ff75f97b8c05b01003675cbc",
-    ),
-    "list_parameters": (
-        "rcl_interfaces/srv/ListParameters",
-        "RIHS01_3e6062bfbb27bfb8730d4cef2558221f51a11646d78e7bb30a1e83afac3aad9d",
-    ),
-    "set_parameters": (
-        "rcl_interfaces/srv/SetParameters",
-        "RIHS01_56eed9a67e169f9cb6c1f987bc88f868c14a8fc9f743a263bc734c154015d7e0",
-    ),
-    "set_parameters_atomically": (
-        "rcl_interfaces/srv/SetParametersAtomically",
-        "RIHS01_0e192ef259c07fc3c07a13191d27002222e65e00ccec653ca05e856f79285fcd",
-    ),
-}
 
 
 class ParameterServices:
@@ -58,7 +30,7 @@ class ParameterServices:
 
     def __init__(self, handle: NodeState, resolve: Callable[..., str]) -> None:
         self._store = handle.parameters
-        for name, (type_name, type_hash) in SERVICES.items():
+        for name, (type_name, type_hash) in PARAMETER_SERVICES.items():
             full = resolve(f"{handle.full_name}/{name}", only_expand=False, is_service=True)
             named_type = (type_name, type_hash)
             service: Service[Any, Any] = Service(

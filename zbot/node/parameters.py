@@ -77,7 +77,9 @@ class NodeParameters:
     def _zbot_declare_overrides(self) -> None:
         """Declare every parameter that has an override, with the type of the override's value."""
         store = self._zbot_parameters
-        store.declare(Declaration(name, one.value) for name, one in store.overrides.items())
+        store.declare(
+            Declaration(name, override.value) for name, override in store.overrides.items()
+        )
 
     def _zbot_declare_own(self) -> None:
         store = self._zbot_parameters
@@ -86,7 +88,7 @@ class NodeParameters:
             Declaration(USE_SIM_TIME, False),
             Declaration(START_TYPE_DESCRIPTION_SERVICE, True, services),
         ]
-        store.declare(one for one in own if one.name not in store.values)
+        store.declare(declaration for declaration in own if declaration.name not in store.values)
 
     def declare_parameter(
         self,
@@ -112,8 +114,8 @@ class NodeParameters:
             ParameterDeclarationError: The type is missing, or is given with dynamic typing.
         """
         is_bare = value is None and descriptor is None
-        one = _declaration(name, value, descriptor, is_bare=is_bare)
-        return self._zbot_parameters.declare([one], ignore_override=ignore_override)[0]
+        declaration = _declaration(name, value, descriptor, is_bare=is_bare)
+        return self._zbot_parameters.declare([declaration], ignore_override=ignore_override)[0]
 
     def declare_parameters(
         self, namespace: str, parameters: Sequence[tuple[Any, ...]], ignore_override: bool = False
@@ -235,7 +237,7 @@ class NodeParameters:
             ParameterListError: An element is not a `Parameter`.
         """
         checked = _checked_parameters(parameter_list)
-        return [_result(self._zbot_parameters.set([one])) for one in checked]
+        return [_result(self._zbot_parameters.set([parameter])) for parameter in checked]
 
     def set_parameters_atomically(self, parameter_list: Parameters) -> SetParametersResult:
         """Set all of the parameters or none, and return the result. See `set_parameters`."""
@@ -382,9 +384,9 @@ def _checked_names(names: Iterable[Any]) -> list[str]:
 
 def _checked_parameters(parameters: Iterable[Any]) -> Parameters:
     checked = list(parameters)
-    for index, one in enumerate(checked):
-        if not isinstance(one, Parameter):
-            raise ParameterListError(index, one, "a Parameter")
+    for index, item in enumerate(checked):
+        if not isinstance(item, Parameter):
+            raise ParameterListError(index, item, "a Parameter")
     return checked
 
 

@@ -192,7 +192,9 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
         if not self.sent_count or not _is_reliable(self._token):
             return True
         subscriptions = self._context.graph.snapshot().subscriptions(self.topic_name)
-        return not any(_is_reliable(one) and one.zid != self._token.zid for one in subscriptions)
+        return not any(
+            _is_reliable(token) and token.zid != self._token.zid for token in subscriptions
+        )
 
     def assert_liveliness(self) -> None:
         """Assert that the publisher is alive, for a `MANUAL_BY_TOPIC` profile."""

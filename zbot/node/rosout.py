@@ -11,7 +11,7 @@ from zbot.names import ROSOUT_TOPIC
 
 if TYPE_CHECKING:
     from zbot.log import Record
-    from zbot.node.node import Node
+    from zbot.node.entities import NodeEntities
     from zbot.qos import QoSProfile
 
 
@@ -23,7 +23,7 @@ class Rosout:
         qos: Quality of service of the topic.
     """
 
-    def __init__(self, node: Node, qos: QoSProfile) -> None:
+    def __init__(self, node: NodeEntities, qos: QoSProfile) -> None:
         from builtin_interfaces.msg import Time  # noqa: PLC0415 - the import makes the class
         from rcl_interfaces.msg import Log  # noqa: PLC0415 - the import makes the class
 

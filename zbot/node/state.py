@@ -24,8 +24,8 @@ from zbot.wire.tokens import EndpointToken, NodeToken
 
 if TYPE_CHECKING:
     from zbot.context import Context
-    from zbot.executor.executor import Executor
     from zbot.executor.guard_condition import GuardCondition
+    from zbot.executor.spinnable import NodeExecutor
     from zbot.executor.timer import Rate, Timer
     from zbot.executor.waitable import Waitable
     from zbot.node.client import Client
@@ -54,7 +54,7 @@ class NodeState:
         self.context = context
         self.arguments = arguments
         self.ready_queue = ReadyQueue()
-        self.executor: Executor | None = None
+        self.executor: NodeExecutor | None = None
         self.default_callback_group: CallbackGroup = MutuallyExclusiveCallbackGroup()
         self.publishers: list[Publisher[Any]] = []
         self.subscriptions: list[Subscription[Any]] = []
@@ -151,7 +151,7 @@ class NodeState:
 
     def remove_waitable(self, waitable: Waitable[Any]) -> None:
         """Remove a waitable. Nothing happens if the node does not have it."""
-        for entity in [one for one in self.waitables if one.waitable is waitable]:
+        for entity in [known for known in self.waitables if known.waitable is waitable]:
             self.waitables.remove(entity)
             self.ready_queue.remove(entity)
             entity.destroy()
@@ -188,9 +188,13 @@ class NodeState:
                 publisher.msg_type(
                     stamp=self.clock.now().to_msg(),
                     node=self.full_name,
-                    new_parameters=[one.to_parameter_msg() for one in changes.new],
-                    changed_parameters=[one.to_parameter_msg() for one in changes.changed],
-                    deleted_parameters=[one.to_parameter_msg() for one in changes.deleted],
+                    new_parameters=[parameter.to_parameter_msg() for parameter in changes.new],
+                    changed_parameters=[
+                        parameter.to_parameter_msg() for parameter in changes.changed
+                    ],
+                    deleted_parameters=[
+                        parameter.to_parameter_msg() for parameter in changes.deleted
+                    ],
                 )
             )
 

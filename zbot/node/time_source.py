@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 from zbot.executor.callback_group import MutuallyExclusiveCallbackGroup
 from zbot.executor.clock import ROSClock
@@ -12,10 +12,46 @@ from zbot.qos import QoSProfile, ReliabilityPolicy
 from zbot.time import ClockType, Time
 
 if TYPE_CHECKING:
-    from zbot.node.node import Node
+    from collections.abc import Callable
+
+    from zbot.executor.callback_group import CallbackGroup
+    from zbot.node.state import NodeState
     from zbot.node.subscription import Subscription
 
 CLOCK_TOPIC = "/clock"
+
+
+class TimedNode(Protocol):
+    """The part of a node that a time source uses."""
+
+    @property
+    def handle(self) -> NodeState:
+        """The node's internal state."""
+        ...
+
+    def has_parameter(self, name: str) -> bool:
+        """Return whether a parameter is declared."""
+        ...
+
+    def declare_parameter(self, name: str, value: Any = None) -> object:
+        """Declare a parameter."""
+        ...
+
+    def create_subscription(
+        self,
+        msg_type: type[Any],
+        topic: str,
+        callback: Callable[..., Any],
+        qos_profile: QoSProfile | int,
+        *,
+        callback_group: CallbackGroup | None = None,
+    ) -> Subscription[Any]:
+        """Create a subscription."""
+        ...
+
+    def destroy_subscription(self, subscription: Subscription[Any]) -> bool:
+        """Destroy a subscription."""
+        ...
 
 
 class TimeSource:
@@ -26,8 +62,8 @@ class TimeSource:
             attach the node later.
     """
 
-    def __init__(self, *, node: Node | None = None) -> None:
-        self._node: Node | None = None
+    def __init__(self, *, node: TimedNode | None = None) -> None:
+        self._node: TimedNode | None = None
         self._clocks: list[ROSClock] = []
         self._last_time = Time(clock_type=ClockType.ROS_TIME)
         self._is_active = False
@@ -51,10 +87,10 @@ class TimeSource:
         for clock in self._clocks:
             clock.set_ros_time_is_active(active)
 
-    def _get_node(self) -> Node | None:
+    def _get_node(self) -> TimedNode | None:
         return self._node
 
-    def attach_node(self, node: Node) -> None:
+    def attach_node(self, node: TimedNode) -> None:
         """From now on, follow the `use_sim_time` of this node and not of the former node."""
         self.detach_node()
         if not node.has_parameter(USE_SIM_TIME):

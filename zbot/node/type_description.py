@@ -11,6 +11,7 @@ from zbot.interfaces.errors import UnknownInterfaceError, UnknownPackageError
 from zbot.interfaces.lazy_service import LazyService
 from zbot.node.parameters import START_TYPE_DESCRIPTION_SERVICE
 from zbot.node.service import Service
+from zbot.node.service_types import DESCRIPTION_SERVICE
 from zbot.qos import qos_profile_services_default
 from zbot.threads.foreign_call import called_by_zenoh
 from zbot.wire.tokens import EntityKind
@@ -21,14 +22,7 @@ if TYPE_CHECKING:
     import zenoh
 
     from zbot.interfaces import InterfaceSpec
-    from zbot.node.node import Node
-
-#: Type and type hash of the service, which never change in ROS 2. They are constants, so that the
-#: class of the service type is loaded only at the first request.
-SERVICE_TYPE = (
-    "type_description_interfaces/srv/GetTypeDescription",
-    "RIHS01_69b9c19c1021405984cc60dbbb1edceb147a6538b411d812ba6afabeed962cd5",
-)
+    from zbot.node.entities import NodeEntities
 
 
 class _ThreadedService(Service[Any, Any]):
@@ -51,14 +45,14 @@ class TypeDescriptionService:
         node: The node. Its parameter `start_type_description_service` turns the service on or off.
     """
 
-    def __init__(self, node: Node) -> None:
+    def __init__(self, node: NodeEntities) -> None:
         handle = node.handle
         self.service_name = f"{handle.full_name}/get_type_description"
         self.enabled: bool = handle.parameters.get(START_TYPE_DESCRIPTION_SERVICE).value is True
         self._handle = handle
         self._service: Service[Any, Any] | None = None
         if self.enabled:
-            name = node.resolve_service_name(self.service_name)
+            name = handle.resolve(self.service_name, is_service=True)
             self._service = self._serve(name)
             handle.services.append(self._service)
 
@@ -66,10 +60,10 @@ class TypeDescriptionService:
         handle = self._handle
         return _ThreadedService(
             handle.context,
-            LazyService(SERVICE_TYPE[0]),
+            LazyService(DESCRIPTION_SERVICE[0]),
             _describe,
             handle.named_endpoint(
-                EntityKind.SERVICE, name, SERVICE_TYPE, qos_profile_services_default
+                EntityKind.SERVICE, name, DESCRIPTION_SERVICE, qos_profile_services_default
             ),
             ready_queue=handle.ready_queue,
             callback_group=handle.default_callback_group,
@@ -104,8 +98,8 @@ def _describe(request: Any, response: Any) -> Any:
 
 
 def _specs(described: dict[str, Any]) -> Iterator[InterfaceSpec]:
-    for one in (described["type_description"], *described["referenced_type_descriptions"]):
-        yield get_spec(one["type_name"])
+    for part in (described["type_description"], *described["referenced_type_descriptions"]):
+        yield get_spec(part["type_name"])
 
 
 def _description_message(described: dict[str, Any]) -> Any:
@@ -121,23 +115,23 @@ def _description_message(described: dict[str, Any]) -> Any:
     )
 
 
-def _individual(one: dict[str, Any]) -> Any:
+def _individual(described: dict[str, Any]) -> Any:
     from type_description_interfaces.msg import (  # noqa: PLC0415 - the import makes the class
         Field,
         FieldType,
         IndividualTypeDescription,
     )
 
-    defaults = _defaults(get_spec(one["type_name"]))
+    defaults = _defaults(get_spec(described["type_name"]))
     fields = [
         Field(
             name=field["name"],
             type=FieldType(**field["type"]),
             default_value=defaults.get(field["name"], ""),
         )
-        for field in one["fields"]
+        for field in described["fields"]
     ]
-    return IndividualTypeDescription(type_name=one["type_name"], fields=fields)
+    return IndividualTypeDescription(type_name=described["type_name"], fields=fields)
 
 
 def _defaults(spec: InterfaceSpec) -> dict[str, str]:

@@ -113,7 +113,8 @@ def _watch(reader: socket.socket) -> None:
     with reader:
         while numbers := reader.recv(1):
             if signals.ends_program(numbers[0]):
-                cancel_all(one for context in at_exit.open_contexts for one in context.sessions)
+                contexts = at_exit.open_contexts
+                cancel_all(session for each in contexts for session in each.sessions)
 
 
 def cancel_all(sessions: Iterable[zenoh.Session]) -> None:
@@ -145,7 +146,7 @@ def _blocked() -> set[tuple[int, int]]:
 
 def _puts() -> set[tuple[int, int]]:
     """Return the running puts, each as a publisher and the number of the message."""
-    return {(id(one), one.sent_count) for one in publishers if one.is_putting}
+    return {(id(each), each.sent_count) for each in publishers if each.is_putting}
 
 
 def _cut(session: zenoh.Session) -> None:

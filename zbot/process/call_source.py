@@ -44,7 +44,7 @@ def _source(
         if (argument := _argument(call, keyword, position)) is not None
     ]
     # The innermost call begins last.
-    return max(found, key=lambda one: one[:2])[2] if found else None
+    return max(found, key=lambda place: place[:2])[2] if found else None
 
 
 def calling_line() -> str:
@@ -84,12 +84,12 @@ def _last_name(function: ast.expr) -> str:
 
 
 def _argument(call: ast.Call, keyword: str, position: int | None) -> ast.expr | None:
-    named = {one.arg: one.value for one in call.keywords}
+    named = {word.arg: word.value for word in call.keywords}
     if keyword in named:
         return named[keyword]
     if position is None:
         return None
     given = call.args[: position + 1]
-    if len(given) <= position or any(isinstance(one, ast.Starred) for one in given):
+    if len(given) <= position or any(isinstance(value, ast.Starred) for value in given):
         return None
     return given[position]

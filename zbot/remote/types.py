@@ -9,7 +9,7 @@ from zbot.interfaces import get_interface, get_spec, register_spec
 from zbot.interfaces.errors import DefinitionLimitError
 from zbot.interfaces.registry import has_package
 from zbot.node.definition_request import ANSWER_TIMEOUT_S, Provider, request_definitions
-from zbot.node.type_description import SERVICE_TYPE
+from zbot.node.service_types import DESCRIPTION_SERVICE
 from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:
@@ -101,7 +101,7 @@ def _providers(graph: Snapshot, name: str) -> Iterator[Provider]:
     services = {
         (end.zid, end.nid): end
         for end in graph.of_kind(EntityKind.SERVICE)
-        if end.type_name == SERVICE_TYPE[0]
+        if end.type_name == DESCRIPTION_SERVICE[0]
     }
     users = {
         (end.zid, end.nid): end

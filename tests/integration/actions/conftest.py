@@ -98,7 +98,8 @@ def status_of(response: Any) -> GoalState:
 async def pause(goal: Goal) -> None:
     """Wait 10 ms while other callbacks run."""
     later: zbot.Future[None] = zbot.Future()
-    node = goal._action_server._node
+    server: Any = goal._action_server
+    node: zbot.Node = server._node
     timer = node.create_timer(0.01, lambda: later.set_result(None))
     await later
     node.destroy_timer(timer)

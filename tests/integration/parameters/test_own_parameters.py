@@ -9,7 +9,7 @@ import pytest
 import zbot
 from tests.conftest import wait_until
 from zbot.errors import ArgumentTypeError
-from zbot.node.parameter_services import SERVICES
+from zbot.node.service_types import PARAMETER_SERVICES
 from zbot.parameters.errors import (
     InvalidParameterTypeException,
     ParameterListError,
@@ -40,15 +40,15 @@ def test_every_node_has_its_own_parameters_and_services(node: zbot.Node) -> None
     assert node.get_parameter("use_sim_time").value is False
     assert node.describe_parameter("start_type_description_service").read_only
     served = dict(node.get_service_names_and_types_by_node("robot", "/lab"))
-    assert {f"/lab/robot/{name}": [type_] for name, (type_, _) in SERVICES.items()}.items() <= (
-        served.items()
-    )
+    assert {
+        f"/lab/robot/{name}": [type_] for name, (type_, _) in PARAMETER_SERVICES.items()
+    }.items() <= (served.items())
 
 
 def test_the_services_carry_the_hashes_of_their_types() -> None:
     from zbot.interfaces import get_service, type_hash  # noqa: PLC0415 - only here
 
-    for type_name, hash_text in SERVICES.values():
+    for type_name, hash_text in PARAMETER_SERVICES.values():
         assert type_hash(get_service(type_name)) == hash_text
 
 

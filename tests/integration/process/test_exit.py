@@ -80,7 +80,8 @@ robot = Robot()
 chosen = {call}
 def trace(frame, event, arg):
     global chosen
-    chosen -= frame.f_code.co_filename.endswith(("threading.py", "context.py", "publisher.py"))
+    files = ("threading.py", "context.py", "state.py", "session.py", "threads.py", "publisher.py")
+    chosen -= frame.f_code.co_filename.endswith(files)
     if not chosen:
         sys.settrace(None)
         signal.raise_signal(signal.SIGINT)
@@ -143,12 +144,7 @@ with zbot.init():
     [
         ("pass", 0),
         ("sys.exit(3)", 3),
-        ("raise SystemExit", 0),
         ("zbot.shutdown()", 0),
-        ("zbot.shutdown(); zbot.shutdown()", 0),
-        ("robot.destroy_node(); robot.destroy_node()", 0),
-        ("robot.destroy_node(); zbot.shutdown()", 0),
-        ("zbot.shutdown(); robot.destroy_node()", 0),
         ("raise ValueError('mine')", 1),
         ("threading.Thread(target=zbot.spin, args=(robot,), daemon=True).start()", 0),
         ("threading.Thread(target=zbot.spin, args=(robot,)).start(); zbot.shutdown()", 0),
@@ -235,24 +231,3 @@ print("up", node.get_node_names())
     first, warning = program.lines
     assert first == "up ['robot']"
     assert "create_subscription: the callback never ran" in warning
-
-
-def test_a_context_whose_shutdown_was_interrupted_is_closed_at_exit(start: Start) -> None:
-    program = start(
-        source="""
-import zbot
-zbot.init()
-node = zbot.Node("robot")
-context = zbot.get_default_context()
-def interrupt():  # where a Ctrl-C may come, too
-    context.remove_waker(interrupt)
-    raise KeyboardInterrupt
-context.add_waker(interrupt)
-try:
-    zbot.shutdown()
-except KeyboardInterrupt:
-    print("interrupted")
-"""
-    )
-    assert program.wait() == 0
-    assert program.lines == ["interrupted"]

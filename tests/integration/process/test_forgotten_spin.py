@@ -42,7 +42,6 @@ def run(folder: Path, rest: str) -> tuple[Path, str]:
     ("rest", "call"),
     [
         (TIMER, "create_timer"),
-        (f"{TIMER}{TIMER}rclpy.spin\n", "create_timer"),
         (f"{SUBSCRIPTION}node.destroy_node()\nrclpy.shutdown()\n", "create_subscription"),
     ],
 )
@@ -55,17 +54,10 @@ def test_a_forgotten_spin_is_named_once(tmp_path: Path, rest: str, call: str) ->
     "rest",
     [
         "node.create_publisher(String, 't', 10).publish(String(data='once'))\n",
-        f"{TIMER}rclpy.spin_once(node, timeout_sec=0)\n",
         "node.create_rate(100).sleep()\n",
         f"{TIMER}{THREAD}thread.start()\nthread.join(0.5)\n",
         f"one = {SUBSCRIPTION}one.handle.take_message(String, False)",
-        f"{TIMER}import os, signal\nos.kill(os.getpid(), signal.SIGINT)\n",
     ],
 )
 def test_other_programs_are_left_alone(tmp_path: Path, rest: str) -> None:
     assert "never ran" not in run(tmp_path, rest)[1]
-
-
-def test_a_program_that_failed_shows_only_its_error(tmp_path: Path) -> None:
-    errors = run(tmp_path, f"{TIMER}raise ValueError('my own')\n")[1]
-    assert errors.endswith("ValueError: my own\n")

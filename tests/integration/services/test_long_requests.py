@@ -3,17 +3,14 @@
 from __future__ import annotations
 
 import threading
-from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any
 
 import pytest
-import zenoh
 
 import zbot
 from tests.conftest import wait_until
 from tests.integration.services.conftest import Request, add, client_of
 from zbot.node.errors import ServiceError
-from zbot.node.service_request import ResponseFuture, ServiceRequest
 
 from example_interfaces.srv import AddTwoInts
 
@@ -97,37 +94,3 @@ def test_a_late_error_is_received(make_context: MakeContext, caller: zbot.Node) 
         executor.shutdown()
         server.context.shutdown()
         thread.join(5)
-
-
-class _Sent:
-    """Client that notes the attempts of a request."""
-
-    def __init__(self) -> None:
-        self.attempts: list[tuple[Any, Any]] = []
-        self.completed: list[object] = []
-
-    def send(self, request: object, on_reply: Any, on_end: Any) -> None:
-        del request
-        self.attempts.append((on_reply, on_end))
-
-    def complete(self, future: object, reply: object) -> None:
-        del future
-        self.completed.append(reply)
-
-    def is_pending(self, future: object) -> bool:
-        del future
-        return True
-
-
-def test_an_attempt_that_times_out_twice_is_repeated_once() -> None:
-    client: Any = _Sent()
-    timeout: Any = SimpleNamespace(ok=None, err=SimpleNamespace(payload=zenoh.ZBytes(b"Timeout")))
-    future: ResponseFuture[Any] = ResponseFuture(client, ServiceRequest(b"", bytes(33)))
-    future.send()
-    on_reply, on_end = client.attempts[0]
-    on_reply(timeout)
-    on_reply(timeout)
-    on_end()
-    assert len(client.attempts) == 2
-    client.attempts[1][1]()
-    assert client.completed == [None]

@@ -1,0 +1,88 @@
+"""A program that ends without spinning is told so, once, and only if it has callbacks."""
+
+from __future__ import annotations
+
+import sys
+
+import pytest
+
+from zbot.executor import forgotten_spin
+from zbot.executor.forgotten_spin import Program, note_callback
+from zbot.process import at_exit, signals
+
+WARNING = (
+    "robot.py:6: create_timer: the callback never ran, because the program ended without "
+    "spinning: write {}.spin(node) before its end\n"
+)
+
+
+@pytest.fixture(autouse=True)
+def program(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let the process be a program that has done nothing yet."""
+    for name, value in (("has_spun", False), ("first_callback", ""), ("pid", 0)):
+        monkeypatch.setattr(Program, name, value)
+    monkeypatch.setattr(at_exit, "when_closed", [])
+    monkeypatch.setattr(signals._Process, "count", 0)
+    monkeypatch.setattr(forgotten_spin, "_is_program", lambda: True)
+    monkeypatch.setattr(forgotten_spin, "calling_line", lambda: "robot.py:6")
+    monkeypatch.setattr(forgotten_spin, "library_name", lambda: "zbot")
+    monkeypatch.delattr(sys, "last_value", raising=False)
+
+
+def end(*, was_interrupted: bool = False) -> None:
+    for function in at_exit.when_closed:
+        function(was_interrupted)
+
+
+def test_the_first_callback_is_named(capsys: pytest.CaptureFixture[str]) -> None:
+    note_callback("robot", "create_timer", print)
+    note_callback("robot", "create_subscription", print)
+    end()
+    assert capsys.readouterr().err == WARNING.format("zbot")
+
+
+def test_a_program_that_has_spun_is_left_alone(capsys: pytest.CaptureFixture[str]) -> None:
+    note_callback("robot", "create_timer", print)
+    Program.has_spun = True
+    end()
+    assert capsys.readouterr().err == ""
+
+
+def test_a_callback_after_spinning_is_not_noted() -> None:
+    Program.has_spun = True
+    note_callback("robot", "create_timer", print)
+    assert at_exit.when_closed == []
+
+
+@pytest.mark.parametrize("node", ["_ros2cli_1", "_hidden"])
+def test_nodes_of_tools_are_left_alone(node: str) -> None:
+    note_callback(node, "create_timer", print)
+    assert at_exit.when_closed == []
+
+
+def test_a_program_that_a_signal_ends_is_left_alone(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    note_callback("robot", "create_timer", print)
+    end(was_interrupted=True)
+    monkeypatch.setattr(signals._Process, "count", 1)
+    end()
+    assert capsys.readouterr().err == ""
+
+
+def test_a_program_that_failed_shows_only_its_error(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    note_callback("robot", "create_timer", print)
+    monkeypatch.setattr(sys, "last_value", ValueError("my own"), raising=False)
+    end()
+    assert capsys.readouterr().err == ""
+
+
+def test_a_forked_child_is_not_told_about_callbacks_of_its_parent(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    note_callback("robot", "create_timer", print)
+    monkeypatch.setattr("os.getpid", lambda: -1)
+    end()
+    assert capsys.readouterr().err == ""
