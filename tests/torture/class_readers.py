@@ -21,7 +21,8 @@ from zbot.classroom.teacher.expectation import ExpectationError, parse_expectati
 from zbot.classroom.teacher.join_service import AdmissionService
 from zbot.classroom.teacher.laptops import Attendance
 from zbot.classroom.teacher.robots import driver_in
-from zbot.classroom.teacher.student_list import Register, RosterError, read_roster
+from zbot.classroom.teacher.roster import RosterError, read_roster
+from zbot.classroom.teacher.student_list import Register
 from zbot.json_reader import JsonError, read_json_object
 from zbot.log.teacher_notice import notice_text
 from zbot.security.certificate import facts
@@ -207,7 +208,7 @@ CLASS_READERS = (
     ),
     Reader(
         "roster",
-        ("zbot.classroom.teacher.student_list",),
+        ("zbot.classroom.teacher.roster",),
         lambda data: read_roster(text_of(data)),
         (RosterError,),
         (b'number,name\n1,Ana\n2,"B"\n', b"5;Eve\n"),

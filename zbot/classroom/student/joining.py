@@ -22,14 +22,14 @@ from zbot.classroom.hub.address import Address, own_addresses, parse_address
 from zbot.classroom.hub.link import Link
 from zbot.classroom.hub.probe import first_reachable
 from zbot.classroom.hub.process import serve
+from zbot.classroom.hub.queries import hub_facts
 from zbot.classroom.hub.router import HubSettings
 from zbot.classroom.join_code import decode, looks_like_code
-from zbot.classroom.machine_state import hub_facts, is_accepted
+from zbot.classroom.join_request import JoinRequest
 from zbot.classroom.student.laptop_report import Presence
 from zbot.classroom.student.link_check import LinkCheck
+from zbot.classroom.student.link_problem import is_accepted
 from zbot.classroom.student.lobby import release, request_admission
-from zbot.classroom.teacher import opening
-from zbot.classroom.teacher.join_service import AdmissionRequest
 from zbot.security.secret import make_private_folder, write_private
 from zbot.transport import membership
 from zbot.transport.config import domain_id, hub_port
@@ -122,10 +122,10 @@ def join(
     link = Link.named(keystore)
     address = find_hub(target)
     certificate = link.check_dialling(address)
-    request = AdmissionRequest(machine_id(), socket.gethostname(), name, number, is_new)
+    request = JoinRequest(machine_id(), socket.gethostname(), name, number, is_new)
     pin = functools.cache(ask_pin)  # a student types the PIN once
 
-    def send(request: AdmissionRequest) -> Membership:
+    def send(request: JoinRequest) -> Membership:
         return request_admission(address, request, pin, link, certificate)
 
     with _without_membership():
@@ -187,7 +187,7 @@ def resume() -> None:
 
 
 def _admitted(
-    request: AdmissionRequest, send: Callable[[AdmissionRequest], Membership], ask_name: AskName
+    request: JoinRequest, send: Callable[[JoinRequest], Membership], ask_name: AskName
 ) -> Membership:
     """Send a request to the teacher's hub. After some refusals, send a changed request."""
     deadline, known = time.monotonic() + _NOTICED_S, request.machine
@@ -259,7 +259,7 @@ def _write_machine_id(machine: str) -> None:
 def leave() -> Left | None:
     """End this machine's hub, remove the membership, and release the number.
 
-    On the teacher's machine, this closes the class.
+    The teacher's machine closes its class instead, see `teacher.opening.stop`.
 
     Returns:
         The former membership, or `None` if there was none.
@@ -268,8 +268,6 @@ def leave() -> Left | None:
         present = membership.load()
     except membership.MembershipError:
         present = None
-    if present is not None and present.role == "teacher":
-        return Left(opening.stop(), is_released=True)
     running_hub.stop()
     membership.forget()
     running_hub.end_router()

@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any
 import zenoh
 
 from zbot.classroom.hub.queries import ask, document_of
+from zbot.classroom.join_request import proof
 from zbot.classroom.keys import NOTICES_KEY, facts_key, here_key, nodes_selector
-from zbot.classroom.teacher.join_service import proof
 from zbot.interfaces import get_message
 from zbot.log.teacher_notice import NOTICE_KEY, notice_text
 from zbot.threads.foreign_call import called_by_zenoh

@@ -17,9 +17,8 @@ from typing import TYPE_CHECKING, Any
 import zenoh
 
 from zbot.classroom.hub.queries import ask
-from zbot.classroom.keys import HUB_KEY, nodes_selector
+from zbot.classroom.keys import HUB_KEY, MAX_LISTED_NODES, nodes_selector
 from zbot.classroom.student.visibility import names_of
-from zbot.classroom.teacher.running_nodes import MAX_LISTED
 from zbot.log import get_logger
 from zbot.threads.foreign_call import called_by_zenoh
 from zbot.transport import admin_query
@@ -103,7 +102,7 @@ class LinkCheck:
         if told is None:
             return missing | {"the class does not answer"}
         seen = told.get("nodes")
-        if not isinstance(seen, list) or len(seen) >= MAX_LISTED:
+        if not isinstance(seen, list) or len(seen) >= MAX_LISTED_NODES:
             return missing  # the class does not know this laptop, or does not list all nodes
         if told.get("here") is False:
             missing.add("the class does not see this laptop")

@@ -13,12 +13,13 @@ from zbot.classroom.hub.identity import certificate_identity, dialled_identity
 from zbot.classroom.hub.link import PLAINTEXT, Link
 from zbot.classroom.hub.probe import problem_at
 from zbot.classroom.hub.queries import ask
+from zbot.classroom.join_request import proof
 from zbot.classroom.keys import ADMISSION_KEY
-from zbot.classroom.teacher.join_service import proof
-from zbot.classroom.teacher.student_list import clean_name, clean_sentence
+from zbot.classroom.student_name import clean_name
 from zbot.security.access import LOBBY, LOBBY_SECRET, credentials
 from zbot.security.pin import PinClient, WrongPinError
 from zbot.security.secret import Secret
+from zbot.terminal.text import single_line
 from zbot.transport.config import MAX_DOMAIN_ID
 from zbot.transport.membership import Membership
 from zbot.transport.session import open_hub_client
@@ -28,7 +29,7 @@ if TYPE_CHECKING:
 
     import zenoh
 
-    from zbot.classroom.teacher.join_service import AdmissionRequest
+    from zbot.classroom.join_request import JoinRequest
 
     AskPin = Callable[[str], str | None]
 
@@ -40,6 +41,7 @@ _LONGEST_WAIT_S = 30.0  # after too many wrong PINs in the class, every laptop m
 _REOPENING_S = 5.0  # longest time for which a hub is closed while it is opened again
 _SILENT_S = 0.4  # a program that is not a hub usually closes the connection sooner
 _MOST_FRUITLESS = 3  # attempts at a hub or a class that does not answer
+_MAX_SENTENCE_LENGTH = 500
 _GREETINGS = 3
 _GREETING_PAUSE_S = 0.2
 # These override the user name of a class that this machine has joined before.
@@ -51,7 +53,7 @@ _NOBODY: dict[str, Any] = {
 
 def request_admission(
     address: Address,
-    request: AdmissionRequest,
+    request: JoinRequest,
     ask_pin: AskPin,
     link: Link = PLAINTEXT,
     certificate: str = "",
@@ -98,7 +100,7 @@ def request_admission(
 
 
 def _request_once(
-    address: Address, request: AdmissionRequest, ask_pin: AskPin, link: Link, certificate: str
+    address: Address, request: JoinRequest, ask_pin: AskPin, link: Link, certificate: str
 ) -> Membership:
     session, is_class = open_lobby(address, link)
     with session:
@@ -151,7 +153,7 @@ class _Enrolment:
         self._address = address
         self._is_class = is_class  # only the hub of a class has users
 
-    def enrol(self, request: AdmissionRequest, ask_pin: AskPin) -> Membership:
+    def enrol(self, request: JoinRequest, ask_pin: AskPin) -> Membership:
         hello = self._greeting()
         if hello is None:
             return Membership("partner", self._address.host, self._address.port)
@@ -203,7 +205,7 @@ def _checked(answer: dict[str, Any]) -> dict[str, Any]:
         raise WrongPinError
     if kind is not None:
         known = clean_name(str(answer.get("known") or ""))
-        sentence = clean_sentence(str(answer.get("sentence")))
+        sentence = single_line(str(answer.get("sentence")), _MAX_SENTENCE_LENGTH)
         raise RefusedError(str(kind), sentence, known, _wait_s(answer))
     return answer
 

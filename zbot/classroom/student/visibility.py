@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from zbot.classroom.hub import running_hub
+from zbot.classroom.hub.queries import hub_facts
 from zbot.classroom.keys import nodes_selector
-from zbot.classroom.machine_state import hub_facts
 from zbot.names import fully_qualified, is_hidden
 from zbot.transport import admin_query, membership, running_programs
 from zbot.transport.config import domain_id

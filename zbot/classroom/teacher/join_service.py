@@ -8,12 +8,11 @@ class without a PIN uses the same steps with an empty PIN.
 
 from __future__ import annotations
 
-import hmac
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from zbot.classroom.errors import ClassroomError, ReopeningError
-from zbot.classroom.teacher.student_list import Register, SimilarNameError, TakenError, clean_name
+from zbot.classroom.join_request import Document, JoinRequest, is_proof
+from zbot.classroom.teacher.student_list import Register, SimilarNameError, TakenError
 from zbot.errors import SetupError
 from zbot.security.pin import PinServer, TooManyGuessesError, WrongPinError
 from zbot.security.secret import Secret
@@ -23,10 +22,6 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from zbot.classroom.teacher.student_list import Student
-
-_MACHINE_LENGTH = 64
-
-Document = dict[str, Any]
 
 
 class CopiedMachineError(ClassroomError):
@@ -50,47 +45,6 @@ _REFUSALS: tuple[tuple[type[SetupError], str], ...] = (
     (CopiedMachineError, "copied"),
     (SetupError, "question"),
 )
-
-
-@dataclass(frozen=True)
-class AdmissionRequest:
-    """A laptop's request to join a class."""
-
-    machine: str  #: identifies the laptop
-    host: str  #: the laptop's host name
-    name: str | None = None  #: the student's name
-    number: int | None = None  #: the student's number, or `None` if the class shall choose it
-    is_new: bool = False  #: whether a similar name in the list is another student
-
-    @classmethod
-    def of(cls, document: Document) -> AdmissionRequest:
-        """Return the request in a document from a laptop. Invalid fields get their defaults."""
-        number = document.get("number")
-        return cls(
-            str(document.get("machine"))[:_MACHINE_LENGTH],
-            clean_name(str(document.get("host") or "")) or "a laptop",
-            clean_name(str(document.get("name") or "")) or None,
-            number if isinstance(number, int) else None,
-            document.get("is_new") is True,
-        )
-
-
-def proof(claim: str, purpose: str) -> str:
-    """Return the proof that the sender of a query owns its number.
-
-    The claim is a random text. Only the owner knows it, because the class sent it encrypted.
-
-    Args:
-        claim: The claim of the number.
-        purpose: What the query asks for: `release`, `member` or `nodes`.
-    """
-    return hmac.new(claim.encode(), purpose.encode(), "sha256").hexdigest()
-
-
-def is_proof(given: object, claim: str, purpose: str) -> bool:
-    """Return whether a value from a laptop is the proof of a claim."""
-    text = str(given).encode(errors="backslashreplace")
-    return hmac.compare_digest(proof(claim, purpose).encode(), text)
 
 
 class AdmissionService:
@@ -152,7 +106,7 @@ class AdmissionService:
 
     def _claim(self, question: Document) -> Document:
         admission = self._pin_server.admit(question)
-        request = AdmissionRequest.of(admission.request)
+        request = JoinRequest.of(admission.request)
         self._check_copied(request.machine)
         student = self._register.claim(
             request.number, request.name, request.machine, request.host, is_new=request.is_new

@@ -13,8 +13,8 @@ import zenoh
 
 from zbot.classroom.hub.queries import document_of
 from zbot.classroom.keys import facts_key, here_key
+from zbot.classroom.student_name import clean_name
 from zbot.classroom.teacher.running_nodes import RunningNodes
-from zbot.classroom.teacher.student_list import clean_name
 from zbot.threads.foreign_call import called_by_zenoh
 
 if TYPE_CHECKING:

@@ -15,10 +15,11 @@ from zbot.classroom.hub.address import EVERYWHERE, Address
 from zbot.classroom.hub.identity import certificate_identity, own_identities
 from zbot.classroom.hub.link import Link
 from zbot.classroom.hub.router import HubSettings
+from zbot.classroom.join_request import is_proof
 from zbot.classroom.keys import ADMISSION_KEY, COMMAND_KEY, NOTICES_KEY
 from zbot.classroom.teacher.accepted_identities import NUMBERS, AcceptedIdentities
 from zbot.classroom.teacher.class_record import MAX_NOTICES, ClassRecord, user_of
-from zbot.classroom.teacher.join_service import AdmissionService, is_proof
+from zbot.classroom.teacher.join_service import AdmissionService
 from zbot.classroom.teacher.laptops import Attendance
 from zbot.classroom.teacher.robots import Robots
 from zbot.classroom.teacher.student_list import NumberError

@@ -5,24 +5,13 @@ This module does not use the network.
 
 from __future__ import annotations
 
-import csv
-import io
 import secrets
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
 
 from zbot.classroom.errors import ClassroomError
-from zbot.errors import shortened
 from zbot.errors.suggestion import nearest
-from zbot.terminal.text import single_line
 from zbot.transport.config import MAX_DOMAIN_ID
 
-if TYPE_CHECKING:
-    from pathlib import Path
-
-MAX_NAME_LENGTH = 64
-MAX_SENTENCE_LENGTH = 500
-_MAX_DIGITS = 9
 _CLAIM_BYTES = 8
 
 
@@ -61,28 +50,6 @@ class SimilarNameError(ClassroomError, ValueError):
             f'the teacher\'s list has no "{name}", but "{known}": type --name "{known}", '
             "or add --new-student if you are somebody else"
         )
-
-
-class RosterError(ClassroomError, ValueError):
-    """A list of students cannot be read."""
-
-    def __init__(self, line: int, reason: str) -> None:
-        self.line, self.reason = line, reason
-        where = f"line {line} of the list of students" if line else "the list of students"
-        super().__init__(f"{where}: {reason} (lines are: number,name)")
-
-
-def clean_name(text: str) -> str:
-    """Return a name that is safe to print: one line of at most 64 printable characters.
-
-    Control characters and characters that change the direction of writing become spaces.
-    """
-    return single_line(text, MAX_NAME_LENGTH)
-
-
-def clean_sentence(text: str) -> str:
-    """Return a message from another machine as one line of at most 500 printable characters."""
-    return single_line(text, MAX_SENTENCE_LENGTH)
 
 
 @dataclass(frozen=True)
@@ -194,53 +161,3 @@ class Register:
         freed = self.students.get(number)
         self.students = {n: one for n, one in self.students.items() if n != number}
         return freed
-
-
-def load_roster(path: Path) -> dict[int, str]:
-    """Return the names by number from a file with a list of students.
-
-    Raises:
-        RosterError: The file cannot be read, or has an error (see `read_roster`).
-    """
-    try:
-        return read_roster(path.read_text(encoding="utf-8"))
-    except (OSError, UnicodeDecodeError) as exc:
-        raise RosterError(0, f"{path}: {getattr(exc, 'strerror', None) or exc}") from exc
-
-
-def read_roster(text: str) -> dict[int, str]:
-    """Return the names by number from a list of students.
-
-    The list has lines of `number,name` or `number;name`, with or without a heading.
-
-    Raises:
-        RosterError: A line has no number from 1 to 232, or two lines have the same number.
-    """
-    found: dict[int, str] = {}
-    for line, row in enumerate(_rows(text), 1):
-        cells = [cell.strip() for cell in row]
-        if not any(cells) or (line == 1 and not cells[0].isdigit()):
-            continue
-        number = int(cells[0]) if _is_short_number(cells[0]) else 0
-        if not 1 <= number <= MAX_DOMAIN_ID:
-            raise RosterError(
-                line, f"{shortened(cells[0])} is not a number from 1 to {MAX_DOMAIN_ID}"
-            )
-        if number in found:
-            raise RosterError(line, f"number {number} appears twice")
-        found[number] = clean_name(" ".join(cells[1:]))
-    return found
-
-
-def _is_short_number(text: str) -> bool:
-    # Python raises an error for thousands of digits.
-    return text.isascii() and text.isdigit() and len(text) <= _MAX_DIGITS
-
-
-def _rows(text: str) -> list[list[str]]:
-    separator = ";" if text.count(";") > text.count(",") else ","
-    rows = csv.reader(io.StringIO(text.lstrip("\ufeff")), delimiter=separator)
-    try:
-        return list(rows)
-    except csv.Error as exc:
-        raise RosterError(rows.line_num, str(exc)) from exc

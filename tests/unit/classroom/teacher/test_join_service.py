@@ -5,7 +5,8 @@ from typing import Any
 
 import pytest
 
-from zbot.classroom.teacher.join_service import AdmissionRequest, AdmissionService, proof
+from zbot.classroom.join_request import JoinRequest, proof
+from zbot.classroom.teacher.join_service import AdmissionService
 from zbot.classroom.teacher.student_list import Register
 from zbot.security.pin import PinClient, PinError
 from zbot.security.secret import Secret
@@ -34,7 +35,7 @@ class Class:
             changed=self.changed.append,
         )
 
-    def request_admission(self, request: AdmissionRequest, pin: str = "") -> Document:
+    def request_admission(self, request: JoinRequest, pin: str = "") -> Document:
         client = make_client(pin)
         challenge = self.admission.answer({"op": "enrol", **client.hello()})
         sealed = self.admission.answer({"op": "claim", **client.claim(challenge, asdict(request))})
@@ -49,7 +50,7 @@ def test_hello_returns_the_class_name() -> None:
 
 def test_a_laptop_gets_a_number_and_its_credentials() -> None:
     lesson = Class("1234")
-    given = lesson.request_admission(AdmissionRequest("m1", "laptop", "Cem", 17), "1234")
+    given = lesson.request_admission(JoinRequest("m1", "laptop", "Cem", 17), "1234")
     assert given["number"] == 17
     assert given["name"] == "Cem"
     assert given["secret"] == "s17"
@@ -71,14 +72,14 @@ def test_an_older_laptop_gets_a_sentence() -> None:
 
 def test_a_wrong_pin_is_refused_and_claims_no_number() -> None:
     lesson = Class("1234")
-    assert lesson.request_admission(AdmissionRequest("m1", "laptop"), "1111")["refused"] == "pin"
+    assert lesson.request_admission(JoinRequest("m1", "laptop"), "1111")["refused"] == "pin"
     assert not lesson.register.students
 
 
 def test_a_taken_number_is_refused_with_the_holders_name() -> None:
     lesson = Class()
-    lesson.request_admission(AdmissionRequest("m1", "laptop", "Cem", 17))
-    answer = lesson.request_admission(AdmissionRequest("m2", "laptop", "Eve", 17))
+    lesson.request_admission(JoinRequest("m1", "laptop", "Cem", 17))
+    answer = lesson.request_admission(JoinRequest("m2", "laptop", "Eve", 17))
     assert answer["refused"] == "taken"
     assert "Cem" in answer["sentence"]
 
@@ -86,7 +87,7 @@ def test_a_taken_number_is_refused_with_the_holders_name() -> None:
 def test_a_number_out_of_range_is_refused() -> None:
     assert (
         "from 1 to 232"
-        in Class().request_admission(AdmissionRequest("m1", "laptop", number=999))["sentence"]
+        in Class().request_admission(JoinRequest("m1", "laptop", number=999))["sentence"]
     )
 
 
@@ -94,7 +95,7 @@ def test_a_claim_cannot_be_used_twice() -> None:
     lesson = Class()
     client = make_client()
     challenge = lesson.admission.answer({"op": "enrol", **client.hello()})
-    claim = {"op": "claim", **client.claim(challenge, asdict(AdmissionRequest("m1", "laptop")))}
+    claim = {"op": "claim", **client.claim(challenge, asdict(JoinRequest("m1", "laptop")))}
     client.opened(lesson.admission.answer(claim))
     assert "refused" in lesson.admission.answer(claim)
 
@@ -103,14 +104,14 @@ def test_a_claim_is_bound_to_its_proof() -> None:
     lesson = Class()
     client = make_client()
     challenge = lesson.admission.answer({"op": "enrol", **client.hello()})
-    claim = client.claim(challenge, asdict(AdmissionRequest("m1", "laptop", number=17)))
+    claim = client.claim(challenge, asdict(JoinRequest("m1", "laptop", number=17)))
     claim["claim"] = claim["claim"][:-2] + ("00" if claim["claim"][-2:] != "00" else "01")
     assert "refused" in lesson.admission.answer({"op": "claim", **claim})
 
 
 def test_only_the_holder_can_return_a_number() -> None:
     lesson = Class()
-    given = lesson.request_admission(AdmissionRequest("m1", "laptop", number=17))
+    given = lesson.request_admission(JoinRequest("m1", "laptop", number=17))
     stolen = {"op": "release", "number": 17, "proof": proof("guess", "release")}
     assert lesson.admission.answer(stolen) == {"released": False}
     assert 17 in lesson.register.students
@@ -126,9 +127,7 @@ def test_guesses_are_delayed() -> None:
     answers = []
     for number in range(20):
         try:
-            answers.append(
-                lesson.request_admission(AdmissionRequest("m", "laptop"), f"{number:04}")
-            )
+            answers.append(lesson.request_admission(JoinRequest("m", "laptop"), f"{number:04}"))
         except PinError as error:
             answers.append({"refused": type(error).__name__})
     kinds = [answer["refused"] for answer in answers]
@@ -159,9 +158,7 @@ def test_an_invalid_request_is_answered_and_changes_nothing(question: Document) 
 
 
 def test_an_invalid_request_is_sanitized() -> None:
-    read = AdmissionRequest.of(
-        {"machine": "x" * 1000, "host": "\x1b[1m", "name": 7, "number": "17"}
-    )
+    read = JoinRequest.of({"machine": "x" * 1000, "host": "\x1b[1m", "name": 7, "number": "17"})
     assert len(read.machine) <= 64
     assert read.host == "[1m"
     assert read.name == "7"

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
+from zbot.classroom.join_request import JoinRequest, proof
 from zbot.classroom.teacher import running_class
 from zbot.classroom.teacher.class_record import ClassRecord
-from zbot.classroom.teacher.join_service import AdmissionRequest, proof
 from zbot.classroom.teacher.running_class import Classroom
 from zbot.security.pin import PinClient
 from zbot.security.secret import Secret
@@ -43,7 +43,7 @@ class Lesson:
         """Ask for admission, and return the answer."""
         client = PinClient(Secret(""), "Robots", "hub")
         challenge = self.ask({"op": "enrol", **client.hello()})
-        request = asdict(AdmissionRequest(machine, "laptop", name, number))
+        request = asdict(JoinRequest(machine, "laptop", name, number))
         sealed = self.ask({"op": "claim", **client.claim(challenge, request)})
         return sealed if "refused" in sealed else client.opened(sealed)
 

@@ -1,23 +1,14 @@
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import pytest
 
 from zbot.classroom.teacher.student_list import (
     FullClassError,
     NumberError,
     Register,
-    RosterError,
     SimilarNameError,
     TakenError,
-    clean_name,
-    load_roster,
-    read_roster,
 )
-
-if TYPE_CHECKING:
-    from pathlib import Path
 
 
 @pytest.fixture
@@ -83,62 +74,6 @@ def test_a_claim_after_the_last_number_is_refused() -> None:
     assert sorted(numbers) == list(range(1, 233))
     with pytest.raises(FullClassError):
         register.claim(None, None, "one more", "host")
-
-
-@pytest.mark.parametrize(
-    ("name", "shown"),
-    [
-        ("Ana", "Ana"),
-        ("  Ana \t Müller\n", "Ana Müller"),
-        ("\x1b[2JAna", "[2JAna"),
-        ("Ana\u202egnp.exe", "Ana gnp.exe"),
-        ("A" * 100, "A" * 64),
-        ("\x00\x07", ""),
-        ("<b>Ana</b>", "<b>Ana</b>"),
-    ],
-)
-def test_names_are_one_line_without_control_characters(name: str, shown: str) -> None:
-    assert clean_name(name) == shown
-
-
-def test_a_list_of_students_is_read(tmp_path: Path) -> None:
-    path = tmp_path / "roster.csv"
-    path.write_text("\ufeffnumber,name\n17, Ana Müller\n\n18,Ben\n", encoding="utf-8")
-    assert load_roster(path) == {17: "Ana Müller", 18: "Ben"}
-
-
-def test_a_list_may_have_semicolons_and_no_header() -> None:
-    assert read_roster('1;"Ana"\n2;Ben\n') == {1: "Ana", 2: "Ben"}
-
-
-@pytest.mark.parametrize(
-    ("text", "reason"),
-    [
-        ("1,Ana\n1,Ben", "line 2 .* number 1 appears twice"),
-        ("1,Ana\nBen,2", "line 2 .* 'Ben' is not a number"),
-        ("0,Ana", "line 1 .* '0' is not a number"),
-        ("1,Ana\n233,Ben", "'233' is not a number from 1 to 232"),
-    ],
-)
-def test_an_invalid_list_is_refused_with_the_line(text: str, reason: str) -> None:
-    with pytest.raises(RosterError, match=reason):
-        read_roster(text)
-
-
-def test_a_missing_list_is_refused(tmp_path: Path) -> None:
-    with pytest.raises(RosterError, match="No such file"):
-        load_roster(tmp_path / "nowhere.csv")
-
-
-def test_a_roster_with_an_odd_line_end_is_one_error() -> None:
-    with pytest.raises(RosterError, match="line 1 of the list"):
-        read_roster("1,Ana\r2,Ben\n")
-
-
-def test_a_roster_with_thousands_of_digits_is_one_error() -> None:
-    with pytest.raises(RosterError, match="is not a number from 1 to 232") as caught:
-        read_roster("9" * 5000 + ",Ana\n")
-    assert len(str(caught.value)) < 300
 
 
 def test_a_name_that_is_similar_to_one_of_the_list_is_a_question(register: Register) -> None:
