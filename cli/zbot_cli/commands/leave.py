@@ -24,7 +24,7 @@ def leave(
     ] = False,
 ) -> None:
     """Leave the class or the other machine."""
-    from zbot.classroom.errors import NotJoinedError  # noqa: PLC0415 - as above
+    from zbot.classroom.errors import NotJoinedError  # noqa: PLC0415 - not needed by `--help`
     from zbot_cli.domain.client import print_programs_outside  # noqa: PLC0415 - as above
 
     if not (yes or _may_close()):
