@@ -386,7 +386,6 @@ def test_a_suspended_class_is_not_taken_for_a_refusal(school: School) -> None:
     os.kill(pid, signal.SIGSTOP)
     try:
         assert wait_until(lambda: not is_linked(ana))
-        # The laptop's hub may be opened again once, if it was linked a moment ago.
         unknown = "the other machine does not answer at the moment"
         assert wait_until(lambda: unknown in ana.succeed("status"))
         assert "leave" not in ana.succeed("status")

@@ -29,7 +29,7 @@ from zbot.classroom.join_request import JoinRequest
 from zbot.classroom.student.laptop_report import Presence
 from zbot.classroom.student.link_check import LinkCheck
 from zbot.classroom.student.link_problem import is_accepted
-from zbot.classroom.student.lobby import release, request_admission
+from zbot.classroom.student.lobby import is_member, release, request_admission
 from zbot.security.secret import make_private_folder, write_private
 from zbot.transport import membership
 from zbot.transport.config import domain_id, hub_port
@@ -285,7 +285,8 @@ def run_student(joined: Membership, on_ready: Callable[[], None]) -> None:
         extra |= {"id": joined.hub_id}
     settings = HubSettings((hub_endpoint(),), (link.endpoint(dialled),), extra)
     presence = Presence(joined) if joined.in_class else None
-    links = LinkCheck(domain_id(), presence.of_class if presence else None)
+    of_class = presence.of_class if presence is not None else None
+    links = LinkCheck(domain_id(), of_class, lambda: is_member(joined))
 
     def attach(serving: HubProcess) -> None:
         if presence is not None:

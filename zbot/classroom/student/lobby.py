@@ -35,10 +35,11 @@ if TYPE_CHECKING:
 
 _ANSWER_TIMEOUT_S = 5.0
 _WORD = re.compile("[0-9A-Za-z_-]{0,128}")
-_RELEASE_TIMEOUT_S = 1.0
+_RELEASE_TIMEOUT_S = 3.0  # the number of a laptop that gives up too soon stays taken
 _MEMBER_TIMEOUT_S = 1.0
 _LONGEST_WAIT_S = 30.0  # after too many wrong PINs in the class, every laptop must wait
 _REOPENING_S = 5.0  # longest time for which a hub is closed while it is opened again
+_REOPENED_PAUSE_S = 0.5
 _SILENT_S = 0.4  # a program that is not a hub usually closes the connection sooner
 _MOST_FRUITLESS = 3  # attempts at a hub or a class that does not answer
 _MAX_SENTENCE_LENGTH = 500
@@ -97,6 +98,7 @@ def request_admission(
             problem = problem_at(address, _REOPENING_S)
             if problem is not None:
                 raise problem from None
+            time.sleep(_REOPENED_PAUSE_S)  # a hub that was just opened does not answer yet
 
 
 def _request_once(
