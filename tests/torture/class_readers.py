@@ -18,11 +18,11 @@ from zbot.classroom.student.lobby import membership_from
 from zbot.classroom.teacher import class_record
 from zbot.classroom.teacher.class_record import ClassRecord, RecordError, load_record
 from zbot.classroom.teacher.expectation import ExpectationError, parse_expectations
-from zbot.classroom.teacher.join_service import AdmissionService
-from zbot.classroom.teacher.laptops import Attendance
+from zbot.classroom.teacher.join_service import JoinService
+from zbot.classroom.teacher.laptops import Laptops
 from zbot.classroom.teacher.robots import driver_in
 from zbot.classroom.teacher.roster import RosterError, read_roster
-from zbot.classroom.teacher.student_list import Register
+from zbot.classroom.teacher.student_list import StudentList
 from zbot.json_reader import JsonError, read_json_object
 from zbot.log.teacher_notice import notice_text
 from zbot.security.certificate import facts
@@ -54,11 +54,11 @@ _PIN_SERVER = PinServer(Secret("1"), "4b", bool, lambda: 0.0, lambda _: None)
 _PIN_SERVER._guesses = 1e9
 
 
-def _admission(data: bytes) -> None:
-    service = AdmissionService(
+def _join_service(data: bytes) -> None:
+    service = JoinService(
         "4b",
         "",
-        Register(),
+        StudentList("ab"),
         is_own_hub=bool,
         credentials=lambda _: {},
         changed=lambda _: None,
@@ -66,10 +66,10 @@ def _admission(data: bytes) -> None:
     json.dumps(service.answer(document_of(zenoh.ZBytes(data))))
 
 
-def _attendance(data: bytes) -> None:
-    attendance = Attendance()
-    attendance._learn(5, document_of(zenoh.ZBytes(data)), 0, 1)
-    json.dumps(attendance.laptop(5).last_error)
+def _laptop_facts(data: bytes) -> None:
+    students = StudentList("ab")
+    Laptops(students)._learn(5, document_of(zenoh.ZBytes(data)), 0, 1)
+    json.dumps(students.laptop(5).last_error)
 
 
 def _saved(name: str, load: Any) -> Any:
@@ -89,7 +89,7 @@ def _saved(name: str, load: Any) -> Any:
 
 
 def _record() -> bytes:
-    return json_bytes(asdict(ClassRecord("4b", "ab")))
+    return json_bytes(ClassRecord("4b", StudentList("ab")).document())
 
 
 def _membership() -> bytes:
@@ -122,9 +122,9 @@ CLASS_READERS = (
         (b'{"op": "hello"}', b"[" * 9000),
     ),
     Reader(
-        "admission",
+        "join_service",
         ("zbot.classroom.teacher.join_service",),
-        _admission,
+        _join_service,
         (),
         (
             b'{"op": "hello"}',
@@ -133,9 +133,9 @@ CLASS_READERS = (
         ),
     ),
     Reader(
-        "attendance",
+        "laptop_facts",
         ("zbot.classroom.teacher.laptops",),
-        _attendance,
+        _laptop_facts,
         (),
         (
             json_bytes(

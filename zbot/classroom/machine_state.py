@@ -38,7 +38,7 @@ def present_state() -> dict[str, Any]:
         "notices": of_class.get("notices", []),
         "namesakes": of_class.get("namesakes") or [],
         "outside": running_programs.outside_text(),
-        "differences": [one.text for one in environment.differences()],
+        "differences": [setting.text for setting in environment.differences()],
     }
 
 

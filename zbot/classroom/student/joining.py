@@ -26,10 +26,10 @@ from zbot.classroom.hub.queries import hub_facts
 from zbot.classroom.hub.router import HubSettings
 from zbot.classroom.join_code import decode, looks_like_code
 from zbot.classroom.join_request import JoinRequest
-from zbot.classroom.student.laptop_report import Presence
+from zbot.classroom.student.laptop_report import LaptopReport
 from zbot.classroom.student.link_check import LinkCheck
 from zbot.classroom.student.link_problem import is_accepted
-from zbot.classroom.student.lobby import is_member, release, request_admission
+from zbot.classroom.student.lobby import is_member, release, request_membership
 from zbot.security.secret import make_private_folder, write_private
 from zbot.transport import membership
 from zbot.transport.config import domain_id, hub_port
@@ -114,7 +114,7 @@ def join(
     Raises:
         AlreadyJoinedError: This machine has joined a class or hub, or runs a hub.
         ClassroomError: The hub cannot be found (see `find_hub`), or it refuses this machine
-            (see `request_admission`).
+            (see `request_membership`).
         UnlinkedError: The hub admits this machine, but is not linked with it within 20 s.
         SecurityError: This machine and the hub do not accept each other's certificates.
     """
@@ -126,7 +126,7 @@ def join(
     pin = functools.cache(ask_pin)  # a student types the PIN once
 
     def send(request: JoinRequest) -> Membership:
-        return request_admission(address, request, pin, link, certificate)
+        return request_membership(address, request, pin, link, certificate)
 
     with _without_membership():
         admitted = _admitted(request, send, ask_name)
@@ -284,13 +284,13 @@ def run_student(joined: Membership, on_ready: Callable[[], None]) -> None:
     if joined.in_class:
         extra |= {"id": joined.hub_id}
     settings = HubSettings((hub_endpoint(),), (link.endpoint(dialled),), extra)
-    presence = Presence(joined) if joined.in_class else None
-    of_class = presence.of_class if presence is not None else None
+    report = LaptopReport(joined) if joined.in_class else None
+    of_class = report.of_class if report is not None else None
     links = LinkCheck(domain_id(), of_class, lambda: is_member(joined))
 
     def attach(serving: HubProcess) -> None:
-        if presence is not None:
-            presence.attach(serving)
+        if report is not None:
+            report.attach(serving)
         links.attach(serving)
 
     serve(joined.role, lambda: settings, on_ready, attach)

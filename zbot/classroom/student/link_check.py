@@ -153,7 +153,7 @@ class LinkCheck:
         if router is None:
             return frozenset(), set()
         with router:
-            linked = {str(one.zid) for one in session.info.transports()}
+            linked = {str(transport.zid) for transport in session.info.transports()}
             if linked.isdisjoint(map(str, router.info.routers_zid())):
                 return frozenset(), set()
             nodes = self._nodes(router)

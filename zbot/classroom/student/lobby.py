@@ -1,4 +1,4 @@
-"""Laptop's side of the enrolment in a class."""
+"""Lobby of a class: a laptop asks there to join, whether it is still a member, and to leave."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ _NOBODY: dict[str, Any] = {
 }
 
 
-def request_admission(
+def request_membership(
     address: Address,
     request: JoinRequest,
     ask_pin: AskPin,
@@ -107,7 +107,7 @@ def _request_once(
     session, is_class = open_lobby(address, link)
     with session:
         hub = certificate_identity(certificate) if certificate else dialled_identity(session)
-        return _Enrolment(session, address, hub, is_class=is_class).enrol(request, ask_pin)
+        return _JoinQueries(session, address, hub, is_class=is_class).join(request, ask_pin)
 
 
 def open_lobby(address: Address, link: Link) -> tuple[zenoh.Session, bool]:
@@ -146,7 +146,7 @@ def is_member(joined: Membership) -> bool | None:
     return known if isinstance(known, bool) else None
 
 
-class _Enrolment:
+class _JoinQueries:
     def __init__(
         self, session: zenoh.Session, address: Address, hub: str, *, is_class: bool
     ) -> None:
@@ -155,7 +155,7 @@ class _Enrolment:
         self._address = address
         self._is_class = is_class  # only the hub of a class has users
 
-    def enrol(self, request: JoinRequest, ask_pin: AskPin) -> Membership:
+    def join(self, request: JoinRequest, ask_pin: AskPin) -> Membership:
         hello = self._greeting()
         if hello is None:
             return Membership("partner", self._address.host, self._address.port)

@@ -97,5 +97,6 @@ def names_of(keys: Iterable[str]) -> frozenset[str]:
             tokens.append(parse_token(key))
         except TokenError:
             continue  # any program may declare any token in its domain
-    names = (fully_qualified(one.namespace, one.node) for one in tokens if type(one) is NodeToken)
+    nodes = (token for token in tokens if type(token) is NodeToken)
+    names = (fully_qualified(node.namespace, node.node) for node in nodes)
     return frozenset(name for name in names if not is_hidden(name))
