@@ -1,10 +1,9 @@
-"""Student's side of a class: functions to join and leave it, and to run the laptop's hub."""
+"""Joining and leaving a class or another machine's hub."""
 
 from __future__ import annotations
 
 import contextlib
 import functools
-import secrets
 import socket
 import time
 from dataclasses import replace
@@ -21,31 +20,24 @@ from zbot.classroom.hub import running_hub
 from zbot.classroom.hub.address import Address, own_addresses, parse_address
 from zbot.classroom.hub.link import Link
 from zbot.classroom.hub.probe import first_reachable
-from zbot.classroom.hub.process import serve
 from zbot.classroom.hub.queries import hub_facts
-from zbot.classroom.hub.router import HubSettings
 from zbot.classroom.join_code import decode, looks_like_code
 from zbot.classroom.join_request import JoinRequest
-from zbot.classroom.student.laptop_report import LaptopReport
-from zbot.classroom.student.link_check import LinkCheck
 from zbot.classroom.student.link_problem import is_accepted
-from zbot.classroom.student.lobby import is_member, release, request_membership
-from zbot.security.secret import make_private_folder, write_private
+from zbot.classroom.student.lobby import release, request_membership
+from zbot.classroom.student.machine_id import machine_id, new_machine_id, save_machine_id
 from zbot.transport import membership
-from zbot.transport.config import domain_id, hub_port
-from zbot.transport.session import hub_endpoint
+from zbot.transport.config import hub_port
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
     from pathlib import Path
 
-    from zbot.classroom.hub.process import HubProcess
     from zbot.classroom.student.lobby import AskPin
     from zbot.transport.membership import Membership
 
     AskName = Callable[[str, str], bool | None]
 
-_MACHINE_BYTES = 8
 _LINKED_S = 20.0  # a hub usually links within 0.3 s, but thirty hubs may start together
 _RESUMED_S = 3.0
 _LINK_PAUSE_S = 0.05
@@ -205,13 +197,13 @@ def _admitted(
                 # The hub sees a connected laptop with the same id. This may be this laptop itself,
                 # if the hub has not noticed yet that it was away.
                 if time.monotonic() > deadline:
-                    request = replace(request, machine=secrets.token_hex(_MACHINE_BYTES))
+                    request = replace(request, machine=new_machine_id())
                 time.sleep(_PAUSE_S)
             else:
                 raise
         else:
             if request.machine != known:
-                _write_machine_id(request.machine)
+                save_machine_id(request.machine)
             return joined
 
 
@@ -241,21 +233,6 @@ def _without_membership() -> Iterator[None]:
         raise
 
 
-def machine_id() -> str:
-    """Return the identifier of this user's machine. It is random and stored in a file."""
-    try:
-        return (membership.folder() / "machine").read_text(encoding="utf-8").strip()
-    except FileNotFoundError:
-        made = secrets.token_hex(_MACHINE_BYTES)
-        _write_machine_id(made)
-        return made
-
-
-def _write_machine_id(machine: str) -> None:
-    make_private_folder(membership.folder())
-    write_private(membership.folder() / "machine", machine.encode())
-
-
 def leave() -> Left | None:
     """End this machine's hub, remove the membership, and release the number.
 
@@ -275,22 +252,3 @@ def leave() -> Left | None:
         return None
     is_released = present.role != "student" or release(present)
     return Left(present, is_released=is_released)
-
-
-def run_student(joined: Membership, on_ready: Callable[[], None]) -> None:
-    """Run the hub of a machine that has joined a class or hub, until SIGTERM or SIGINT."""
-    link, dialled = Link(joined.keystore), Address(joined.host, joined.port)
-    extra = link.settings
-    if joined.in_class:
-        extra |= {"id": joined.hub_id}
-    settings = HubSettings((hub_endpoint(),), (link.endpoint(dialled),), extra)
-    report = LaptopReport(joined) if joined.in_class else None
-    of_class = report.of_class if report is not None else None
-    links = LinkCheck(domain_id(), of_class, lambda: is_member(joined))
-
-    def attach(serving: HubProcess) -> None:
-        if report is not None:
-            report.attach(serving)
-        links.attach(serving)
-
-    serve(joined.role, lambda: settings, on_ready, attach)
