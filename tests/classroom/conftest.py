@@ -1,4 +1,4 @@
-"""The testbed as a fixture."""
+"""The testbed and the school as fixtures."""
 
 from __future__ import annotations
 
@@ -7,10 +7,15 @@ from typing import TYPE_CHECKING
 
 import pytest
 
+from tests.classroom.local_machine import LocalMachine
+from tests.classroom.school import School
 from tests.classroom.testbed import LanTestbed, missing_requirement
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
+    from pathlib import Path
+
+    from tests.conftest import Start
 
 
 def skip_without_namespaces() -> None:
@@ -26,3 +31,25 @@ def make_testbed() -> Iterator[Callable[[int], LanTestbed]]:
     skip_without_namespaces()
     with ExitStack() as stack:
         yield lambda laptops: stack.enter_context(LanTestbed(laptops))
+
+
+@pytest.fixture
+def make_machine(tmp_path: Path) -> Iterator[Callable[[str], LocalMachine]]:
+    """Return a function that makes machines; whatever they have joined, they leave."""
+    made: dict[str, LocalMachine] = {}
+
+    def make(name: str) -> LocalMachine:
+        return made.setdefault(name, LocalMachine(tmp_path / name))
+
+    yield make
+    for machine in reversed(made.values()):
+        if machine.has_joined:
+            machine.zbot("leave", "--yes")
+
+
+@pytest.fixture
+def school(
+    make_machine: Callable[[str], LocalMachine], start: Start, monkeypatch: pytest.MonkeyPatch
+) -> School:
+    monkeypatch.delenv("ZBOT_DOMAIN_ID")  # a student's domain is his number
+    return School(make_machine, start)

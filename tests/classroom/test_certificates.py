@@ -13,7 +13,7 @@ import zenoh
 
 from tests.classroom.talk import HERE, free_port, open_session
 from tests.conftest import wait_until
-from zbot.classroom.machine_state import certificate_problem
+from zbot.classroom.student.link_problem import certificate_problem
 from zbot.security.certificate import Validity
 from zbot.security.errors import (
     CertificateError,

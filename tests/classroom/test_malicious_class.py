@@ -11,9 +11,9 @@ import pytest
 from tests.classroom.talk import HERE, free_port, open_session
 from zbot.classroom.errors import NoHubError, RefusedError
 from zbot.classroom.hub.address import Address
+from zbot.classroom.join_request import JoinRequest
 from zbot.classroom.keys import ADMISSION_KEY
-from zbot.classroom.student.lobby import request_admission
-from zbot.classroom.teacher.join_service import AdmissionRequest
+from zbot.classroom.student.lobby import request_membership
 from zbot.security.pin import PinMessageError, PinServer
 from zbot.security.secret import Secret
 
@@ -54,7 +54,7 @@ def malicious_hub(
 
 
 def request_from(address: Address) -> None:
-    request_admission(address, AdmissionRequest("machine", "host"), lambda _name: PIN.reveal())
+    request_membership(address, JoinRequest("machine", "host"), lambda _name: PIN.reveal())
 
 
 HELLO = {"class": "x", "pin": True}

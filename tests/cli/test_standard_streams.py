@@ -75,7 +75,7 @@ def test_a_file_that_the_system_refuses_ends_a_command(
     def refuse(*_: object, **__: object) -> None:
         raise PermissionError(errno.EACCES, "", "/some/file")
 
-    monkeypatch.setattr("zbot.classroom.state.present_state", refuse)
+    monkeypatch.setattr("zbot.classroom.machine_state.present_state", refuse)
     refused = zbot_command("status")
     assert (refused.code, refused.out) == (1, "")
     assert refused.err == "cannot use /some/file: Permission denied\n"

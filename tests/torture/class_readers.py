@@ -18,10 +18,11 @@ from zbot.classroom.student.lobby import membership_from
 from zbot.classroom.teacher import class_record
 from zbot.classroom.teacher.class_record import ClassRecord, RecordError, load_record
 from zbot.classroom.teacher.expectation import ExpectationError, parse_expectations
-from zbot.classroom.teacher.join_service import AdmissionService
-from zbot.classroom.teacher.laptops import Attendance
+from zbot.classroom.teacher.join_service import JoinService
+from zbot.classroom.teacher.laptops import Laptops
 from zbot.classroom.teacher.robots import driver_in
-from zbot.classroom.teacher.student_list import Register, RosterError, read_roster
+from zbot.classroom.teacher.roster import RosterError, read_roster
+from zbot.classroom.teacher.student_list import StudentList
 from zbot.json_reader import JsonError, read_json_object
 from zbot.log.teacher_notice import notice_text
 from zbot.security.certificate import facts
@@ -53,11 +54,11 @@ _PIN_SERVER = PinServer(Secret("1"), "4b", bool, lambda: 0.0, lambda _: None)
 _PIN_SERVER._guesses = 1e9
 
 
-def _admission(data: bytes) -> None:
-    service = AdmissionService(
+def _join_service(data: bytes) -> None:
+    service = JoinService(
         "4b",
         "",
-        Register(),
+        StudentList("ab"),
         is_own_hub=bool,
         credentials=lambda _: {},
         changed=lambda _: None,
@@ -65,10 +66,10 @@ def _admission(data: bytes) -> None:
     json.dumps(service.answer(document_of(zenoh.ZBytes(data))))
 
 
-def _attendance(data: bytes) -> None:
-    attendance = Attendance()
-    attendance._learn(5, document_of(zenoh.ZBytes(data)), 0, 1)
-    json.dumps(attendance.laptop(5).last_error)
+def _laptop_facts(data: bytes) -> None:
+    students = StudentList("ab")
+    Laptops(students)._learn(5, document_of(zenoh.ZBytes(data)), 0, 1)
+    json.dumps(students.laptop(5).last_error)
 
 
 def _saved(name: str, load: Any) -> Any:
@@ -88,7 +89,7 @@ def _saved(name: str, load: Any) -> Any:
 
 
 def _record() -> bytes:
-    return json_bytes(asdict(ClassRecord("4b", "ab")))
+    return json_bytes(ClassRecord("4b", StudentList("ab")).document())
 
 
 def _membership() -> bytes:
@@ -121,9 +122,9 @@ CLASS_READERS = (
         (b'{"op": "hello"}', b"[" * 9000),
     ),
     Reader(
-        "admission",
+        "join_service",
         ("zbot.classroom.teacher.join_service",),
-        _admission,
+        _join_service,
         (),
         (
             b'{"op": "hello"}',
@@ -132,9 +133,9 @@ CLASS_READERS = (
         ),
     ),
     Reader(
-        "attendance",
+        "laptop_facts",
         ("zbot.classroom.teacher.laptops",),
-        _attendance,
+        _laptop_facts,
         (),
         (
             json_bytes(
@@ -207,7 +208,7 @@ CLASS_READERS = (
     ),
     Reader(
         "roster",
-        ("zbot.classroom.teacher.student_list",),
+        ("zbot.classroom.teacher.roster",),
         lambda data: read_roster(text_of(data)),
         (RosterError,),
         (b'number,name\n1,Ana\n2,"B"\n', b"5;Eve\n"),

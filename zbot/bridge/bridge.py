@@ -37,7 +37,7 @@ _DISCOVERY_S = 3.0
 _OVERRIDE = "ZENOH_CONFIG_OVERRIDE"
 
 
-class Gate(Protocol):
+class PublisherFilter(Protocol):
     """Decides which messages and requests pass from zbot to ROS 2."""
 
     def start(self) -> None:
@@ -54,13 +54,13 @@ class Gate(Protocol):
         ...
 
     def close(self) -> None:
-        """End the work of the gate."""
+        """End the work of the filter."""
         ...
 
 
-#: Makes a gate. The arguments are the bridge's context, a function that stops the robot, and a
+#: Makes a filter. The arguments are the bridge's context, a function that stops the robot, and a
 #: function that ends the bridge.
-MakeGate = Callable[[Context, Callable[[], None], Callable[[], None]], Gate]
+MakeFilter = Callable[[Context, Callable[[], None], Callable[[], None]], PublisherFilter]
 
 
 @dataclass(frozen=True)
@@ -71,7 +71,7 @@ class BridgeOptions:
     connect: str = ""  #: address of rmw_zenoh's router; by default, the router of this machine
     prefix: str = ""  #: namespace in zbot for all names of ROS 2, e.g. `/robot1`
     selection: Selection = field(default_factory=Selection)
-    make_gate: MakeGate | None = None  #: `None`: everything passes
+    make_filter: MakeFilter | None = None  #: `None`: everything passes
     on_ready: Callable[[], None] = lambda: None  #: called when the bridge works
 
 
@@ -160,14 +160,14 @@ def _carry(
 ) -> None:
     """Link the domain of `node` and the side `ros`, until the node's context is interrupted."""
     context, log = node.context, node.get_logger()
-    gate: Gate | None = None
-    if options.make_gate is not None:
+    publisher_filter: PublisherFilter | None = None
+    if options.make_filter is not None:
 
         def halt() -> None:
             carrier.halt()
 
-        gate = options.make_gate(context, halt, context.interrupt)
-    zbot = ZbotSide(node, admits=None if gate is None else gate.admits)
+        publisher_filter = options.make_filter(context, halt, context.interrupt)
+    zbot = ZbotSide(node, admits=None if publisher_filter is None else publisher_filter.admits)
     stack.callback(zbot.close)
     carrier = Carrier(
         zbot,
@@ -189,9 +189,9 @@ def _carry(
     thread.start()
     stack.callback(thread.join)
     stack.callback(carrier.close)
-    if gate is not None:
-        gate.start()
-        stack.callback(gate.close)
+    if publisher_filter is not None:
+        publisher_filter.start()
+        stack.callback(publisher_filter.close)
     executor = SingleThreadedExecutor(context=context)
     executor.add_node(node)
     log.info(

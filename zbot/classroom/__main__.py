@@ -10,7 +10,7 @@ import sys
 
 from zbot.classroom.errors import NotJoinedError
 from zbot.classroom.hub import running_hub
-from zbot.classroom.student.joining import run_student
+from zbot.classroom.student.laptop_hub import run_student
 from zbot.classroom.teacher.opening import run_teacher
 from zbot.errors import ZbotError
 from zbot.transport import membership

@@ -100,7 +100,7 @@ def _long_address(text: str, value: int) -> Address:
 
 
 def _short_addresses(text: str, value: int, own_addresses: Iterable[str]) -> list[Address]:
-    prefixes = dict.fromkeys(int(ipaddress.IPv4Address(one)) & 0xFFFF0000 for one in own_addresses)
+    prefixes = dict.fromkeys(int(ipaddress.IPv4Address(own)) & 0xFFFF0000 for own in own_addresses)
     numbers = (prefix | value >> _CHECK_BITS for prefix in prefixes)
     found = [number for number in numbers if _short_check(number) == value & 0xF]
     if not found:

@@ -1,4 +1,4 @@
-"""Key expressions that the hubs of a classroom use (see docs/wire.md)."""
+"""Key expressions and limits that the hubs of a class use (see docs/wire.md)."""
 
 from __future__ import annotations
 
@@ -10,6 +10,8 @@ NOTICES_KEY = f"{TEACHER_SPACE}/notices"  #: queries for earlier notices
 ROBOTS_KEY = f"{TEACHER_SPACE}/robots"  #: messages with the driver of each robot
 #: A hub answers queries on `@hub/<process id>` with facts about itself.
 HUB_KEY = "@hub"
+#: Largest number of nodes of one student that a class lists.
+MAX_LISTED_NODES = 200
 COMMAND_KEY = "@class/desk"  #: queries from the teacher's commands
 
 

@@ -70,8 +70,8 @@ def join(
 
 def _resume() -> None:
     """Start the hub of this machine again, and print what `zbot status` prints."""
-    from zbot.classroom.machine_state import present_state  # noqa: PLC0415 - as above
-    from zbot.classroom.student import joining  # noqa: PLC0415 - not needed by `--help`
+    from zbot.classroom.machine_state import present_state  # noqa: PLC0415 - not needed by `--help`
+    from zbot.classroom.student import joining  # noqa: PLC0415 - as above
     from zbot_cli.commands.status import lines  # noqa: PLC0415 - as above
 
     joining.resume()

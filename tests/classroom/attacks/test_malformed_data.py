@@ -16,8 +16,7 @@ from tests.classroom.attacked import PIN, AttackedClass, Computer
 from tests.classroom.attacks.conftest import claimed, is_plain
 from tests.classroom.talk import HERE, answers, dialling
 from tests.conftest import allowed, wait_until
-from zbot.classroom.keys import NOTICES_KEY, facts_key, here_key
-from zbot.classroom.teacher.running_nodes import MAX_LISTED
+from zbot.classroom.keys import MAX_LISTED_NODES, NOTICES_KEY, facts_key, here_key
 from zbot.security.access import MAX_MESSAGE_SIZE
 
 
@@ -101,12 +100,12 @@ def test_a_flood_of_tokens_does_not_fill_the_teachers_list(
         ben.liveliness().declare_token(f"{space}/{number}/{number}/NN/%/%/node_{number}")
         for number in range(2000)
     ]
-    assert wait_until(lambda: len(room.listed()[18]["nodes"]) == MAX_LISTED, 20)
+    assert wait_until(lambda: len(room.listed()[18]["nodes"]) == MAX_LISTED_NODES, 20)
     began_s = time.monotonic()
     shown = room.teacher.do("class", "list")
     assert time.monotonic() - began_s < allowed(2)
     row = next(line for line in shown.splitlines() if "Ben" in line)
-    assert f"more than {MAX_LISTED} nodes, the rest is not shown" in row
+    assert f"more than {MAX_LISTED_NODES} nodes, the rest is not shown" in row
     assert "Ana" in shown
     for one in declared:
         one.undeclare()

@@ -96,4 +96,4 @@ def _addresses_of_interfaces() -> list[str]:
         adapters = list(ifaddr.get_adapters())
     except OSError:  # some systems, such as Android, do not let programs list their interfaces
         return []
-    return [str(one.ip) for adapter in adapters for one in adapter.ips if one.is_IPv4]
+    return [str(known.ip) for adapter in adapters for known in adapter.ips if known.is_IPv4]

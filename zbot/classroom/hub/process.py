@@ -110,10 +110,18 @@ class _Signals:
         self.is_over = True
         self._happened.set()
 
+    def begin(self) -> bool:
+        """Forget requests to reopen the hub. Return whether the process shall go on.
+
+        A hub that is opened now has the newest settings, so it must not be reopened for a request
+        that came while the former hub was being closed.
+        """
+        self._happened.clear()
+        return not self.is_over
+
     def wait(self) -> None:
         while not self._happened.wait(_WAIT_S):
             continue
-        self._happened.clear()
 
 
 @contextlib.contextmanager
@@ -149,7 +157,7 @@ def serve(
     """
     with running_hub.hub_lock(), _signals() as signals:
         report = on_ready
-        while not signals.is_over:
+        while signals.begin():
             present = settings()
             serving = HubProcess(open_router(present), present, signals.reopen)
             try:

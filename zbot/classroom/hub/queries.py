@@ -8,14 +8,17 @@ from typing import TYPE_CHECKING, Any
 
 import zenoh
 
+from zbot.classroom.keys import HUB_KEY
 from zbot.json_reader import JsonError, read_json_object
 from zbot.log import get_logger
+from zbot.transport.session import open_hub_client
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
 _QUEUE = 256
 _LARGEST = 64 * 1024  # bytes (a valid query of a laptop that joins has a few hundred bytes)
+_FACTS_TIMEOUT_S = 2.0  # a laptop's hub waits for the class at most 1.5 s
 _LARGEST_ANSWER = 16 * 1024 * 1024  # bytes (for 232 students who have 200 nodes each)
 
 Answer = dict[str, Any]
@@ -91,3 +94,15 @@ def ask(
     return [
         document_of(reply.ok.payload, _LARGEST_ANSWER) for reply in replies if reply.ok is not None
     ]
+
+
+def hub_facts(pid: int) -> dict[str, Any]:
+    """Return the facts that this machine's hub reports. Empty if the hub does not answer."""
+    session = open_hub_client()
+    if session is None:
+        return {}
+    try:
+        answers = ask(session, f"{HUB_KEY}/{pid}", timeout_s=_FACTS_TIMEOUT_S)
+    finally:
+        session.close()
+    return next((answer for answer in answers if answer.get("pid") == pid), {})

@@ -1,10 +1,9 @@
-"""Student's side of a class: functions to join and leave it, and to run the laptop's hub."""
+"""Joining and leaving a class or another machine's hub."""
 
 from __future__ import annotations
 
 import contextlib
 import functools
-import secrets
 import socket
 import time
 from dataclasses import replace
@@ -21,31 +20,24 @@ from zbot.classroom.hub import running_hub
 from zbot.classroom.hub.address import Address, own_addresses, parse_address
 from zbot.classroom.hub.link import Link
 from zbot.classroom.hub.probe import first_reachable
-from zbot.classroom.hub.process import serve
-from zbot.classroom.hub.router import HubSettings
+from zbot.classroom.hub.queries import hub_facts
 from zbot.classroom.join_code import decode, looks_like_code
-from zbot.classroom.machine_state import hub_facts, is_accepted
-from zbot.classroom.student.laptop_report import Presence
-from zbot.classroom.student.link_check import LinkCheck
-from zbot.classroom.student.lobby import release, request_admission
-from zbot.classroom.teacher import opening
-from zbot.classroom.teacher.join_service import AdmissionRequest
-from zbot.security.secret import make_private_folder, write_private
+from zbot.classroom.join_request import JoinRequest
+from zbot.classroom.student.link_problem import is_accepted
+from zbot.classroom.student.lobby import release, request_membership
+from zbot.classroom.student.machine_id import machine_id, new_machine_id, save_machine_id
 from zbot.transport import membership
-from zbot.transport.config import domain_id, hub_port
-from zbot.transport.session import hub_endpoint
+from zbot.transport.config import hub_port
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
     from pathlib import Path
 
-    from zbot.classroom.hub.process import HubProcess
     from zbot.classroom.student.lobby import AskPin
     from zbot.transport.membership import Membership
 
     AskName = Callable[[str, str], bool | None]
 
-_MACHINE_BYTES = 8
 _LINKED_S = 20.0  # a hub usually links within 0.3 s, but thirty hubs may start together
 _RESUMED_S = 3.0
 _LINK_PAUSE_S = 0.05
@@ -114,7 +106,7 @@ def join(
     Raises:
         AlreadyJoinedError: This machine has joined a class or hub, or runs a hub.
         ClassroomError: The hub cannot be found (see `find_hub`), or it refuses this machine
-            (see `request_admission`).
+            (see `request_membership`).
         UnlinkedError: The hub admits this machine, but is not linked with it within 20 s.
         SecurityError: This machine and the hub do not accept each other's certificates.
     """
@@ -122,11 +114,11 @@ def join(
     link = Link.named(keystore)
     address = find_hub(target)
     certificate = link.check_dialling(address)
-    request = AdmissionRequest(machine_id(), socket.gethostname(), name, number, is_new)
+    request = JoinRequest(machine_id(), socket.gethostname(), name, number, is_new)
     pin = functools.cache(ask_pin)  # a student types the PIN once
 
-    def send(request: AdmissionRequest) -> Membership:
-        return request_admission(address, request, pin, link, certificate)
+    def send(request: JoinRequest) -> Membership:
+        return request_membership(address, request, pin, link, certificate)
 
     with _without_membership():
         admitted = _admitted(request, send, ask_name)
@@ -187,7 +179,7 @@ def resume() -> None:
 
 
 def _admitted(
-    request: AdmissionRequest, send: Callable[[AdmissionRequest], Membership], ask_name: AskName
+    request: JoinRequest, send: Callable[[JoinRequest], Membership], ask_name: AskName
 ) -> Membership:
     """Send a request to the teacher's hub. After some refusals, send a changed request."""
     deadline, known = time.monotonic() + _NOTICED_S, request.machine
@@ -205,13 +197,13 @@ def _admitted(
                 # The hub sees a connected laptop with the same id. This may be this laptop itself,
                 # if the hub has not noticed yet that it was away.
                 if time.monotonic() > deadline:
-                    request = replace(request, machine=secrets.token_hex(_MACHINE_BYTES))
+                    request = replace(request, machine=new_machine_id())
                 time.sleep(_PAUSE_S)
             else:
                 raise
         else:
             if request.machine != known:
-                _write_machine_id(request.machine)
+                save_machine_id(request.machine)
             return joined
 
 
@@ -241,25 +233,10 @@ def _without_membership() -> Iterator[None]:
         raise
 
 
-def machine_id() -> str:
-    """Return the identifier of this user's machine. It is random and stored in a file."""
-    try:
-        return (membership.folder() / "machine").read_text(encoding="utf-8").strip()
-    except FileNotFoundError:
-        made = secrets.token_hex(_MACHINE_BYTES)
-        _write_machine_id(made)
-        return made
-
-
-def _write_machine_id(machine: str) -> None:
-    make_private_folder(membership.folder())
-    write_private(membership.folder() / "machine", machine.encode())
-
-
 def leave() -> Left | None:
     """End this machine's hub, remove the membership, and release the number.
 
-    On the teacher's machine, this closes the class.
+    The teacher's machine closes its class instead, see `teacher.opening.stop`.
 
     Returns:
         The former membership, or `None` if there was none.
@@ -268,8 +245,6 @@ def leave() -> Left | None:
         present = membership.load()
     except membership.MembershipError:
         present = None
-    if present is not None and present.role == "teacher":
-        return Left(opening.stop(), is_released=True)
     running_hub.stop()
     membership.forget()
     running_hub.end_router()
@@ -277,21 +252,3 @@ def leave() -> Left | None:
         return None
     is_released = present.role != "student" or release(present)
     return Left(present, is_released=is_released)
-
-
-def run_student(joined: Membership, on_ready: Callable[[], None]) -> None:
-    """Run the hub of a machine that has joined a class or hub, until SIGTERM or SIGINT."""
-    link, dialled = Link(joined.keystore), Address(joined.host, joined.port)
-    extra = link.settings
-    if joined.in_class:
-        extra |= {"id": joined.hub_id}
-    settings = HubSettings((hub_endpoint(),), (link.endpoint(dialled),), extra)
-    presence = Presence(joined) if joined.in_class else None
-    links = LinkCheck(domain_id(), presence.of_class if presence else None)
-
-    def attach(serving: HubProcess) -> None:
-        if presence is not None:
-            presence.attach(serving)
-        links.attach(serving)
-
-    serve(joined.role, lambda: settings, on_ready, attach)

@@ -1,4 +1,4 @@
-"""Presence of a laptop in a class: its liveliness token, and the facts that it reports."""
+"""LaptopReport of a laptop in a class: its liveliness token, and the facts that it reports."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any
 import zenoh
 
 from zbot.classroom.hub.queries import ask, document_of
+from zbot.classroom.join_request import proof
 from zbot.classroom.keys import NOTICES_KEY, facts_key, here_key, nodes_selector
-from zbot.classroom.teacher.join_service import proof
 from zbot.interfaces import get_message
 from zbot.log.teacher_notice import NOTICE_KEY, notice_text
 from zbot.threads.foreign_call import called_by_zenoh
@@ -34,7 +34,7 @@ _QUERY_TIMEOUT_S = 0.5
 _MAX_LOG_BYTES = 64 * 1024
 
 
-class Presence:
+class LaptopReport:
     """Declares the token of a student's laptop, and answers queries for its facts.
 
     Args:
@@ -83,7 +83,7 @@ class Presence:
             return None
         notices = answers[0].get("notices")
         notices = notices if isinstance(notices, list) else []
-        texts = [notice_text(json.dumps(one).encode()) for one in notices]
+        texts = [notice_text(json.dumps(notice).encode()) for notice in notices]
         return {
             "notices": texts,
             "nodes": answers[0].get("nodes"),

@@ -16,10 +16,10 @@ from typing import TYPE_CHECKING, Any
 
 import zenoh
 
+from zbot.classroom.errors import ClassroomError
 from zbot.classroom.hub.queries import ask
-from zbot.classroom.keys import HUB_KEY, nodes_selector
+from zbot.classroom.keys import HUB_KEY, MAX_LISTED_NODES, nodes_selector
 from zbot.classroom.student.visibility import names_of
-from zbot.classroom.teacher.running_nodes import MAX_LISTED
 from zbot.log import get_logger
 from zbot.threads.foreign_call import called_by_zenoh
 from zbot.transport import admin_query
@@ -31,8 +31,10 @@ if TYPE_CHECKING:
 
     from zbot.classroom.hub.process import HubProcess
 
-    #: Returns what the class tells this laptop, or `None` if the class does not answer.
+    #: Returns what the class tells this laptop over its hub, or `None` if there is no answer.
     OfClass = Callable[[], dict[str, Any] | None]
+    #: Asks the lobby of the class whether this laptop is in the class. `None` means no answer.
+    IsMember = Callable[[], bool | None]
 
 # Declarations need a short time, so the links are checked when they have not changed for this time.
 _CALM_S = 1.0
@@ -41,18 +43,30 @@ _TIMEOUT_S = 1.0
 _LONGEST_CALM_S = 600.0
 
 
+class SilentClassError(ClassroomError):
+    """The class answers neither over the link of this laptop's hub nor in its lobby."""
+
+    def __init__(self) -> None:
+        super().__init__("the class does not answer at the moment")
+
+
 class LinkCheck:
     """Check of the links of a hub, in a thread of its own. The thread sleeps while no link changes.
 
     Args:
         domain: The domain of this machine's programs.
-        of_class: Asks the class. `None` if the machine has joined a hub without a class.
+        of_class: Asks the class over the hub. `None` if the machine has joined a hub without a
+            class.
+        is_member: Asks the lobby of the class, with a session of its own.
     """
 
-    def __init__(self, domain: int, of_class: OfClass | None) -> None:
+    def __init__(
+        self, domain: int, of_class: OfClass | None, is_member: IsMember = lambda: None
+    ) -> None:
         self._domain = domain
         self._of_class = of_class
-        self._reopenings = 0  # since the links were right the last time
+        self._is_member = is_member
+        self._faults = 0  # checks in a row that found something missing, or a silent class
 
     def attach(self, serving: HubProcess) -> None:
         """Begin to check the links of a hub that was opened, until it is closed."""
@@ -72,24 +86,34 @@ class LinkCheck:
 
     def _run(self, serving: HubProcess, changes: queue.SimpleQueue[bool]) -> None:
         while changes.get():
-            calm_s = min(_CALM_S * 2**self._reopenings, _LONGEST_CALM_S)
+            calm_s = min(_CALM_S * 2**self._faults, _LONGEST_CALM_S)
             if not _is_calm(changes, calm_s):
                 return
-            missing = self._missing(serving)
-            if missing and not _is_calm(changes, _CALM_S):
-                return
-            again = self._missing(serving) if missing else missing
+            try:
+                missing = self._missing(serving)
+                if missing and not _is_calm(changes, _CALM_S):
+                    return
+                again = self._missing(serving) if missing else missing
+            except SilentClassError as error:
+                self._faults += 1
+                get_logger("hub").warning(str(error))
+                changes.put(True)
+                continue
             if not again:
-                self._reopenings = 0
+                self._faults = 0
             elif missing & again:
-                self._reopenings += 1
+                self._faults += 1
                 get_logger("hub").warning(f"reopening the hub: {', '.join(sorted(again))}")
                 serving.reopen()
             else:
                 changes.put(True)  # e.g. nodes start and end at this moment
 
     def _missing(self, serving: HubProcess) -> set[str]:
-        """Return what should be known across the links of a hub and is not."""
+        """Return what should be known across the links of a hub and is not.
+
+        Raises:
+            SilentClassError: The class does not answer, so nothing is known.
+        """
         try:
             return self._missing_now(serving)
         except zenoh.ZError:  # the hub is being closed, or the router has ended
@@ -101,13 +125,24 @@ class LinkCheck:
             return missing
         told = self._of_class()
         if told is None:
-            return missing | {"the class does not answer"}
+            return missing | self._missing_answer()
         seen = told.get("nodes")
-        if not isinstance(seen, list) or len(seen) >= MAX_LISTED:
+        if not isinstance(seen, list) or len(seen) >= MAX_LISTED_NODES:
             return missing  # the class does not know this laptop, or does not list all nodes
         if told.get("here") is False:
             missing.add("the class does not see this laptop")
         return missing | {f"the class does not see {name}" for name in nodes.difference(seen)}
+
+    def _missing_answer(self) -> set[str]:
+        """Return whether the link hides the class, which has not answered over it.
+
+        A class that does not answer in its lobby either may be busy or suspended.
+        """
+        known = self._is_member()
+        if known is None:
+            raise SilentClassError
+        # A class that does not accept this laptop does not answer it.
+        return {"the class does not answer"} if known else set()
 
     def _missing_at_router(self, session: zenoh.Session) -> tuple[frozenset[str], set[str]]:
         """Return the nodes that the domain's router knows, and what is missing across its link.
@@ -118,7 +153,7 @@ class LinkCheck:
         if router is None:
             return frozenset(), set()
         with router:
-            linked = {str(one.zid) for one in session.info.transports()}
+            linked = {str(transport.zid) for transport in session.info.transports()}
             if linked.isdisjoint(map(str, router.info.routers_zid())):
                 return frozenset(), set()
             nodes = self._nodes(router)

@@ -1,4 +1,4 @@
-"""Laptop's side of the enrolment in a class."""
+"""Lobby of a class: a laptop asks there to join, whether it is still a member, and to leave."""
 
 from __future__ import annotations
 
@@ -13,12 +13,13 @@ from zbot.classroom.hub.identity import certificate_identity, dialled_identity
 from zbot.classroom.hub.link import PLAINTEXT, Link
 from zbot.classroom.hub.probe import problem_at
 from zbot.classroom.hub.queries import ask
+from zbot.classroom.join_request import proof
 from zbot.classroom.keys import ADMISSION_KEY
-from zbot.classroom.teacher.join_service import proof
-from zbot.classroom.teacher.student_list import clean_name, clean_sentence
+from zbot.classroom.student_name import clean_name
 from zbot.security.access import LOBBY, LOBBY_SECRET, credentials
 from zbot.security.pin import PinClient, WrongPinError
 from zbot.security.secret import Secret
+from zbot.terminal.text import single_line
 from zbot.transport.config import MAX_DOMAIN_ID
 from zbot.transport.membership import Membership
 from zbot.transport.session import open_hub_client
@@ -28,18 +29,20 @@ if TYPE_CHECKING:
 
     import zenoh
 
-    from zbot.classroom.teacher.join_service import AdmissionRequest
+    from zbot.classroom.join_request import JoinRequest
 
     AskPin = Callable[[str], str | None]
 
 _ANSWER_TIMEOUT_S = 5.0
 _WORD = re.compile("[0-9A-Za-z_-]{0,128}")
-_RELEASE_TIMEOUT_S = 1.0
+_RELEASE_TIMEOUT_S = 3.0  # the number of a laptop that gives up too soon stays taken
 _MEMBER_TIMEOUT_S = 1.0
 _LONGEST_WAIT_S = 30.0  # after too many wrong PINs in the class, every laptop must wait
 _REOPENING_S = 5.0  # longest time for which a hub is closed while it is opened again
+_REOPENED_PAUSE_S = 0.5
 _SILENT_S = 0.4  # a program that is not a hub usually closes the connection sooner
 _MOST_FRUITLESS = 3  # attempts at a hub or a class that does not answer
+_MAX_SENTENCE_LENGTH = 500
 _GREETINGS = 3
 _GREETING_PAUSE_S = 0.2
 # These override the user name of a class that this machine has joined before.
@@ -49,9 +52,9 @@ _NOBODY: dict[str, Any] = {
 }
 
 
-def request_admission(
+def request_membership(
     address: Address,
-    request: AdmissionRequest,
+    request: JoinRequest,
     ask_pin: AskPin,
     link: Link = PLAINTEXT,
     certificate: str = "",
@@ -95,15 +98,16 @@ def request_admission(
             problem = problem_at(address, _REOPENING_S)
             if problem is not None:
                 raise problem from None
+            time.sleep(_REOPENED_PAUSE_S)  # a hub that was just opened does not answer yet
 
 
 def _request_once(
-    address: Address, request: AdmissionRequest, ask_pin: AskPin, link: Link, certificate: str
+    address: Address, request: JoinRequest, ask_pin: AskPin, link: Link, certificate: str
 ) -> Membership:
     session, is_class = open_lobby(address, link)
     with session:
         hub = certificate_identity(certificate) if certificate else dialled_identity(session)
-        return _Enrolment(session, address, hub, is_class=is_class).enrol(request, ask_pin)
+        return _JoinQueries(session, address, hub, is_class=is_class).join(request, ask_pin)
 
 
 def open_lobby(address: Address, link: Link) -> tuple[zenoh.Session, bool]:
@@ -142,7 +146,7 @@ def is_member(joined: Membership) -> bool | None:
     return known if isinstance(known, bool) else None
 
 
-class _Enrolment:
+class _JoinQueries:
     def __init__(
         self, session: zenoh.Session, address: Address, hub: str, *, is_class: bool
     ) -> None:
@@ -151,7 +155,7 @@ class _Enrolment:
         self._address = address
         self._is_class = is_class  # only the hub of a class has users
 
-    def enrol(self, request: AdmissionRequest, ask_pin: AskPin) -> Membership:
+    def join(self, request: JoinRequest, ask_pin: AskPin) -> Membership:
         hello = self._greeting()
         if hello is None:
             return Membership("partner", self._address.host, self._address.port)
@@ -203,7 +207,7 @@ def _checked(answer: dict[str, Any]) -> dict[str, Any]:
         raise WrongPinError
     if kind is not None:
         known = clean_name(str(answer.get("known") or ""))
-        sentence = clean_sentence(str(answer.get("sentence")))
+        sentence = single_line(str(answer.get("sentence")), _MAX_SENTENCE_LENGTH)
         raise RefusedError(str(kind), sentence, known, _wait_s(answer))
     return answer
 

@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from zbot.classroom.hub import running_hub
+from zbot.classroom.hub.queries import hub_facts
 from zbot.classroom.keys import nodes_selector
-from zbot.classroom.machine_state import hub_facts
 from zbot.names import fully_qualified, is_hidden
 from zbot.transport import admin_query, membership, running_programs
 from zbot.transport.config import domain_id
@@ -97,5 +97,6 @@ def names_of(keys: Iterable[str]) -> frozenset[str]:
             tokens.append(parse_token(key))
         except TokenError:
             continue  # any program may declare any token in its domain
-    names = (fully_qualified(one.namespace, one.node) for one in tokens if type(one) is NodeToken)
+    nodes = (token for token in tokens if type(token) is NodeToken)
+    names = (fully_qualified(node.namespace, node.node) for node in nodes)
     return frozenset(name for name in names if not is_hidden(name))

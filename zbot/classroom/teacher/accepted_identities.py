@@ -13,16 +13,16 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from zbot.classroom.teacher.class_record import user_of
+from zbot.classroom.teacher.student import user_of
+from zbot.classroom.teacher.student_number import NUMBERS
 from zbot.security.access import LOBBY, LOBBY_SECRET, TEACHER
-from zbot.transport.config import MAX_DOMAIN_ID
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from zbot.classroom.teacher.class_record import ClassRecord, Identity
+    from zbot.classroom.teacher.student import Identity
+    from zbot.classroom.teacher.student_list import StudentList
 
-NUMBERS = range(1, MAX_DOMAIN_ID + 1)
 # Number of next owners that the hub knows. An identity takes 44 kB of the hub's memory, and it
 # takes 0.2 ms longer to open the hub. So the numbers that a class usually needs get more than the
 # others. If a number has more owners, the hub is opened again.
@@ -37,37 +37,39 @@ class AcceptedIdentities:
     """Identities that a hub accepts from now until it is opened again.
 
     Args:
-        record: The class's data. Numbers may get other owners later.
+        students: The list of the class. Numbers may get other owners later.
+        has_pin: Whether students need a user name and a secret.
     """
 
-    def __init__(self, record: ClassRecord) -> None:
-        self._record = record
-        self._first = dict(record.renewals)  # the renewals of each number now
+    def __init__(self, students: StudentList, *, has_pin: bool) -> None:
+        self._list = students
+        self._has_pin = has_pin
+        self._first = students.renewals()  # the renewals of each number now
 
     def _of(self, number: int) -> list[Identity]:
         first = self._first.get(number, 0)
-        return [self._record.identity(number, first + turn) for turn in range(1 + _later(number))]
+        return [self._list.identity(number, first + turn) for turn in range(1 + _later(number))]
 
     def accepts(self, number: int) -> bool:
         """Return whether the hub accepts the present owner of a number."""
         first = self._first.get(number, 0)
-        return self._record.renewals.get(number, 0) <= first + _later(number)
+        return self._list.renewals().get(number, 0) <= first + _later(number)
 
     def former_hub_ids(self) -> set[str]:
         """Return the ids of the hubs of former owners that the hub still accepts."""
         return {
-            self._record.identity(number, turn).hub_id
-            for number, renewals in dict(self._record.renewals).items()
+            self._list.identity(number, turn).hub_id
+            for number, renewals in self._list.renewals().items()
             for turn in range(self._first.get(number, 0), renewals)
         }
 
     def users(self) -> Iterator[tuple[str, str]]:
         """Yield the name and the secret of every user of the hub."""
         yield LOBBY, LOBBY_SECRET.reveal()
-        yield TEACHER, self._record.secret_of(TEACHER)
+        yield TEACHER, self._list.secret_of(TEACHER)
         for number in NUMBERS:
-            for one in self._of(number):
-                yield one.user, one.secret
+            for identity in self._of(number):
+                yield identity.user, identity.secret
 
     def apply(self, access: dict[str, Any]) -> None:
         """Let the access rules of each number count for all identities of the number.
@@ -82,21 +84,21 @@ class AcceptedIdentities:
             user = subject["id"]
             number = numbers.get(user)
             subjects[user] = self._others(subject) if number is None else self._students(number)
-        access["subjects"] = [one for found in subjects.values() for one in found]
+        access["subjects"] = [subject for found in subjects.values() for subject in found]
         for policy in access["policies"]:
-            found = [one for user in policy["subjects"] for one in subjects[user]]
-            policy["subjects"] = [one["id"] for one in found]
+            found = [subject for user in policy["subjects"] for subject in subjects[user]]
+            policy["subjects"] = [subject["id"] for subject in found]
 
     def _students(self, number: int) -> list[dict[str, Any]]:
-        if self._record.pin:
+        if self._has_pin:
             return [
-                {"id": one.user, "usernames": [one.user], "zids": [one.hub_id]}
-                for one in self._of(number)
+                {"id": identity.user, "usernames": [identity.user], "zids": [identity.hub_id]}
+                for identity in self._of(number)
             ]
-        return [{"id": user_of(number), "zids": [one.hub_id for one in self._of(number)]}]
+        return [{"id": user_of(number), "zids": [identity.hub_id for identity in self._of(number)]}]
 
     def _others(self, subject: dict[str, Any]) -> list[dict[str, Any]]:
-        if self._record.pin:
+        if self._has_pin:
             return [subject]
         user = subject["id"]
         if user == TEACHER:

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
     import zenoh
 
-    from zbot.classroom.teacher.expectation import Expectation
+    from zbot.classroom.teacher.expectation import Expectation, Observed
     from zbot.graph.snapshot import Token
 
 _TOKENS_TIMEOUT_S = 2.0
@@ -56,7 +56,7 @@ def check(
         expectations: The expectations for every student.
     """
     here = [student["number"] for student in students if student["here"]]
-    timed = [one for one in expectations if one.has_rate]
+    timed = [expected for expected in expectations if expected.has_rate]
     rates = _rates(session, here, timed)
     graphs = snapshots(session, here)
     verdicts = []
@@ -64,7 +64,8 @@ def check(
         number = student["number"]
         problems = ["is not here"]
         if number in graphs:
-            problems = [one.problem(graphs[number], rates[number]) for one in expectations]  # pyright: ignore[reportArgumentType] - see Observed
+            graph: Observed = graphs[number]  # pyright: ignore[reportAssignmentType] - see Observed
+            problems = [expected.problem(graph, rates[number]) for expected in expectations]
         verdicts.append(Verdict(number, student["name"], tuple(filter(None, problems))))
     return verdicts
 
@@ -115,10 +116,10 @@ class _Counter:
 def _rates(
     session: zenoh.Session, numbers: Sequence[int], timed: Sequence[Expectation]
 ) -> dict[int, dict[str, float]]:
-    counters = {number: {one.name: _Counter() for one in timed} for number in numbers}
+    counters = {number: {expected.name: _Counter() for expected in timed} for number in numbers}
     if not timed:
         return {number: {} for number in numbers}
-    slowest_hz = min((one.rate_hz for one in timed if one.rate_hz > 0), default=1.0)
+    slowest_hz = min((expected.rate_hz for expected in timed if expected.rate_hz > 0), default=1.0)
     window_s = min(max(_SHORTEST_S, _PERIODS / slowest_hz), _LONGEST_S)
     subscribers = [
         session.declare_subscriber(topic_key(number, name), counter.add)

@@ -1,4 +1,4 @@
-"""Gate between a class and its robot: only the messages of the student who drives may pass."""
+"""Filter between a class and its robot: only the driver's messages may pass."""
 
 from __future__ import annotations
 
@@ -27,18 +27,18 @@ _ANSWER_S = 1.0
 _LOST_S = 5.0
 
 
-class RobotGate:
-    """Gate that knows the driver of a robot, and lets only the driver's messages pass.
+class DriverFilter:
+    """Filter that knows the driver of a robot, and lets only the driver's messages pass.
 
     A message contains the id of its publisher. The message may pass if the publisher's session has
     tokens in the driver's domain, because only the driver's laptop may declare tokens there. The
-    gate is not safe in a class whose shared space is open: in such a class, a student can write the
+    filter is not safe in a class whose shared space is open: in such a class, a student can write the
     id of another publisher into a message.
 
     Args:
         context: The bridge's context, on the teacher's machine.
         robot: The robot's name.
-        stop: Called when a driver stops driving, in a thread of Zenoh or of the gate.
+        stop: Called when a driver stops driving, in a thread of Zenoh or of the filter.
         end: Called when the class is closed.
     """
 
@@ -57,7 +57,7 @@ class RobotGate:
         self._watch: zenoh.Subscriber[None] | None = None
         self._lock = threading.RLock()
         self._is_over = threading.Event()
-        self._thread = threading.Thread(target=self._poll, name="zbot robot gate", daemon=True)
+        self._thread = threading.Thread(target=self._poll, name="zbot robot driver", daemon=True)
 
     def start(self) -> None:
         """Begin to ask the class who drives."""

@@ -190,7 +190,7 @@ def _missing(kind: EntityKind, name: str, present: list[str]) -> str:
 def _same_letters(name: str, present: list[str]) -> list[str]:
     """Return a name that differs only in case, underscores or namespace, if there is one."""
 
-    def bare(one: str) -> str:
-        return one.rpartition("/")[2].replace("_", "").lower()
+    def bare(full: str) -> str:
+        return full.rpartition("/")[2].replace("_", "").lower()
 
-    return [one for one in present if bare(one) == bare(name)][:1]
+    return [other for other in present if bare(other) == bare(name)][:1]

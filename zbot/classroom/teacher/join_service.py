@@ -1,4 +1,4 @@
-"""Admission service of a class. Laptops that have not joined may query only this service.
+"""Service of a class for laptops that join and leave. Other laptops may query only this service.
 
 Each query and reply is a JSON object. `hello` returns the name of the class. `enrol` and `claim`
 are the two steps of the PIN check (`zbot.security.pin`). After these steps the student has a number
@@ -8,12 +8,11 @@ class without a PIN uses the same steps with an empty PIN.
 
 from __future__ import annotations
 
-import hmac
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from zbot.classroom.errors import ClassroomError, ReopeningError
-from zbot.classroom.teacher.student_list import Register, SimilarNameError, TakenError, clean_name
+from zbot.classroom.join_request import Document, JoinRequest
+from zbot.classroom.teacher.student_number import SimilarNameError, TakenError
 from zbot.errors import SetupError
 from zbot.security.pin import PinServer, TooManyGuessesError, WrongPinError
 from zbot.security.secret import Secret
@@ -22,11 +21,7 @@ from zbot.version import __version__
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from zbot.classroom.teacher.student_list import Student
-
-_MACHINE_LENGTH = 64
-
-Document = dict[str, Any]
+    from zbot.classroom.teacher.student_list import StudentList
 
 
 class CopiedMachineError(ClassroomError):
@@ -52,80 +47,36 @@ _REFUSALS: tuple[tuple[type[SetupError], str], ...] = (
 )
 
 
-@dataclass(frozen=True)
-class AdmissionRequest:
-    """A laptop's request to join a class."""
-
-    machine: str  #: identifies the laptop
-    host: str  #: the laptop's host name
-    name: str | None = None  #: the student's name
-    number: int | None = None  #: the student's number, or `None` if the class shall choose it
-    is_new: bool = False  #: whether a similar name in the list is another student
-
-    @classmethod
-    def of(cls, document: Document) -> AdmissionRequest:
-        """Return the request in a document from a laptop. Invalid fields get their defaults."""
-        number = document.get("number")
-        return cls(
-            str(document.get("machine"))[:_MACHINE_LENGTH],
-            clean_name(str(document.get("host") or "")) or "a laptop",
-            clean_name(str(document.get("name") or "")) or None,
-            number if isinstance(number, int) else None,
-            document.get("is_new") is True,
-        )
-
-
-def proof(claim: str, purpose: str) -> str:
-    """Return the proof that the sender of a query owns its number.
-
-    The claim is a random text. Only the owner knows it, because the class sent it encrypted.
-
-    Args:
-        claim: The claim of the number.
-        purpose: What the query asks for: `release`, `member` or `nodes`.
-    """
-    return hmac.new(claim.encode(), purpose.encode(), "sha256").hexdigest()
-
-
-def is_proof(given: object, claim: str, purpose: str) -> bool:
-    """Return whether a value from a laptop is the proof of a claim."""
-    text = str(given).encode(errors="backslashreplace")
-    return hmac.compare_digest(proof(claim, purpose).encode(), text)
-
-
-class AdmissionService:
-    """Service that admits laptops to a class.
+class JoinService:
+    """Service that lets laptops join and leave a class.
 
     Args:
         class_name: The class's name, which `hello` returns.
         pin: The class's PIN. Empty if the class has no PIN.
-        register: The numbers of the class.
+        students: The list of the class.
         is_own_hub: Takes the identity of the hub that a laptop has connected to (see
             `hub_identity`), and returns whether this hub is the class's hub.
         credentials: Takes a number and returns the credentials that its laptop needs for the hub.
             If the hub does not accept them yet, it raises `ReopeningError`.
-        changed: Called with a student's number after the register has changed.
-        is_here: Takes a number, and returns whether its laptop is connected now.
+        changed: Called with a student's number after the list has changed.
     """
 
     def __init__(
         self,
         class_name: str,
         pin: str,
-        register: Register,
+        students: StudentList,
         *,
         is_own_hub: Callable[[str], bool],
         credentials: Callable[[int], Document],
         changed: Callable[[int], None],
-        is_here: Callable[[int], bool] = lambda _number: False,
     ) -> None:
         self._class_name = class_name
         self._has_pin = bool(pin)
         self._pin_server = PinServer(Secret(pin), class_name, is_own_hub)
-        self._register = register
+        self._students = students
         self._credentials = credentials
         self._changed = changed
-        self._is_here = is_here
 
     def answer(self, question: Document) -> Document:
         """Return the reply to a query. A refusal is `{"refused": kind, "sentence": reason}`."""
@@ -152,11 +103,9 @@ class AdmissionService:
 
     def _claim(self, question: Document) -> Document:
         admission = self._pin_server.admit(question)
-        request = AdmissionRequest.of(admission.request)
+        request = JoinRequest.of(admission.request)
         self._check_copied(request.machine)
-        student = self._register.claim(
-            request.number, request.name, request.machine, request.host, is_new=request.is_new
-        )
+        student = self._students.admit(request)
         self._changed(student.number)
         return admission.seal(
             {
@@ -169,25 +118,17 @@ class AdmissionService:
         )
 
     def _check_copied(self, machine: str) -> None:
-        for student in self._register.students.values():
-            if student.machine == machine and self._is_here(student.number):
+        for student in self._students.students():
+            if student.machine == machine and self._students.laptop(student.number).is_here:
                 raise CopiedMachineError(student.number, student.name)
 
     def _release(self, question: Document) -> Document:
-        student = self._owner(question, "release")
+        student = self._students.owner(question, "release")
         if student is None:
             return {"released": False}
-        self._register.free(student.number)
+        self._students.free(student.number)
         self._changed(student.number)
         return {"released": True}
 
     def _member(self, question: Document) -> Document:
-        return {"member": self._owner(question, "member") is not None}
-
-    def _owner(self, question: Document, purpose: str) -> Student | None:
-        """Return the student whose laptop sent a query, or `None` if the proof is wrong."""
-        number = question.get("number")
-        student = self._register.students.get(number) if isinstance(number, int) else None
-        if student is None or not is_proof(question.get("proof"), student.claim, purpose):
-            return None
-        return student
+        return {"member": self._students.owner(question, "member") is not None}

@@ -1,4 +1,4 @@
-"""Attendance of a class: the laptops that the teacher's hub sees, and the facts they report."""
+"""Laptops of a class: the teacher's hub watches them, and asks for the facts that they report."""
 
 from __future__ import annotations
 
@@ -6,63 +6,48 @@ import contextlib
 import queue
 import threading
 import time
-from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import zenoh
 
 from zbot.classroom.hub.queries import document_of
 from zbot.classroom.keys import facts_key, here_key
+from zbot.classroom.student_name import clean_name
 from zbot.classroom.teacher.running_nodes import RunningNodes
-from zbot.classroom.teacher.student_list import clean_name
 from zbot.threads.foreign_call import called_by_zenoh
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
-
     from zbot.classroom.hub.process import HubProcess
+    from zbot.classroom.teacher.student_list import StudentList
 
 _FACTS_TIMEOUT_S = 1.0
-_RETURN_S = 5.0  # laptops reconnect within a second after the hub was reopened
 _MAX_TIME_NS = 1 << 63  # limit for `time_ns`: a number in JSON may have thousands of digits
 
 
-@dataclass
-class ConnectedLaptop:
-    """Facts about a student's laptop."""
+class Laptops:
+    """Laptops of the students of a class. All methods may be called from any thread.
 
-    is_here: bool = False
-    since_ns: int = 0  #: time of the last connection or disconnection (0 if never connected)
-    version: str = ""
-    system: str = ""
-    last_error: dict[str, Any] | None = field(default=None)
-    clock_offset_s: float | None = None  #: the laptop's clock minus the teacher's
+    Args:
+        students: The list in which the hub notes what it sees and hears of the laptops.
+    """
 
-
-class Attendance:
-    """Records which laptops are connected. All methods may be called from any thread."""
-
-    def __init__(self) -> None:
+    def __init__(self, students: StudentList) -> None:
         self.nodes = RunningNodes()  #: the nodes on the laptops
-        self._laptops: dict[int, ConnectedLaptop] = {}
+        self._students = students
         self._lock = threading.Lock()
         self._serving: HubProcess | None = None
         self._watched: dict[int, Any] = {}
-        self._unconfirmed: set[int] = set()  #: laptops that were here before the hub was reopened
-        self._confirm_until_s = 0.0
-        self._arrivals: queue.SimpleQueue[tuple[int, bool] | None] = queue.SimpleQueue()
 
-    def attach(self, serving: HubProcess, numbers: Iterable[int]) -> None:
-        """Watch the laptops of these numbers through a hub that was opened."""
+    def attach(self, serving: HubProcess) -> None:
+        """Watch the laptops of all students through a hub that was opened."""
         with self._lock:
             self._serving = serving
             self._watched.clear()
-            # A laptop may have left while the hub was closed. Zenoh does not report this.
-            self._unconfirmed = {n for n, one in self._laptops.items() if one.is_here}
-            self._confirm_until_s = time.monotonic() + _RETURN_S
+        # A laptop may have left while the hub was closed. Zenoh does not report this.
+        self._students.expect_return()
         self.nodes.watch(serving)
-        for number in numbers:
-            self.watch(number)
+        for student in self._students.students():
+            self.watch(student.number)
 
     def watch(self, number: int) -> None:
         """Watch a student's laptop. Do nothing if it is watched already."""
@@ -80,45 +65,17 @@ class Attendance:
     def _token_callback(self, number: int) -> Any:
         @called_by_zenoh
         def on_token(sample: zenoh.Sample) -> None:
-            self._note(number, sample.kind == zenoh.SampleKind.PUT)
+            self._students.note_seen(number, is_here=sample.kind == zenoh.SampleKind.PUT)
 
         return on_token
 
-    def _note(self, number: int, is_here: bool) -> None:
-        with self._lock:
-            self._unconfirmed.discard(number)
-            laptop = self._laptops.setdefault(number, ConnectedLaptop())
-            if laptop.is_here != is_here:
-                laptop.is_here, laptop.since_ns = is_here, time.time_ns()
-
     def forget(self, number: int) -> None:
-        """Forget a laptop whose number was released."""
+        """Stop watching a laptop whose number was freed."""
         with self._lock:
-            self._laptops.pop(number, None)
             watched = self._watched.pop(number, None)
         if watched is not None:
             with contextlib.suppress(zenoh.ZError):  # the hub is being reopened
                 watched.undeclare()
-
-    def laptop(self, number: int) -> ConnectedLaptop:
-        """Return the facts about a laptop."""
-        with self._lock:
-            self._drop_unconfirmed()
-            return self._laptops.setdefault(number, ConnectedLaptop())
-
-    def _drop_unconfirmed(self) -> None:
-        """Note that missing laptops are gone, if 5 s have passed since the hub was reopened."""
-        if time.monotonic() > self._confirm_until_s:
-            for number in self._unconfirmed & self._laptops.keys():
-                laptop = self._laptops[number]
-                laptop.is_here, laptop.since_ns = False, time.time_ns()
-            self._unconfirmed = set()
-
-    def present(self) -> list[int]:
-        """Return the numbers of the connected laptops."""
-        with self._lock:
-            self._drop_unconfirmed()
-            return [number for number, laptop in self._laptops.items() if laptop.is_here]
 
     def refresh(self) -> None:
         """Query the facts of all connected laptops. Wait for the slowest laptop, at most 1 s."""
@@ -126,7 +83,8 @@ class Attendance:
         if serving is None:
             return
         answers: queue.SimpleQueue[tuple[int, dict[str, Any], int]] = queue.SimpleQueue()
-        asked = {number: self._ask(serving.session, number, answers) for number in self.present()}
+        here = self._students.here()
+        asked = {number: self._ask(serving.session, number, answers) for number in here}
         deadline = time.monotonic() + _FACTS_TIMEOUT_S
         for _ in asked:
             try:
@@ -151,7 +109,7 @@ class Attendance:
         return asked_ns
 
     def _learn(self, number: int, facts: dict[str, Any], asked_ns: int, came_ns: int) -> None:
-        laptop = self.laptop(number)
+        laptop = self._students.laptop(number)
         laptop.version = clean_name(str(facts.get("version", "")))
         laptop.system = clean_name(str(facts.get("system", "")))
         their_ns = facts.get("time_ns")

@@ -23,7 +23,8 @@ from zbot.classroom.hub.queries import ask
 from zbot.classroom.keys import COMMAND_KEY
 from zbot.classroom.teacher.class_check import check, snapshots
 from zbot.classroom.teacher.class_record import ClassRecord, load_record, record_path
-from zbot.classroom.teacher.running_class import Classroom
+from zbot.classroom.teacher.running_class import RunningClass
+from zbot.classroom.teacher.student_list import StudentList
 from zbot.security.access import TEACHER
 from zbot.security.pin import random_pin
 from zbot.transport import membership
@@ -88,7 +89,8 @@ def start(options: ClassOptions) -> tuple[Membership, ClassRecord]:
     if present is None or present.role != "teacher":
         _check_free(present, runs=runs)
         name = options.name or DEFAULT_NAME
-        return _open(name, ClassRecord(name, secrets.token_hex(_MASTER_BYTES)), options)
+        students = StudentList(secrets.token_hex(_MASTER_BYTES))
+        return _open(name, ClassRecord(name, students), options)
     if options.name not in {None, present.class_name}:
         raise OtherClassError(present.class_name)
     record = load_record()
@@ -120,7 +122,7 @@ def _check_options(
     keystore = Link.named(options.keystore).keystore
     wanted = {
         "port": (options.port, present.port),
-        "list of students": (options.expected, record.register.expected),
+        "list of students": (options.expected, record.students.expected),
         "keystore": (keystore, record.keystore),
     }
     for what, (given, known) in wanted.items():
@@ -133,14 +135,14 @@ def _open(
 ) -> tuple[Membership, ClassRecord]:
     if options.new_pin or (options.with_pin and not record.pin):
         record.pin = options.pin or random_pin().reveal()
-    record.register.expected = options.expected or record.register.expected
+    record.students.expected = options.expected or record.students.expected
     host = next(iter(own_addresses()), LOOPBACK)
     record.keystore = Link.named(options.keystore).keystore or record.keystore
     Link(record.keystore).check_listening(host)
     port = options.port or (present.port if present is not None else hub_port())
     opened = Membership("teacher", host, port, class_name=name, hub_port=hub_port())
     if record.pin:
-        opened = replace(opened, user=TEACHER, secret=record.secret_of(TEACHER))
+        opened = replace(opened, user=TEACHER, secret=record.students.secret_of(TEACHER))
     record.save()
     membership.save(opened)
     try:
@@ -241,5 +243,5 @@ def graph_of(number: int) -> Snapshot:
 
 def run_teacher(opened: Membership, on_ready: Callable[[], None]) -> None:
     """Run the hub of a class until SIGTERM or SIGINT."""
-    classroom = Classroom(load_record(), opened.port)
-    serve("teacher", classroom.settings, on_ready, classroom.attach)
+    running = RunningClass(load_record(), opened.port)
+    serve("teacher", running.settings, on_ready, running.attach)

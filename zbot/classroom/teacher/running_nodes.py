@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import zenoh
 
+from zbot.classroom.keys import MAX_LISTED_NODES
 from zbot.names import fully_qualified, is_hidden
 from zbot.transport.admin_query import large_queue
 from zbot.wire.tokens import NodeToken, parse_token
@@ -17,7 +18,6 @@ if TYPE_CHECKING:
 
     from zbot.classroom.hub.process import HubProcess
 
-MAX_LISTED = 200  #: largest number of listed nodes of one student
 _MAX_LENGTH = 255  # characters of a name, as in ROS 2
 _NODE_TOKENS = "@zbot/*/*/*/*/NN/**"
 
@@ -73,13 +73,13 @@ class RunningNodes:
                 domain.pop(key, None)
 
     def listed(self, domain: int) -> tuple[list[str], int]:
-        """Return the full names of a domain's nodes, at most `MAX_LISTED`, and how many more run.
+        """Return the full names of a domain's nodes, and how many more of its nodes run.
 
-        Hidden nodes are left out.
+        At most `MAX_LISTED_NODES` names are returned. Hidden nodes are left out.
         """
         with self._lock:
             names = self._names.get(domain, {})
-            first = sorted(itertools.islice(names.values(), MAX_LISTED))
+            first = sorted(itertools.islice(names.values(), MAX_LISTED_NODES))
             return first, len(names) - len(first)
 
 

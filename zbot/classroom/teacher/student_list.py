@@ -1,246 +1,231 @@
-"""Register of a class: the numbers that laptops have claimed, and the teacher's list of students.
+"""List of the students of a class: who has which number, secret and name, and who is here.
 
 This module does not use the network.
 """
 
 from __future__ import annotations
 
-import csv
-import io
-import secrets
-from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+import hashlib
+import hmac
+import threading
+import time
+from dataclasses import asdict
+from typing import TYPE_CHECKING, Any
 
-from zbot.classroom.errors import ClassroomError
-from zbot.errors import shortened
-from zbot.errors.suggestion import nearest
-from zbot.terminal.text import single_line
-from zbot.transport.config import MAX_DOMAIN_ID
+from zbot.classroom.join_request import is_proof
+from zbot.classroom.teacher.student import Identity, Laptop, Student, user_of
+from zbot.classroom.teacher.student_number import student_for
 
 if TYPE_CHECKING:
-    from pathlib import Path
+    from zbot.classroom.join_request import JoinRequest
 
-MAX_NAME_LENGTH = 64
-MAX_SENTENCE_LENGTH = 500
-_MAX_DIGITS = 9
-_CLAIM_BYTES = 8
-
-
-class TakenError(ClassroomError):
-    """Another student has the number."""
-
-    def __init__(self, number: int, holder: str) -> None:
-        self.number, self.holder = number, holder
-        super().__init__(
-            f"number {number} is taken by {holder}: choose another with --number, leave --number "
-            "out, or ask the teacher to free it with `zbot class free NUMBER`"
-        )
+_ID_DIGITS = 31  # digits after the first: Zenoh's ids have 16 bytes, which are 32 hex digits
+# A laptop that joins needs less than 20 s until its hub is linked (see `student.joining`). After
+# this time, the class frees the number of a laptop that never was.
+_JOINING_S = 60.0
+_RETURN_S = 5.0  # laptops reconnect within a second after the hub was reopened
 
 
-class NumberError(ClassroomError, ValueError):
-    """A student's number is out of range."""
+class StudentList:
+    """List of the students of a class. All methods may be called from any thread.
 
-    def __init__(self, number: object) -> None:
-        self.number = number
-        super().__init__(f"a student's number must be from 1 to {MAX_DOMAIN_ID}, not {number!r}")
-
-
-class FullClassError(ClassroomError):
-    """Every number is taken."""
-
-    def __init__(self) -> None:
-        super().__init__(f"the class is full: all {MAX_DOMAIN_ID} numbers are taken")
-
-
-class SimilarNameError(ClassroomError, ValueError):
-    """A name is not in the list of students, but a similar name is."""
-
-    def __init__(self, name: str, known: str) -> None:
-        self.name, self.known = name, known
-        super().__init__(
-            f'the teacher\'s list has no "{name}", but "{known}": type --name "{known}", '
-            "or add --new-student if you are somebody else"
-        )
-
-
-class RosterError(ClassroomError, ValueError):
-    """A list of students cannot be read."""
-
-    def __init__(self, line: int, reason: str) -> None:
-        self.line, self.reason = line, reason
-        where = f"line {line} of the list of students" if line else "the list of students"
-        super().__init__(f"{where}: {reason} (lines are: number,name)")
-
-
-def clean_name(text: str) -> str:
-    """Return a name that is safe to print: one line of at most 64 printable characters.
-
-    Control characters and characters that change the direction of writing become spaces.
+    Args:
+        master: The key from which all secrets of the class are derived.
+        expected: The names that the teacher expects, by number.
     """
-    return single_line(text, MAX_NAME_LENGTH)
 
+    def __init__(self, master: str, expected: dict[int, str] | None = None) -> None:
+        self._master = master
+        self.expected = expected or {}
+        self._students: dict[int, Student] = {}
+        self._machines: dict[int, str] = {}  # the machine that has a number's secret
+        self._renewals: dict[int, int] = {}  # how often a number got another owner
+        self._laptops: dict[int, Laptop] = {}
+        self._joining: dict[int, float] = {}  # when laptops joined that were not linked yet
+        self._unconfirmed: set[int] = set()  # laptops that were here before the hub was reopened
+        self._confirm_until_s = 0.0
+        self._lock = threading.RLock()
 
-def clean_sentence(text: str) -> str:
-    """Return a message from another machine as one line of at most 500 printable characters."""
-    return single_line(text, MAX_SENTENCE_LENGTH)
-
-
-@dataclass(frozen=True)
-class Student:
-    """A student who has joined."""
-
-    number: int
-    name: str
-    machine: str  #: random text that identifies the laptop
-    host: str  #: the laptop's host name
-    claim: str = field(default_factory=lambda: secrets.token_hex(_CLAIM_BYTES))
-
-
-@dataclass
-class Register:
-    """The numbers of a class."""
-
-    expected: dict[int, str] = field(default_factory=dict)  #: names by number, from the teacher
-    students: dict[int, Student] = field(default_factory=dict)
-
-    def claim(
-        self,
-        number: int | None,
-        name: str | None,
-        machine: str,
-        host: str,
-        *,
-        is_new: bool = False,
-    ) -> Student:
-        """Give a number to a laptop, and return the laptop's student.
-
-        Args:
-            number: The requested number. If it is `None`, the laptop keeps its number. A laptop
-                with no number gets the student's number in the list, else the lowest free number.
-            name: The student's name. If it is `None`, the name in the list is used, or else the
-                host name. If another student already has this host name, the number is
-                added to the host name.
-            machine: The laptop's identifier.
-            host: The laptop's host name.
-            is_new: Whether a similar name in the list is another student.
+    @classmethod
+    def of(cls, document: dict[str, Any]) -> StudentList:
+        """Return the list in the document of a class's file, see `document`.
 
         Raises:
-            NumberError: The number is out of range.
-            TakenError: Another laptop has the number, or the list keeps it for another name.
-            FullClassError: No number is free.
-            SimilarNameError: The name is not in the list, but a similar name is. No other laptop
-                has the number of the similar name.
+            KeyError: A part is missing.
+            ValueError: A number is not valid.
+            TypeError: A part has another type.
+            AttributeError: As above.
         """
-        if name and not is_new:
-            self._check_similar(name, machine)
-        wanted = self._number(number, name, machine)
-        holder = self.students.get(wanted)
-        if holder is not None and holder.machine != machine:
-            raise TakenError(wanted, holder.name)
-        kept_for = self.expected.get(wanted)
-        if kept_for and name and name.casefold() != kept_for.casefold():
-            raise TakenError(wanted, kept_for)
-        student = Student(wanted, kept_for or name or self._name(host, wanted), machine, host)
-        # This makes a new dictionary, because another thread may iterate over the old dictionary.
-        others = {n: one for n, one in self.students.items() if one.machine != machine}
-        self.students = {**others, wanted: student}
-        return student
-
-    def _check_similar(self, name: str, machine: str) -> None:
-        missing = {
-            listed.casefold(): listed
-            for number, listed in self.expected.items()
-            if number not in self.students or self.students[number].machine == machine
-        }
-        everybody = {listed.casefold() for listed in self.expected.values()}
-        guess = nearest(name.casefold(), missing)
-        if guess is not None and name.casefold() not in everybody:
-            raise SimilarNameError(name, missing[guess])
-
-    def _name(self, host: str, number: int) -> str:
-        """Return the name of a student without a name. Laptops may have equal host names."""
-        others = {one.name for n, one in self.students.items() if n != number}
-        return f"{host}-{number}" if host in others else host
-
-    def _number(self, number: int | None, name: str | None, machine: str) -> int:
-        if number is not None:
-            if not 1 <= number <= MAX_DOMAIN_ID:
-                raise NumberError(number)
-            return number
-        for student in self.students.values():
-            if student.machine == machine:
-                return student.number
-        for listed, known in self.expected.items():
-            if name and name.casefold() == known.casefold():
-                return listed
-        taken = self.students.keys() | self.expected.keys()
-        free = (one for one in range(1, MAX_DOMAIN_ID + 1) if one not in taken)
-        found = next(free, None)
-        if found is None:
-            raise FullClassError
+        register = document.pop("register")
+        found = cls(document.pop("master"), _by_number(register["expected"]))
+        students = _by_number(register["students"])
+        found._students = {number: Student(**fields) for number, fields in students.items()}
+        found._machines = _by_number(document.pop("holders"))
+        found._renewals = _by_number(document.pop("renewals"))
         return found
+
+    def document(self) -> dict[str, Any]:
+        """Return the list for the class's file. It contains the key of all secrets."""
+        with self._lock:
+            students = {number: asdict(student) for number, student in self._students.items()}
+            return {
+                "master": self._master,
+                "register": {"expected": dict(self.expected), "students": students},
+                "holders": dict(self._machines),
+                "renewals": dict(self._renewals),
+            }
+
+    # -- numbers and names -------------------------------------------------------------------------
+
+    def admit(self, request: JoinRequest) -> Student:
+        """Give a number, a name and an identity to a laptop, and return its student.
+
+        If another machine knows the number's secret, the number gets its next identity.
+
+        Raises:
+            ClassroomError: The laptop does not get the number (see `student_for`).
+        """
+        with self._lock:
+            student = student_for(request, self._students, self.expected)
+            for number, other in list(self._students.items()):
+                if other.machine == request.machine and number != student.number:
+                    self.free(number)
+            self._students[student.number] = student
+            self._joining[student.number] = time.monotonic()
+            if self._machines.get(student.number, student.machine) != student.machine:
+                self.renew(student.number)
+            self._machines[student.number] = student.machine
+            return student
+
+    def free(self, number: int) -> Student | None:
+        """Free a number. Return the student who had it, or `None` if it was free."""
+        with self._lock:
+            self._joining.pop(number, None)
+            self._laptops.pop(number, None)
+            return self._students.pop(number, None)
+
+    def free_never_linked(self) -> list[int]:
+        """Free the numbers of laptops that have joined, but were never linked with the class."""
+        late_s = time.monotonic() - _JOINING_S
+        with self._lock:
+            late = [number for number, since_s in self._joining.items() if since_s <= late_s]
+            for number in late:
+                del self._joining[number]
+            freed = [number for number in late if not self.laptop(number).is_here]
+            for number in freed:
+                self.free(number)
+        return freed
+
+    def begin_period(self, expected: dict[int, str]) -> None:
+        """Free all numbers, and let no former owner use its identity any more.
+
+        Args:
+            expected: The names that the teacher expects in the new period, by number.
+        """
+        with self._lock:
+            for number in list(self._machines):
+                self.renew(number)
+            for number in list(self._students):
+                self.free(number)
+            self.expected = expected
+
+    def students(self) -> list[Student]:
+        """Return the students who have joined, in the order of their numbers."""
+        with self._lock:
+            return [self._students[number] for number in sorted(self._students)]
+
+    def student(self, number: object) -> Student | None:
+        """Return the student who has a number, or `None`."""
+        return self._students.get(number) if isinstance(number, int) else None
+
+    def missing(self) -> dict[int, str]:
+        """Return the expected names whose students have not joined, by number."""
+        with self._lock:
+            numbers = sorted(self.expected.keys() - self._students.keys())
+            return {number: self.expected[number] for number in numbers}
 
     def namesakes(self, student: Student) -> list[int]:
         """Return the numbers of the other students who have the name of this student."""
         name = student.name.casefold()
-        return sorted(
-            number
-            for number, one in self.students.items()
-            if one.name.casefold() == name and number != student.number
-        )
+        others = [other for other in self.students() if other.number != student.number]
+        return [other.number for other in others if other.name.casefold() == name]
 
-    def free(self, number: int) -> Student | None:
-        """Free a number. Return the student who had it, or `None` if it was free."""
-        freed = self.students.get(number)
-        self.students = {n: one for n, one in self.students.items() if n != number}
-        return freed
+    def owner(self, question: dict[str, Any], purpose: str) -> Student | None:
+        """Return the student whose laptop sent a query, or `None` if its proof is wrong.
+
+        Args:
+            question: The query, with the student's number and the proof.
+            purpose: What the query asks for, see `proof`.
+        """
+        student = self.student(question.get("number"))
+        if student is None or not is_proof(question.get("proof"), student.claim, purpose):
+            return None
+        return student
+
+    # -- secrets -----------------------------------------------------------------------------------
+
+    def secret_of(self, user: str) -> str:
+        """Return a user's secret. Calls with the same name return the same secret."""
+        return hmac.new(self._master.encode(), user.encode(), hashlib.sha256).hexdigest()
+
+    def renewals(self) -> dict[int, int]:
+        """Return how often each number got another owner."""
+        with self._lock:
+            return dict(self._renewals)
+
+    def renew(self, number: int) -> None:
+        """Give a number its next identity. The identity of the number's former owner ends."""
+        with self._lock:
+            self._renewals[number] = self._renewals.get(number, 0) + 1
+            self._machines.pop(number, None)
+
+    def identity(self, number: int, renewals: int | None = None) -> Identity:
+        """Return the identity that a number has now, or after some renewals."""
+        times = self._renewals.get(number, 0) if renewals is None else renewals
+        user = user_of(number) + f"-{times}" * bool(times)
+        hub_id = "f" + self.secret_of(f"hub of {user}")[:_ID_DIGITS]
+        return Identity(user, self.secret_of(user), hub_id)
+
+    # -- who is here -------------------------------------------------------------------------------
+
+    def note_seen(self, number: int, *, is_here: bool) -> None:
+        """Note that a laptop has connected or disconnected."""
+        with self._lock:
+            self._unconfirmed.discard(number)
+            laptop = self._laptops.setdefault(number, Laptop())
+            if laptop.is_here != is_here:
+                laptop.is_here, laptop.since_ns = is_here, time.time_ns()
+
+    def note_linked(self, number: int) -> None:
+        """Note that the hub of a laptop that joins was linked with the class."""
+        with self._lock:
+            self._joining.pop(number, None)
+
+    def expect_return(self) -> None:
+        """Take laptops for gone that are not seen again within 5 s, as the hub was reopened."""
+        with self._lock:
+            self._unconfirmed = {n for n, laptop in self._laptops.items() if laptop.is_here}
+            self._confirm_until_s = time.monotonic() + _RETURN_S
+
+    def laptop(self, number: int) -> Laptop:
+        """Return when a laptop was seen, and what it has reported."""
+        with self._lock:
+            self._drop_unconfirmed()
+            return self._laptops.setdefault(number, Laptop())
+
+    def here(self) -> list[int]:
+        """Return the numbers of the connected laptops."""
+        with self._lock:
+            self._drop_unconfirmed()
+            return [number for number, laptop in self._laptops.items() if laptop.is_here]
+
+    def _drop_unconfirmed(self) -> None:
+        if time.monotonic() > self._confirm_until_s:
+            for number in self._unconfirmed & self._laptops.keys():
+                laptop = self._laptops[number]
+                laptop.is_here, laptop.since_ns = False, time.time_ns()
+            self._unconfirmed = set()
 
 
-def load_roster(path: Path) -> dict[int, str]:
-    """Return the names by number from a file with a list of students.
-
-    Raises:
-        RosterError: The file cannot be read, or has an error (see `read_roster`).
-    """
-    try:
-        return read_roster(path.read_text(encoding="utf-8"))
-    except (OSError, UnicodeDecodeError) as exc:
-        raise RosterError(0, f"{path}: {getattr(exc, 'strerror', None) or exc}") from exc
-
-
-def read_roster(text: str) -> dict[int, str]:
-    """Return the names by number from a list of students.
-
-    The list has lines of `number,name` or `number;name`, with or without a heading.
-
-    Raises:
-        RosterError: A line has no number from 1 to 232, or two lines have the same number.
-    """
-    found: dict[int, str] = {}
-    for line, row in enumerate(_rows(text), 1):
-        cells = [cell.strip() for cell in row]
-        if not any(cells) or (line == 1 and not cells[0].isdigit()):
-            continue
-        number = int(cells[0]) if _is_short_number(cells[0]) else 0
-        if not 1 <= number <= MAX_DOMAIN_ID:
-            raise RosterError(
-                line, f"{shortened(cells[0])} is not a number from 1 to {MAX_DOMAIN_ID}"
-            )
-        if number in found:
-            raise RosterError(line, f"number {number} appears twice")
-        found[number] = clean_name(" ".join(cells[1:]))
-    return found
-
-
-def _is_short_number(text: str) -> bool:
-    # Python raises an error for thousands of digits.
-    return text.isascii() and text.isdigit() and len(text) <= _MAX_DIGITS
-
-
-def _rows(text: str) -> list[list[str]]:
-    separator = ";" if text.count(";") > text.count(",") else ","
-    rows = csv.reader(io.StringIO(text.lstrip("\ufeff")), delimiter=separator)
-    try:
-        return list(rows)
-    except csv.Error as exc:
-        raise RosterError(rows.line_num, str(exc)) from exc
+def _by_number(document: dict[str, Any]) -> dict[int, Any]:
+    return {int(number): value for number, value in document.items()}

@@ -57,9 +57,10 @@ def start(
     as_json: AsJson = False,
 ) -> None:
     """Start a class, or show its join code."""
-    from zbot.classroom.teacher import opening  # noqa: PLC0415 - not needed by `--help`
+    from zbot.classroom.student_name import clean_name  # noqa: PLC0415 - not needed by `--help`
+    from zbot.classroom.teacher import opening  # noqa: PLC0415 - as above
     from zbot.classroom.teacher.invitation import invitation_to  # noqa: PLC0415 - as above
-    from zbot.classroom.teacher.student_list import clean_name, load_roster  # noqa: PLC0415 - as above
+    from zbot.classroom.teacher.roster import load_roster  # noqa: PLC0415 - as above
     from zbot_cli.domain.client import print_programs_outside  # noqa: PLC0415 - as above
 
     robots = _robots(robot or [])
@@ -266,7 +267,7 @@ def begin_next_period(
     """
     from zbot.classroom.teacher.invitation import invitation  # noqa: PLC0415 - not needed by `--help`
     from zbot.classroom.teacher.opening import command  # noqa: PLC0415 - as above
-    from zbot.classroom.teacher.student_list import load_roster  # noqa: PLC0415 - as above
+    from zbot.classroom.teacher.roster import load_roster  # noqa: PLC0415 - as above
 
     expected = load_roster(students) if students else None
     freed = command({"op": "next", "expected": expected})["freed"]

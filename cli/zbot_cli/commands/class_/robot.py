@@ -92,10 +92,12 @@ def run(robot: RobotSpec, rates: list[str]) -> None:
     """Run a robot's bridge until the class is closed."""
     from zbot.bridge.bridge import BridgeOptions, run_dds  # noqa: PLC0415 - in the background only
     from zbot.bridge.selection import Selection, read_rate  # noqa: PLC0415 - as above
-    from zbot.classroom.teacher.driver_filter import RobotGate  # noqa: PLC0415 - as above
+    from zbot.classroom.teacher.driver_filter import DriverFilter  # noqa: PLC0415 - as above
 
-    def make_gate(context: Context, stop: Callable[[], None], end: Callable[[], None]) -> RobotGate:
-        return RobotGate(context, robot.name, stop, end)
+    def make_filter(
+        context: Context, stop: Callable[[], None], end: Callable[[], None]
+    ) -> DriverFilter:
+        return DriverFilter(context, robot.name, stop, end)
 
     lock = background_process.lock_path(f"robot-{robot.name}")
     with lock.open("a", encoding="utf-8") as file:
@@ -107,7 +109,7 @@ def run(robot: RobotSpec, rates: list[str]) -> None:
                 ros_domain=robot.ros_domain,
                 prefix=f"/class/{robot.name}",
                 selection=Selection(rates=tuple(map(read_rate, rates))),
-                make_gate=make_gate,
+                make_filter=make_filter,
                 on_ready=report_ready,
             )
         )

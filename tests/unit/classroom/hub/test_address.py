@@ -56,10 +56,10 @@ def test_addresses_are_zenoh_endpoints() -> None:
 def test_a_machine_knows_its_own_addresses() -> None:
     found = own_addresses()
     assert len(set(found)) == len(found)
-    for one in found:
-        assert not one.startswith("127.")
+    for own in found:
+        assert not own.startswith("127.")
         with socket.socket() as probe:
-            probe.bind((one, 0))  # only an own address can be bound
+            probe.bind((own, 0))  # only an own address can be bound
 
 
 def test_addresses_of_all_interfaces_are_known(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -69,7 +69,7 @@ def test_addresses_of_all_interfaces_are_known(monkeypatch: pytest.MonkeyPatch) 
         "wlan0": [("fe80::1", 0, 3), "198.51.100.7", "198.51.100.8"],
     }
     adapters = [
-        ifaddr.Adapter(name, name, [ifaddr.IP(one, 24, name) for one in addresses])
+        ifaddr.Adapter(name, name, [ifaddr.IP(ip, 24, name) for ip in addresses])
         for name, addresses in names.items()
     ]
     monkeypatch.setattr(ifaddr, "get_adapters", lambda: adapters)

@@ -14,6 +14,10 @@ class Hub:
 
     def __init__(self) -> None:
         self.reopenings = 0
+        self.session = None
+
+    def is_linked(self) -> bool:
+        return True
 
     def reopen(self) -> None:
         self.reopenings += 1
@@ -46,5 +50,38 @@ def test_a_hub_is_reopened_if_the_same_is_missing_twice(
     hub: Any = Hub()
     changes.put(True)
     LinkCheck(17, None)._run(hub, changes)
+    assert hub.reopenings == reopenings
+    assert not answers
+
+
+@pytest.mark.parametrize(
+    ("known", "told", "reopenings"),
+    [
+        (True, [None, None], 1),  # only the link is at fault
+        (False, [None], 0),  # the class does not accept this laptop
+        (None, [None], 0),  # the class is suspended
+        (None, [None, {"nodes": [], "here": False}, {"nodes": [], "here": False}], 1),
+    ],
+)
+def test_a_hub_is_reopened_only_if_the_class_answers_in_its_lobby(
+    monkeypatch: pytest.MonkeyPatch,
+    known: bool | None,
+    told: list[dict[str, Any] | None],
+    reopenings: int,
+) -> None:
+    monkeypatch.setattr(link_check, "_CALM_S", 0.01)
+    changes: queue.SimpleQueue[bool] = queue.SimpleQueue()
+    answers = list(told)
+
+    def of_class() -> dict[str, Any] | None:
+        answer = answers.pop(0)
+        if not answers:
+            changes.put(False)  # the hub is closed after the last check
+        return answer
+
+    monkeypatch.setattr(LinkCheck, "_missing_at_router", lambda *_: (frozenset(), set()))
+    hub: Any = Hub()
+    changes.put(True)
+    LinkCheck(17, of_class, lambda: known)._run(hub, changes)
     assert hub.reopenings == reopenings
     assert not answers

@@ -1,4 +1,4 @@
-"""Tests of the gate between a class and its robot."""
+"""Tests of the filter between a class and its robot."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ import zenoh
 
 from tests.conftest import wait_until
 from zbot.classroom.teacher import driver_filter
-from zbot.classroom.teacher.driver_filter import RobotGate
+from zbot.classroom.teacher.driver_filter import DriverFilter
 
 if TYPE_CHECKING:
     import pytest
 
 
-def test_a_question_that_fails_does_not_end_the_gate(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_question_that_fails_does_not_end_the_filter(monkeypatch: pytest.MonkeyPatch) -> None:
     asked: list[float] = []
     is_closed = threading.Event()
 
@@ -43,12 +43,12 @@ def test_a_question_that_fails_does_not_end_the_gate(monkeypatch: pytest.MonkeyP
 
     stops: list[str] = []
     context: Any = Context()
-    gate = RobotGate(context, "arm", lambda: stops.append("stop"), lambda: stops.append("end"))
-    gate.driver, gate._sessions = 17, {"ab"}  # as if a student drove
-    gate.start()
+    robot = DriverFilter(context, "arm", lambda: stops.append("stop"), lambda: stops.append("end"))
+    robot.driver, robot._sessions = 17, {"ab"}  # as if a student drove
+    robot.start()
     assert wait_until(lambda: len(asked) > 3)
     assert wait_until(lambda: stops == ["stop"])
-    assert gate.driver is None
+    assert robot.driver is None
     is_closed.set()
-    assert wait_until(lambda: not gate._thread.is_alive())
-    gate.close()
+    assert wait_until(lambda: not robot._thread.is_alive())
+    robot.close()

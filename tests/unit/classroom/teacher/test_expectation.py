@@ -26,7 +26,7 @@ WORK = Snapshot(
 
 def problems(text: str, rate_hz: float = 1.0) -> list[str]:
     rates = {"/student_id": rate_hz}
-    found = (one.problem(WORK, rates) for one in parse_expectations(text))  # pyright: ignore[reportArgumentType] - see Observed
+    found = (expected.problem(WORK, rates) for expected in parse_expectations(text))  # pyright: ignore[reportArgumentType] - see Observed
     return [problem for problem in found if problem]
 
 

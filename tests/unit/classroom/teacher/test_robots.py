@@ -34,7 +34,7 @@ def test_a_robot_whose_bridge_is_gone_is_taken_from_its_driver(
     robots = Robots()
     robots.note("arm")
     robots.give("arm", 17)
-    monkeypatch.setattr("zbot.classroom.robots._LOST_S", -1.0)
+    monkeypatch.setattr("zbot.classroom.teacher.robots._LOST_S", -1.0)
     assert robots.connected() == []
     robots.give("arm", None)
     assert robots.drivers == {}

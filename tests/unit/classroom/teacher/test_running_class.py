@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
-from zbot.classroom.teacher import running_class
+from zbot.classroom.join_request import JoinRequest, proof
+from zbot.classroom.teacher import student_list
 from zbot.classroom.teacher.class_record import ClassRecord
-from zbot.classroom.teacher.join_service import AdmissionRequest, proof
-from zbot.classroom.teacher.running_class import Classroom
+from zbot.classroom.teacher.running_class import RunningClass
+from zbot.classroom.teacher.student_list import StudentList
 from zbot.security.pin import PinClient
 from zbot.security.secret import Secret
 
@@ -35,20 +36,20 @@ class Lesson:
 
     def __init__(self) -> None:
         self.hub = Hub()
-        self.record = ClassRecord("Robots", "master")
-        self.room = Classroom(self.record, 7447)
-        self.room._serving = self.hub  # type: ignore[assignment]
+        self.record = ClassRecord("Robots", StudentList("master"))
+        self.room = RunningClass(self.record, 7447)
+        self.room._serving = self.room._commands._serving = self.hub  # type: ignore[assignment]
 
     def join(self, machine: str, number: int | None = None, name: str = "Ana") -> dict[str, Any]:
         """Ask for admission, and return the answer."""
         client = PinClient(Secret(""), "Robots", "hub")
         challenge = self.ask({"op": "enrol", **client.hello()})
-        request = asdict(AdmissionRequest(machine, "laptop", name, number))
+        request = asdict(JoinRequest(machine, "laptop", name, number))
         sealed = self.ask({"op": "claim", **client.claim(challenge, request)})
         return sealed if "refused" in sealed else client.opened(sealed)
 
     def ask(self, question: dict[str, Any]) -> dict[str, Any]:
-        return self.room._answer_admission(question)
+        return self.room._answer_lobby(question)
 
     def confirm(self, given: dict[str, Any]) -> dict[str, Any]:
         """Ask as a laptop whose hub is linked."""
@@ -62,7 +63,7 @@ class Lesson:
 
     @property
     def numbers(self) -> list[int]:
-        return sorted(self.record.register.students)
+        return [student.number for student in self.record.students.students()]
 
 
 @pytest.fixture
@@ -107,7 +108,7 @@ def test_a_laptop_that_was_never_linked_loses_its_number(
     lesson.confirm(lesson.join("linked"))
     lesson.join("never linked")
     assert lesson.numbers == [1, 2]
-    monkeypatch.setattr(running_class, "_JOINING_S", 0.0)
+    monkeypatch.setattr(student_list, "_JOINING_S", 0.0)
     lesson.ask({"op": "hello"})
     assert lesson.numbers == [1]
 
@@ -141,10 +142,10 @@ def test_students_with_the_same_name_are_told(lesson: Lesson) -> None:
 
 def test_a_freed_number_says_whose_it_was(lesson: Lesson) -> None:
     lesson.join("first", 7)
-    told = lesson.room._answer_command({"op": "free", "number": 7})
+    told = lesson.room._commands.answer({"op": "free", "number": 7})
     assert told == {"freed": 7, "name": "Ana", "host": "laptop", "here": False}
     assert lesson.hub.reopenings == 1
     assert (
         "no student has number 7"
-        in lesson.room._answer_command({"op": "free", "number": 7})["error"]
+        in lesson.room._commands.answer({"op": "free", "number": 7})["error"]
     )
