@@ -15,6 +15,7 @@ from zbot.classroom.keys import HUB_KEY
 from zbot.classroom.student.lobby import is_member, open_lobby
 from zbot.classroom.teacher.invitation import invitation
 from zbot.security.errors import SecurityError
+from zbot.threads.deadline import Deadline
 from zbot.transport import environment, membership, running_programs
 from zbot.transport.config import hub_port
 from zbot.transport.session import open_hub_client
@@ -77,11 +78,11 @@ def _settled_facts(joined: Membership | None, pid: int) -> tuple[dict[str, Any],
 
     A hub that reconnects now is not linked for a moment, so this counts only after 2 s.
     """
-    deadline = time.monotonic() + _RECONNECTED_S
+    deadline = Deadline(_RECONNECTED_S)
     while True:
         facts = hub_facts(pid)
         problem = link_problem(joined, facts) if joined else None
-        if problem not in _PASSING or time.monotonic() > deadline:
+        if problem not in _PASSING or deadline.is_over:
             return facts, problem
         time.sleep(_PAUSE_S)
 
