@@ -5,7 +5,6 @@ from __future__ import annotations
 import contextlib
 import inspect
 import threading
-import time
 import uuid
 import weakref
 from functools import partial
@@ -33,6 +32,7 @@ from zbot.qos import (
     qos_profile_action_status_default,
     qos_profile_services_default,
 )
+from zbot.threads.deadline import Deadline
 from zbot.time import S_TO_NS, ClockType, as_seconds
 
 from action_msgs.srv import CancelGoal
@@ -193,8 +193,8 @@ class ActionClient(ActionEndpoint[GoalT, ResultT, FeedbackT]):
         """Wait for a server.
 
         Args:
-            timeout_sec: Seconds to wait, or a `Duration`. With `None` or a negative number, only
-                the context's shutdown limits the wait.
+            timeout_sec: Seconds to wait, or a `Duration`. With `None`, only the context's shutdown
+                limits the wait. With a negative number, do not wait.
 
         Returns:
             Whether there is a server.
@@ -203,23 +203,16 @@ class ActionClient(ActionEndpoint[GoalT, ResultT, FeedbackT]):
             InvalidHandleError: The client or its node was destroyed.
             ArgumentTypeError: `timeout_sec` is neither a number nor a `Duration`.
         """
-        timeout_s = as_seconds("timeout_sec", timeout_sec)
-        endless = timeout_s is None or timeout_s < 0
-        deadline = time.monotonic() + (0 if timeout_s is None or endless else timeout_s)
-
-        def left() -> float | None:
-            return None if endless else max(0.0, deadline - time.monotonic())
-
+        deadline = Deadline(as_seconds("timeout_sec", timeout_sec))
         context = self._node.context
         for client in (self._cancel_client, self._result_client, self._goal_client):
-            if not client.wait_for_service(left()):
+            if not client.wait_for_service(deadline.left_s):
                 return False
         while context.is_running and not self._has_publishers():
-            remaining = left()
-            step = _STEP_S if remaining is None else min(remaining, _STEP_S)
-            if not step:
+            if deadline.is_over:
                 return False
-            context.graph.wait_for(lambda _: self._has_publishers(), step)
+            step_s = min(deadline.left_s, _STEP_S)
+            context.graph.wait_for(lambda _: self._has_publishers(), step_s)
         return self.server_is_ready()
 
     def send_goal_async(
@@ -259,17 +252,17 @@ class ActionClient(ActionEndpoint[GoalT, ResultT, FeedbackT]):
         self._remember(request.goal_id, feedback_callback)
         future: _ActionFuture[ClientGoalHandle[GoalT, ResultT, FeedbackT]]
         future = _ActionFuture(self._node)
-        self._send(request, future, time.monotonic() + _SERVER_TIMEOUT_S)
+        self._send(request, future, Deadline(_SERVER_TIMEOUT_S))
         return future
 
     def _send(
         self,
         request: Any,
         future: _ActionFuture[ClientGoalHandle[GoalT, ResultT, FeedbackT]],
-        until: float,
+        deadline: Deadline,
     ) -> None:
         response = self._goal_client.call_server_async(request)
-        self._then(response, partial(self._on_goal_response, request, future, response, until))
+        self._then(response, partial(self._on_goal_response, request, future, response, deadline))
 
     def _send_later(self, *arguments: Any) -> None:
         def send() -> None:
@@ -333,13 +326,13 @@ class ActionClient(ActionEndpoint[GoalT, ResultT, FeedbackT]):
         request: Any,
         future: _ActionFuture[ClientGoalHandle[GoalT, ResultT, FeedbackT]],
         response: Future[Any],
-        until: float,
+        deadline: Deadline,
     ) -> None:
         error = response.exception()
         if error is None:
             future.set_result(self._handle(request.goal_id, response.result()))
-        elif _is_server_missing(error) and time.monotonic() < until:
-            self._send_later(request, future, until)
+        elif _is_server_missing(error) and not deadline.is_over:
+            self._send_later(request, future, deadline)
         else:
             self._forget(bytes(request.goal_id.uuid))
             if _is_server_missing(error):

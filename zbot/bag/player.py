@@ -19,6 +19,7 @@ from zbot.bag.send_order import in_send_order
 from zbot.errors import NotInitializedError, ZbotError
 from zbot.process.memory import LARGE_BYTES
 from zbot.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+from zbot.threads.deadline import Deadline
 from zbot.threads.wakeup import BinarySemaphore
 from zbot.time import S_TO_NS, Time
 from zbot.transport.admin_query import answers
@@ -384,9 +385,9 @@ class Player:
                     self._lock.notify_all()
 
     def _sleep(self, seconds: float) -> None:
-        end_s = time.monotonic() + seconds
-        while self._is_ok() and (left_s := end_s - time.monotonic()) > 0:
-            self._changed.wait(left_s)
+        deadline = Deadline(seconds)
+        while self._is_ok() and not deadline.is_over:
+            self._changed.wait(deadline.left_s)
 
     def _is_ok(self) -> bool:
         return self._node.context.ok() and not self._is_stopped

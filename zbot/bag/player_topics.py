@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from functools import partial
 from typing import TYPE_CHECKING, Any, Protocol
 
@@ -12,6 +11,7 @@ from zbot.bag.qos_profiles import profile_to_publish
 from zbot.bag.service_requests import GoalPublisher, RequestPublisher
 from zbot.errors import ZbotError
 from zbot.interfaces import type_name
+from zbot.threads.deadline import Deadline
 from zbot.wire.errors import CodecError
 from zbot.wire.payload import is_cdr
 from zbot.wire.serialization import deserialize_message, serialize_message
@@ -68,10 +68,10 @@ def played_topics(
             played = _played(node, topic, bag, options, goals)
             if played is not None:
                 found[name] = played
-    end_s = time.monotonic() + _DISCOVERY_S
+    deadline = Deadline(_DISCOVERY_S)
     for one in found.values():
         if isinstance(one.publisher, RequestPublisher):
-            one.publisher.wait_for_server(end_s - time.monotonic())
+            one.publisher.wait_for_server(deadline.left_s)
     return found
 
 

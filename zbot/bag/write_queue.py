@@ -5,11 +5,11 @@ from __future__ import annotations
 import enum
 import queue
 import threading
-import time
 from typing import TYPE_CHECKING
 
 from zbot.bag.message import BagMessage
 from zbot.errors import ZbotError
+from zbot.threads.deadline import Deadline
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -99,15 +99,14 @@ class WriteQueue:
             self.error = error
 
     def _write_all(self) -> None:
-        due = time.monotonic() + FLUSH_S
+        due = Deadline(FLUSH_S)
         while True:
-            left = due - time.monotonic()
-            if left <= 0:
+            if due.is_over:
                 self._writer.flush()
-                due = time.monotonic() + FLUSH_S
+                due = Deadline(FLUSH_S)
                 continue
             try:
-                item = self._items.get(timeout=left)
+                item = self._items.get(timeout=due.left_s)
             except queue.Empty:
                 continue
             if item is _Order.END:

@@ -9,7 +9,6 @@ smaller id carries what both could carry.
 from __future__ import annotations
 
 import threading
-import time
 from collections import defaultdict
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
@@ -19,6 +18,7 @@ from zbot.bridge.routes import ServiceRoute, TopicRoute
 from zbot.bridge.selection import Direction, Selection
 from zbot.bridge.side import DEPTH, End, World, queue_length
 from zbot.interfaces import get_interface, type_hash
+from zbot.threads.deadline import Deadline
 from zbot.wire.cdr.codec import cdr_codec_for
 from zbot.wire.messagepack.codec import codec_for
 from zbot.wire.qos import qos_text
@@ -88,7 +88,7 @@ class Carrier:
         log: Log,
         patience_s: float = 0.0,
     ) -> None:
-        self._patient_until_s = time.monotonic() + patience_s
+        self._patience = Deadline(patience_s)
         self._zbot, self._ros = zbot, ros
         self._selection = selection
         self._id = bridge_id
@@ -108,8 +108,7 @@ class Carrier:
         while not self._is_closed:
             self._changed.clear()
             self.update()
-            left_s = self._patient_until_s - time.monotonic()
-            self._changed.wait(left_s if left_s > 0 else None)
+            self._changed.wait(None if self._patience.is_over else self._patience.left_s)
             if not self._is_closed:
                 threading.Event().wait(_PAUSE_S)
         for route in self._routes.values():
@@ -250,7 +249,7 @@ class Carrier:
 
     def _taken(self, zbot: World, ros: World) -> set[tuple[EntityKind, str]]:
         """Return what bridges with smaller ids carry between the same two domains."""
-        is_patient = time.monotonic() < self._patient_until_s
+        is_patient = not self._patience.is_over
         return {
             offer
             for one, offers in zbot.bridges.items()

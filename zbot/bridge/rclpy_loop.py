@@ -6,10 +6,11 @@ rclpy's executors are several times slower, because they make a Python object of
 from __future__ import annotations
 
 import threading
-import time
 from collections import deque
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal
+
+from zbot.threads.deadline import Deadline
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -104,14 +105,14 @@ class Loop:
             self._on_error(error)
 
     def _work(self) -> None:
-        due_s, wait_set = time.monotonic(), None
+        due, wait_set = Deadline(0), None
         counts: tuple[int, ...] = ()
         while not self._is_closed:
             while self._calls:
                 self._calls.popleft()()
-            if time.monotonic() >= due_s:
+            if due.is_over:
                 self._tick()
-                due_s = time.monotonic() + self._period_s
+                due = Deadline(self._period_s)
             entities = self._entities
             now = tuple(map(len, entities.values()))
             if wait_set is None or counts != now:
@@ -120,10 +121,10 @@ class Loop:
                 wait_set = self._new_wait_set(
                     subscriptions, 1, 0, clients, services, 0, self._context.handle
                 )
-            for waiting in self._wait(wait_set, due_s):
+            for waiting in self._wait(wait_set, due):
                 waiting.take()
 
-    def _wait(self, wait_set: Any, due_s: float) -> list[Waiting]:
+    def _wait(self, wait_set: Any, due: Deadline) -> list[Waiting]:
         """Wait until an entity has data or the next tick is due. Return entities with data."""
         entities = self._entities
         wait_set.clear_entities()
@@ -134,8 +135,7 @@ class Loop:
         for one in entities["service"]:
             wait_set.add_service(one.handle)
         wait_set.add_guard_condition(self._wake)
-        left_ns = int((due_s - time.monotonic()) * 1e9)
-        wait_set.wait(min(max(left_ns, 0), _LONGEST_WAIT_NS))
+        wait_set.wait(min(int(due.left_s * 1e9), _LONGEST_WAIT_NS))
         found = []
         for kind, all_of_kind in entities.items():
             if all_of_kind:

@@ -9,6 +9,7 @@ from zbot.classroom.hub import running_hub
 from zbot.classroom.hub.queries import hub_facts
 from zbot.classroom.student.link_problem import PASSING, link_problem
 from zbot.classroom.teacher.invitation import invitation
+from zbot.threads.deadline import Deadline
 from zbot.transport import environment, membership, running_programs
 from zbot.transport.config import hub_port
 
@@ -47,10 +48,10 @@ def _settled_facts(joined: Membership | None, pid: int) -> tuple[dict[str, Any],
 
     A hub that reconnects now is not linked for a moment, so this counts only after 2 s.
     """
-    deadline = time.monotonic() + _RECONNECTED_S
+    deadline = Deadline(_RECONNECTED_S)
     while True:
         facts = hub_facts(pid)
         problem = link_problem(joined, facts) if joined else None
-        if problem not in PASSING or time.monotonic() > deadline:
+        if problem not in PASSING or deadline.is_over:
             return facts, problem
         time.sleep(_PAUSE_S)

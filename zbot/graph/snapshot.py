@@ -9,7 +9,6 @@ from __future__ import annotations
 import itertools
 import socket
 import threading
-import time
 import weakref
 from dataclasses import dataclass
 from functools import cached_property
@@ -22,6 +21,7 @@ from zbot.graph.entity_numbers import EntityNumbers
 from zbot.json_reader import JsonError, read_json_object
 from zbot.names import SEND_GOAL, fully_qualified, validate_full_topic_name
 from zbot.terminal.text import single_line
+from zbot.threads.deadline import Deadline
 from zbot.threads.foreign_call import without_interruption
 from zbot.threads.wakeup import BinarySemaphore
 from zbot.transport import admin_query
@@ -281,13 +281,12 @@ class Graph:
         self.watch()
         changed = BinarySemaphore()
         self._waiting.add(changed)
-        deadline = time.monotonic() + timeout_s
+        deadline = Deadline(timeout_s)
         try:
             while not condition(self.snapshot()):
-                left = deadline - time.monotonic()
-                if left <= 0:
+                if deadline.is_over:
                     return False
-                changed.wait(left)
+                changed.wait(deadline.left_s)
             return True
         finally:
             self._waiting.discard(changed)

@@ -7,13 +7,13 @@ the wait, the thread runs the callback of this server. Otherwise the call would 
 from __future__ import annotations
 
 import contextlib
-import time
 from functools import partial
 from queue import Empty, SimpleQueue
 from typing import TYPE_CHECKING, Any, Protocol, cast
 
 from zbot.executor.callback_stack import current_executor
 from zbot.process import signals
+from zbot.threads.deadline import Deadline
 from zbot.threads.wakeup import LONGEST_WAIT_S, BusyWait
 
 if TYPE_CHECKING:
@@ -71,7 +71,7 @@ def wait_for_reply(
     executor = current_executor()
     own = [] if executor is None else _servers_of(executor, client.service_name)
     serve = partial(_serve, executor, own)
-    deadline = None if timeout_sec is None or timeout_sec < 0 else time.monotonic() + timeout_sec
+    deadline = Deadline(timeout_sec)
     with _waking(client, own, partial(arrivals.put, _WOKEN)):
         attempt = 0
         while True:
@@ -88,18 +88,18 @@ def _wait(
     client: Caller,
     arrivals: SimpleQueue[Any],
     attempt: int,
-    deadline: float | None,
+    deadline: Deadline,
     serve: Callable[[], bool],
 ) -> zenoh.Reply | None:
     while True:
         while serve():
             pass
-        left = LONGEST_WAIT_S if deadline is None else deadline - time.monotonic()
+        left_s = deadline.left_s
         client.busy_wait.begin(arrivals.qsize)
         try:
-            arrived = arrivals.get(timeout=max(0.0, min(left, LONGEST_WAIT_S)))
+            arrived = arrivals.get(timeout=min(left_s, LONGEST_WAIT_S))
         except Empty:
-            if left <= 0:
+            if not left_s:
                 sentence = f"{client.service_name}: there was no response in time"
                 raise TimeoutError(sentence) from None
             continue

@@ -25,6 +25,7 @@ from zbot.node.service_reply import response_sample
 from zbot.node.service_request import ServiceRequest
 from zbot.process import signals
 from zbot.process.memory import LARGE_BYTES, keep_freed_memory
+from zbot.threads.deadline import Deadline
 from zbot.threads.foreign_call import without_interruption
 from zbot.threads.wakeup import BinarySemaphore, BusyWait
 from zbot.time import as_seconds
@@ -132,8 +133,8 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
         """Wait for a server.
 
         Args:
-            timeout_sec: Seconds to wait, or a `Duration`. With `None` or a negative number, only
-                the context's shutdown limits the wait.
+            timeout_sec: Seconds to wait, or a `Duration`. With `None`, only the context's shutdown
+                limits the wait. With a negative number, do not wait.
 
         Returns:
             Whether a server is ready.
@@ -149,14 +150,11 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
         # has no diagnostics, so the warning is logged here.
         if self._context.is_tool and not self.service_is_ready() and (text := self._other_type()):
             get_logger(self._logger_name).warning(text)
-        timeout_s = as_seconds("timeout_sec", timeout_sec)
-        endless = timeout_s is None or timeout_s < 0
-        deadline = time.monotonic() + (0 if endless or timeout_s is None else timeout_s)
+        deadline = Deadline(as_seconds("timeout_sec", timeout_sec))
         while not self.service_is_ready() and self._context.is_running:
-            left = threading.TIMEOUT_MAX if endless else deadline - time.monotonic()
-            if left <= 0:
+            if deadline.is_over:
                 return False
-            self._arrival.wait(left)
+            self._arrival.wait(deadline.left_s)
         return self.service_is_ready()
 
     def _listen(self) -> None:
@@ -237,8 +235,8 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
 
         Args:
             request: The request.
-            timeout_sec: Seconds to wait. `None` or a negative number means no limit. Without a
-                limit, the call still fails if the server ends.
+            timeout_sec: Seconds to wait. With 0 or a negative number, do not wait. `None` means no
+                limit, but the call still fails if the server ends.
 
         Raises:
             ServiceError: There is no server, it ended before it responded, or its callback raised

@@ -7,7 +7,6 @@ for changes of the graph.
 from __future__ import annotations
 
 import threading
-import time
 from collections import deque
 from typing import TYPE_CHECKING
 
@@ -19,6 +18,7 @@ from zbot.graph.snapshot import Snapshot
 from zbot.log import get_logger
 from zbot.names import ROSOUT_TOPIC, fully_qualified, is_hidden
 from zbot.process import fork
+from zbot.threads.deadline import Deadline
 from zbot.transport import running_programs
 from zbot.wire.keys import SHARED_DOMAIN
 from zbot.wire.tokens import EndpointToken, EntityKind, NodeToken
@@ -74,7 +74,7 @@ class Diagnostics:
         self._context = context
         self._own: dict[str, tuple[Token, str]] = {}
         self._news: deque[Token] = deque()
-        self._checks: deque[tuple[float, EndpointToken, str]] = deque()
+        self._checks: deque[tuple[Deadline, EndpointToken, str]] = deque()
         self._warned: set[tuple[str, ...]] = set()
         self._signal = threading.Condition()
         context.graph.add_listener(self._on_change)
@@ -90,7 +90,7 @@ class Diagnostics:
             self._own[token.key] = (token, logger_name)
             self._news.append(token)
             if isinstance(token, EndpointToken) and token.kind is EntityKind.SUBSCRIPTION:
-                self._checks.append((time.monotonic() + _CHECK_DELAY_S, token, logger_name))
+                self._checks.append((Deadline(_CHECK_DELAY_S), token, logger_name))
             self._signal.notify()
 
     def remove(self, token: Token) -> None:
@@ -120,8 +120,7 @@ class Diagnostics:
         while True:
             with self._signal:
                 while self._context.is_running and not self._news and not self._is_check_due():
-                    due = self._checks[0][0] - time.monotonic() if self._checks else None
-                    self._signal.wait(due)
+                    self._signal.wait(self._checks[0][0].left_s if self._checks else None)
                 if not self._context.is_running:
                     return
                 news, self._news = list(self._news), deque()
@@ -138,7 +137,7 @@ class Diagnostics:
                 return  # the session was closed during a query
 
     def _is_check_due(self) -> bool:
-        return bool(self._checks) and self._checks[0][0] <= time.monotonic()
+        return bool(self._checks) and self._checks[0][0].is_over
 
     def _compare(self, news: list[Token]) -> None:
         with self._signal:

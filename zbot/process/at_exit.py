@@ -13,13 +13,13 @@ import os
 import signal
 import sys
 import threading
-import time
 import traceback
 from pathlib import Path
 from types import BuiltinFunctionType
 from typing import TYPE_CHECKING, Protocol
 
 from zbot.errors import ExternalShutdownException
+from zbot.threads.deadline import poll
 from zbot.threads.weak_set import WeakSet
 
 if TYPE_CHECKING:
@@ -84,10 +84,7 @@ class _Process:
 
 def wait_for_end(timeout_s: float) -> bool:
     """Wait until the main thread has ended. Return `False` if the time is over."""
-    deadline = time.monotonic() + timeout_s
-    while not _Process.main_thread_has_ended and time.monotonic() < deadline:
-        time.sleep(_PAUSE_S)
-    return _Process.main_thread_has_ended
+    return poll(lambda: _Process.main_thread_has_ended, timeout_s, _PAUSE_S)
 
 
 def is_ending() -> bool:
@@ -170,9 +167,7 @@ def _close_contexts() -> None:
             traceback.print_exc()
         for executor in executors:
             executor.wait_idle(_CALLBACK_TIMEOUT_S)
-    deadline = time.monotonic() + _CALL_TIMEOUT_S
-    while _calls_zbot() and time.monotonic() < deadline:
-        time.sleep(_PAUSE_S)  # lets the threads run
+    poll(lambda: not _calls_zbot(), _CALL_TIMEOUT_S, _PAUSE_S)  # the pauses let the threads run
 
 
 def _calls_zbot() -> bool:

@@ -23,6 +23,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 import zenoh
 
 from zbot.process import at_exit, signals
+from zbot.threads.deadline import poll
 from zbot.threads.weak_set import WeakSet
 from zbot.transport.config import port_of
 
@@ -131,9 +132,7 @@ def cancel_all(sessions: Iterable[zenoh.Session]) -> None:
     for queue in local_queues:
         with contextlib.suppress(zenoh.ZError):  # the queue is undeclared
             deque(iter(queue.next_sample, None), maxlen=0)
-    deadline = time.monotonic() + _RETURN_TIMEOUT_S
-    while blocked & _puts() and time.monotonic() < deadline:
-        time.sleep(_PAUSE_S)
+    poll(lambda: not blocked & _puts(), _RETURN_TIMEOUT_S, _PAUSE_S)
 
 
 def _blocked() -> set[tuple[int, int]]:

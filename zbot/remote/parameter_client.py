@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import time
 from typing import TYPE_CHECKING, Any
 
 from zbot.parameters.parameter import Parameter, parameter_dict_from_yaml_file
 from zbot.qos import qos_profile_parameter_events, qos_profile_services_default
+from zbot.threads.deadline import Deadline
 
 from rcl_interfaces.msg import ParameterEvent
 from rcl_interfaces.srv import (
@@ -93,10 +93,9 @@ class AsyncParameterClient:
         Returns:
             Whether the node offers all of the services.
         """
-        deadline = None if timeout_sec is None else time.monotonic() + max(timeout_sec, 0.0)
+        deadline = Deadline(timeout_sec)
         for client in self._clients:
-            left = None if deadline is None else max(deadline - time.monotonic(), 0.0)
-            if not client.wait_for_service(left):
+            if not client.wait_for_service(deadline.left_s):
                 return False
         return self.services_are_ready()
 

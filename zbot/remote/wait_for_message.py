@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from typing import TYPE_CHECKING, Any, Literal, TypeVar
 
 from zbot.executor.callback_group import ReentrantCallbackGroup
@@ -10,7 +9,8 @@ from zbot.executor.ready_queue import ReadyQueue
 from zbot.node.argument_check import check_order, is_class, is_name, is_node
 from zbot.node.subscription import Subscription
 from zbot.qos import as_profile
-from zbot.threads.wakeup import LONGEST_WAIT_S, BinarySemaphore
+from zbot.threads.deadline import Deadline
+from zbot.threads.wakeup import BinarySemaphore
 from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:
@@ -61,7 +61,7 @@ def wait_for_message(
         raw=False,
         logger_name=handle.logger_name,
     )
-    deadline = time.monotonic() + time_to_wait
+    deadline = Deadline(None if time_to_wait < 0 else time_to_wait)
     with subscription:
         subscription.start()
         while not arrived and context.is_running:
@@ -69,8 +69,7 @@ def wait_for_message(
             if sample is not None:
                 subscription.execute(sample)
                 continue
-            left = LONGEST_WAIT_S if time_to_wait < 0 else deadline - time.monotonic()
-            if left <= 0:
+            if deadline.is_over:
                 break
-            signal.wait(left)
+            signal.wait(deadline.left_s)
     return (True, arrived[0]) if arrived else (False, None)

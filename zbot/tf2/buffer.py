@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time as clock
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
@@ -12,6 +11,7 @@ from zbot.executor.task import Future
 from zbot.tf2.buffer_core import BufferCore
 from zbot.tf2.buffer_interface import NO_WAIT, BufferInterface
 from zbot.tf2.errors import TransformException
+from zbot.threads.deadline import Deadline
 from zbot.threads.wakeup import LONGEST_WAIT_S
 from zbot.time import Duration
 
@@ -127,17 +127,16 @@ class Buffer(BufferCore, BufferInterface):
     def _wait(self, is_known: Callable[[], bool], timeout: Duration) -> None:
         if not isinstance(timeout, Duration):
             raise ArgumentTypeError("timeout", "a Duration", timeout)
-        deadline = clock.monotonic() + timeout.nanoseconds / 1e9
+        deadline = Deadline(timeout.nanoseconds / 1e9)
         while not is_known() and self.is_fed():
-            left = deadline - clock.monotonic()
-            if left <= 0:
+            if deadline.is_over:
                 return
             executor = current_executor()
             own = () if executor is None else self.subscriptions
             if executor is not None and any([executor.serve(each) for each in own]):  # noqa: C419
                 continue
             with self._changed:
-                self._changed.wait(min(left, _LOOK_S if own else LONGEST_WAIT_S))
+                self._changed.wait(min(deadline.left_s, _LOOK_S if own else LONGEST_WAIT_S))
 
     def wait_for_transform_async(
         self, target_frame: str, source_frame: str, time: Any

@@ -9,6 +9,7 @@ from typing import Any
 
 import zenoh
 
+from zbot.threads.deadline import Deadline
 from zbot.transport import background_process, config, router_process
 from zbot.transport.process_facts import process_facts
 from zbot.transport.router_renewal import RouterRenewal
@@ -49,8 +50,8 @@ def main() -> int:
 
 def _opened(meeting: MeetingPoint) -> zenoh.Session | None:
     """Return the router's session, or `None` if the port is not free."""
-    session, deadline = meeting.open_router(), time.monotonic() + _BIND_TIMEOUT_S
-    while session is None and not meeting.is_taken() and time.monotonic() < deadline:
+    session, deadline = meeting.open_router(), Deadline(_BIND_TIMEOUT_S)
+    while session is None and not meeting.is_taken() and not deadline.is_over:
         time.sleep(_BIND_PAUSE_S)
         session = meeting.open_router()
     return session

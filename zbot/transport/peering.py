@@ -10,7 +10,6 @@ from __future__ import annotations
 import contextlib
 import queue
 import threading
-import time
 from collections import Counter
 from functools import partial
 from typing import TYPE_CHECKING, Any, Protocol
@@ -18,6 +17,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 import zenoh
 
 from zbot.errors import SetupError
+from zbot.threads.deadline import Deadline
 from zbot.threads.foreign_call import without_interruption
 from zbot.transport import admin_query, background_process
 from zbot.transport.errors import SessionError
@@ -185,14 +185,14 @@ class Peering:
         Args:
             is_over: Returns whether the context was shut down. If it was, the wait ends.
         """
-        meeting, deadline = self._meeting, time.monotonic() + LINK_TIMEOUT_S
+        meeting, deadline = self._meeting, Deadline(LINK_TIMEOUT_S)
         pause_s = _HOLD_PAUSE_S
         if not meeting.uses_port:
             return
-        while not self.wait_for_router(min(pause_s, deadline - time.monotonic())):
+        while not self.wait_for_router(min(pause_s, deadline.left_s)):
             if is_over():
                 return
-            if time.monotonic() >= deadline:
+            if deadline.is_over:
                 meeting.warn_unanswered()
                 return
             meeting.end_stuck_router()
@@ -211,24 +211,23 @@ class Peering:
         last answer, this session knows all subscriptions of the peers. The wait takes 5 to 30 ms
         after a session was opened.
         """
-        deadline = time.monotonic() + timeout_s
+        deadline = Deadline(timeout_s)
         if not self.wait_for_router(timeout_s):
             return False
         answered = {self._own()}
         missing = self._mesh_at_router(deadline) - answered
-        silent_at = time.monotonic() + _SILENT_S
+        silence = Deadline(_SILENT_S)
         while missing:
-            left = deadline - time.monotonic()
-            if not self._meeting.uses_port and time.monotonic() > silent_at:
+            if not self._meeting.uses_port and silence.is_over:
                 answered |= self._peers()  # some programs without zbot have no admin space
                 missing -= answered
                 if not missing:
                     break
-            if left <= 0:
+            left_s = deadline.left_s
+            if not left_s:
                 return False
-            answered |= {
-                key.split("/")[1] for key, _ in admin_query.answers(self._session, "@/*/peer", left)
-            }
+            answers = admin_query.answers(self._session, "@/*/peer", left_s)
+            answered |= {key.split("/")[1] for key, _ in answers}
             if missing <= answered:
                 break
             with self._changed:
@@ -236,14 +235,14 @@ class Peering:
             missing = self._mesh_at_router(deadline) - answered  # sessions may have ended
         return True
 
-    def _mesh_at_router(self, deadline: float) -> set[str]:
+    def _mesh_at_router(self, deadline: Deadline) -> set[str]:
         """Return the ids of the peers that the meeting router lists, or an empty set for a client.
 
         A list that does not contain this session is too old and is ignored.
         """
         while True:
-            found = self._listed(max(0.0, deadline - time.monotonic()))
-            if self._own() in found or time.monotonic() >= deadline or self._session.is_closed():
+            found = self._listed(deadline.left_s)
+            if self._own() in found or deadline.is_over or self._session.is_closed():
                 if found.get(self._own()) == "client":
                     return set()
                 return {zid for zid, kind in found.items() if kind == "peer"}
@@ -316,20 +315,19 @@ class Peering:
         return set()
 
     def _introduce(self) -> None:
-        deadline = time.monotonic() + _INTRODUCTION_TIMEOUT_S
+        deadline = Deadline(_INTRODUCTION_TIMEOUT_S)
         with self._meeting.open_introducer():
-            while self._unlinked() and time.monotonic() < deadline:
+            while self._unlinked() and not deadline.is_over:
                 if self._closing.wait(_INTRODUCTION_PAUSE_S):
                     return
 
     def _wait(self, done: Callable[[], bool], timeout_s: float) -> bool:
-        deadline = time.monotonic() + timeout_s
+        deadline = Deadline(timeout_s)
         with self._changed:
             while not done():
-                left = deadline - time.monotonic()
-                if left <= 0 or self._session.is_closed():
+                if deadline.is_over or self._session.is_closed():
                     return False
-                self._changed.wait(min(left, _LINK_PAUSE_S))
+                self._changed.wait(min(deadline.left_s, _LINK_PAUSE_S))
         return True
 
     def join(self) -> None:

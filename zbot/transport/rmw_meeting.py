@@ -13,6 +13,7 @@ import socket
 import time
 from typing import TYPE_CHECKING, Any
 
+from zbot.threads.deadline import poll
 from zbot.transport import admin_query
 from zbot.transport.config import DiscoveryRange, setting
 from zbot.transport.errors import NoRouterError, RouterPortError, SessionError, no_router_text
@@ -158,17 +159,9 @@ class RmwMeeting:
 
     def _links_all_peers(self, session: zenoh.Session) -> bool:
         """Wait until a session is linked to the router and to the peers that the router lists."""
-        deadline = time.monotonic() + _LINK_TIMEOUT_S
-        while not session.info.routers_zid():
-            if time.monotonic() > deadline:
-                return True  # the router has ended meanwhile
-            time.sleep(_CHECK_PAUSE_S)
-        deadline = time.monotonic() + _PEERS_TIMEOUT_S
-        while self._unlinked(session):
-            if time.monotonic() > deadline:
-                return False
-            time.sleep(_CHECK_PAUSE_S)
-        return True
+        if not poll(session.info.routers_zid, _LINK_TIMEOUT_S, _CHECK_PAUSE_S):
+            return True  # the router has ended meanwhile
+        return poll(lambda: not self._unlinked(session), _PEERS_TIMEOUT_S, _CHECK_PAUSE_S)
 
     @staticmethod
     def _unlinked(session: zenoh.Session) -> set[str]:

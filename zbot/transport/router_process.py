@@ -17,6 +17,7 @@ import time
 from pathlib import Path
 from typing import IO
 
+from zbot.threads.deadline import poll
 from zbot.transport import background_process, membership
 
 _PROC = Path("/proc")
@@ -158,10 +159,8 @@ def kill(domain: int, number: int) -> bool:
         os.kill(number, getattr(signal, "SIGKILL", signal.SIGTERM))
     except (ProcessLookupError, PermissionError):
         return False
-    deadline = time.monotonic() + _END_TIMEOUT_S
     # Another program may already have started the next router. Then the file has the new id.
-    while _read(domain) == _KILLED and _is_locked(domain) and time.monotonic() < deadline:
-        time.sleep(_PAUSE_S)
+    poll(lambda: _read(domain) != _KILLED or not _is_locked(domain), _END_TIMEOUT_S, _PAUSE_S)
     return True
 
 

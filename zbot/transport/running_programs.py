@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.json_reader import read_json_object
 from zbot.names import is_hidden
+from zbot.threads.deadline import poll
 from zbot.transport import background_process, environment, membership
 from zbot.transport.process_facts import command_line
 from zbot.transport.process_space import process_space
@@ -140,9 +141,7 @@ def _locked_file(path: Path) -> IO[str]:
     path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
     descriptor = os.open(path, os.O_RDWR | os.O_CREAT | os.O_EXCL, 0o600)
     file = os.fdopen(descriptor, "w+", encoding="utf-8")
-    deadline = time.monotonic() + _LOCK_TIMEOUT_S
-    while not background_process.lock(file) and time.monotonic() < deadline:
-        time.sleep(_PAUSE_S)
+    poll(lambda: background_process.lock(file), _LOCK_TIMEOUT_S, _PAUSE_S)
     return file
 
 

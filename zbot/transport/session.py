@@ -12,6 +12,7 @@ import socket
 import time
 from typing import TYPE_CHECKING, Any
 
+from zbot.threads.deadline import Deadline
 from zbot.transport import membership, router_process
 from zbot.transport.config import (
     DROP_WAIT_US,
@@ -333,12 +334,12 @@ class MeetingPoint:
             SessionError: Zenoh cannot open the session within 10 s.
         """
         more = {"connect/timeout_ms": _CLIENT_TIMEOUT_MS, "connect/exit_on_failure": True}
-        deadline = time.monotonic() + _LINKED_CLIENT_TIMEOUT_S
+        deadline = Deadline(_LINKED_CLIENT_TIMEOUT_S)
         while True:
             try:
                 return open_session("a Zenoh session", self._config.build({**fill, **more}))
             except SessionError:
-                if time.monotonic() >= deadline:
+                if deadline.is_over:
                     raise
                 self.start_router()
 
@@ -365,10 +366,10 @@ class MeetingPoint:
         Returns:
             The session, or `None` if there is no router, or if it does not answer within 5 s.
         """
-        session, deadline = self.open_client(), time.monotonic() + LINK_TIMEOUT_S
+        session, deadline = self.open_client(), Deadline(LINK_TIMEOUT_S)
         is_wanted = self.uses_port and (wait or self.reaches_out)
         while session is None and (is_wanted or self.is_expected()):
-            if time.monotonic() > deadline or self.is_foreign():
+            if deadline.is_over or self.is_foreign():
                 session = self._open_client(hub_endpoint())  # the hub knows the nodes of the class
                 if session is None:
                     self.warn_unanswered()
@@ -378,14 +379,14 @@ class MeetingPoint:
         is_off = self._reach is DiscoveryRange.OFF
         return session if session is not None or is_off else self._open_client_of_hub(deadline)
 
-    def _open_client_of_hub(self, deadline: float) -> zenoh.Session | None:
+    def _open_client_of_hub(self, deadline: Deadline) -> zenoh.Session | None:
         """Open a client session of this machine's hub, which knows the nodes of other machines.
 
         Do not ask the hub for its state, because a hub does not answer questions about itself.
         """
         session = self._open_client(hub_endpoint())
         while session is None and membership.load() is not None and _is_taken(hub_port()):
-            if time.monotonic() > deadline:
+            if deadline.is_over:
                 _warn("this machine's hub does not answer, so nodes of other machines are missing")
                 return None
             session = self._open_client(hub_endpoint())
@@ -434,9 +435,8 @@ class MeetingPoint:
     def _wait_for_links(self, session: zenoh.Session) -> None:
         """Wait until the links of a new router have not changed for a time, at most 2 s."""
         settled_s = _FOUND_PAUSE_S if self.reaches_out else _RELINK_PAUSE_S
-        known, since = frozenset[str](), time.monotonic()
-        deadline = since + _NEW_ROUTER_TIMEOUT_S
-        while time.monotonic() < min(deadline, since + settled_s):
+        known, since, deadline = frozenset[str](), time.monotonic(), Deadline(_NEW_ROUTER_TIMEOUT_S)
+        while not deadline.is_over and time.monotonic() < since + settled_s:
             state = RouterState.of(session, all_routers=self.reaches_out, questions=_QUESTIONS)
             if state is not None and state.links != known:
                 known, since = state.links, time.monotonic()
@@ -447,8 +447,8 @@ class MeetingPoint:
 
     def open_new_client(self) -> zenoh.Session | None:
         """Start the router, and open a client session. Return `None` if this fails for 2 s."""
-        deadline = time.monotonic() + _NEW_ROUTER_TIMEOUT_S
-        while time.monotonic() < deadline:
+        deadline = Deadline(_NEW_ROUTER_TIMEOUT_S)
+        while not deadline.is_over:
             self.start_router()
             time.sleep(_LINK_PAUSE_S)
             session = self.open_client() if self.is_taken() else None

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import sys
-import time
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors.suggestion import did_you_mean, similar_names
 from zbot.names import fully_qualified
+from zbot.threads.deadline import Deadline
 from zbot.wire.tokens import EntityKind
 from zbot_cli.domain.client import print_stopped_programs
 from zbot_cli.errors import CommandError
@@ -48,11 +48,11 @@ def wait_for_type(node: Node, name: str) -> str:
     graph = node.context.graph
     found = only_type(graph.snapshot(), name)
     if found is None:
-        started, is_hinted = time.monotonic(), print_waiting(graph.snapshot(), name)
+        hint_time, is_hinted = Deadline(HINT_DELAY_S), print_waiting(graph.snapshot(), name)
         while found is None and node.context.ok():
             graph.wait_for(lambda snapshot: only_type(snapshot, name) is not None, 0.5)
             found = only_type(graph.snapshot(), name)
-            if not (found or is_hinted) and time.monotonic() - started >= HINT_DELAY_S:
+            if hint_time.is_over and not (found or is_hinted):
                 print_missing(graph.snapshot(), name, EntityKind.PUBLISHER)
                 is_hinted = True
     return found or ""

@@ -149,6 +149,7 @@ def test_a_goal_without_a_server_is_lost(
     client = client_without_server(make_context, spin)
     assert not client.server_is_ready()
     assert not client.wait_for_server(0.05)
+    assert not client.wait_for_server(-1)
     sent = client.send_goal_async(Fibonacci.Goal())
     assert wait_until(lambda: any("no server is running" in one.message for one in logged))
     assert not sent.done()

@@ -57,6 +57,7 @@ def test_a_blocking_call_without_a_server_fails_at_once(caller: zbot.Node) -> No
     failed = client.call_server_async(Request())
     assert isinstance(failed.exception(), ServiceError)
     assert not client.wait_for_service(0.05)
+    assert not client.wait_for_service(-1)
 
 
 def test_a_future_of_a_call_without_a_server_is_never_done(
@@ -99,6 +100,15 @@ def test_a_destroyed_server_fails_waiting_calls(
     server.destroy_service(service)
     assert wait_until(future.done)
     assert isinstance(future.exception(), ServiceError)
+
+
+def test_a_negative_timeout_of_a_call_is_over_at_once(
+    make_context: MakeContext, caller: zbot.Node
+) -> None:
+    server = zbot.Node("server", context=make_context())  # never spins
+    server.create_service(AddTwoInts, "add", add)
+    with pytest.raises(TimeoutError, match="no response in time"):
+        client_of(caller).call(Request(), -1)
 
 
 def test_a_call_raises_at_timeout(make_context: MakeContext, caller: zbot.Node) -> None:

@@ -17,6 +17,7 @@ from zbot.classroom.errors import (
     ClosedPortError,
     UnreachableHostError,
 )
+from zbot.threads.deadline import Deadline
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -86,10 +87,10 @@ def _rank(problem: ClassroomError) -> int:
 def problem_at(address: Address, timeout_s: float = _TIMEOUT_S) -> ClassroomError | None:
     """Return why an address cannot be reached, or `None`. `timeout_s` excludes name look-ups."""
     other_ports = _OtherPorts(address.host)
-    deadline = time.monotonic() + timeout_s
+    deadline = Deadline(timeout_s)
     while True:
         try:
-            left = max(deadline - time.monotonic(), _PAUSE_S)
+            left = max(deadline.left_s, _PAUSE_S)
             with socket.create_connection((address.host, address.port), left):
                 return None
         except socket.gaierror:
@@ -101,7 +102,7 @@ def problem_at(address: Address, timeout_s: float = _TIMEOUT_S) -> ClassroomErro
             if exc.errno not in _REFUSED:
                 return UnreachableHostError(address.host, address.port)
         # Try again, because a teacher's hub is closed for a moment when its access rules change.
-        if time.monotonic() + _PAUSE_S > deadline:
+        if deadline.left_s < _PAUSE_S:
             return ClosedPortError(address.host, address.port)
         time.sleep(_PAUSE_S)
 

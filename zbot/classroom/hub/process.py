@@ -61,10 +61,12 @@ class HubProcess:
         """Answer queries on a key while the hub is open."""
         queries = HubQueries(self.session, key, answer)
         self._queries.append(queries)
-        self.join_on_close(queries.thread)
+        self._threads.append(queries.thread)
 
-    def join_on_close(self, thread: threading.Thread) -> None:
-        """Let `close` wait for a thread that ends when the session is closed."""
+    def start_thread(self, name: str, run: Callable[..., object], *arguments: object) -> None:
+        """Run a function in a thread. The function must end when the session is closed."""
+        thread = threading.Thread(target=run, args=arguments, name=name, daemon=True)
+        thread.start()
         self._threads.append(thread)
 
     def call_on_close(self, end: Callable[[], None]) -> None:

@@ -19,6 +19,7 @@ from typing import IO, TYPE_CHECKING
 from zbot.classroom.errors import AlreadyJoinedError, HubStartError
 from zbot.json_reader import read_json_object
 from zbot.security.secret import make_private_folder, write_private
+from zbot.threads.deadline import poll
 from zbot.transport import background_process, config, router_process
 from zbot.transport.errors import DomainIdError
 from zbot.transport.membership import folder
@@ -57,12 +58,7 @@ def _state_path() -> Path:
 
 def _lock_within_timeout(file: IO[str]) -> bool:
     """Lock a file. Retry, because `find` in another process may hold the lock for a short time."""
-    deadline = time.monotonic() + _LOCK_TIMEOUT_S
-    while not background_process.lock(file):
-        if time.monotonic() > deadline:
-            return False
-        time.sleep(_PAUSE_S)
-    return True
+    return poll(lambda: background_process.lock(file), _LOCK_TIMEOUT_S, _PAUSE_S)
 
 
 @contextlib.contextmanager
@@ -151,10 +147,6 @@ def stop() -> bool:
         return False
     with contextlib.suppress(ProcessLookupError):
         os.kill(hub.pid, signal.SIGTERM)
-    deadline = time.monotonic() + _STOP_TIMEOUT_S
-    while background_process.is_hub_locked():
-        if time.monotonic() > deadline:
-            os.kill(hub.pid, getattr(signal, "SIGKILL", signal.SIGTERM))
-            deadline += _STOP_TIMEOUT_S
-        time.sleep(_PAUSE_S)
+    while not poll(lambda: not background_process.is_hub_locked(), _STOP_TIMEOUT_S, _PAUSE_S):
+        os.kill(hub.pid, getattr(signal, "SIGKILL", signal.SIGTERM))
     return True

@@ -26,6 +26,7 @@ from zbot.classroom.join_request import JoinRequest
 from zbot.classroom.student.link_problem import is_accepted
 from zbot.classroom.student.lobby import release, request_membership
 from zbot.classroom.student.machine_id import machine_id, new_machine_id, save_machine_id
+from zbot.threads.deadline import Deadline, poll
 from zbot.transport import membership
 from zbot.transport.config import hub_port
 
@@ -141,13 +142,13 @@ def _linked_namesakes(joined: Membership) -> list[int]:
     Raises:
         UnlinkedError: This machine's hub was not linked in time.
     """
-    deadline = time.monotonic() + _LINKED_S
+    deadline = Deadline(_LINKED_S)
     while True:
         hub = running_hub.find()
         facts = hub_facts(hub.pid) if hub is not None else {}
         if is_accepted(joined, facts):
             return list((facts.get("of_class") or {}).get("namesakes") or [])
-        if hub is None or time.monotonic() > deadline:
+        if hub is None or deadline.is_over:
             raise UnlinkedError(joined.host, joined.port)
         time.sleep(_LINK_PAUSE_S)
 
@@ -170,19 +171,19 @@ def resume() -> None:
         raise OtherClassError(joined.class_name)
     if running_hub.find() is None:
         running_hub.start(joined.role)
-    deadline = time.monotonic() + _RESUMED_S
-    while time.monotonic() < deadline:
+
+    def has_ended_or_is_linked() -> bool:
         hub = running_hub.find()
-        if hub is None or is_accepted(joined, hub_facts(hub.pid)):
-            return
-        time.sleep(_LINK_PAUSE_S)
+        return hub is None or is_accepted(joined, hub_facts(hub.pid))
+
+    poll(has_ended_or_is_linked, _RESUMED_S, _LINK_PAUSE_S)
 
 
 def _admitted(
     request: JoinRequest, send: Callable[[JoinRequest], Membership], ask_name: AskName
 ) -> Membership:
     """Send a request to the teacher's hub. After some refusals, send a changed request."""
-    deadline, known = time.monotonic() + _NOTICED_S, request.machine
+    deadline, known = Deadline(_NOTICED_S), request.machine
     while True:
         try:
             joined = send(request)
@@ -196,7 +197,7 @@ def _admitted(
             elif refusal.kind == "copied" and request.machine == known:
                 # The hub sees a connected laptop with the same id. This may be this laptop itself,
                 # if the hub has not noticed yet that it was away.
-                if time.monotonic() > deadline:
+                if deadline.is_over:
                     request = replace(request, machine=new_machine_id())
                 time.sleep(_PAUSE_S)
             else:

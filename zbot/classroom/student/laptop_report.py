@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import platform
 import socket
-import threading
 import time
 from typing import TYPE_CHECKING, Any
 
@@ -54,9 +53,7 @@ class LaptopReport:
         self._logs = serving.session.declare_subscriber(
             f"{number}/rosout", zenoh.handlers.RingChannel(_QUEUE)
         )
-        thread = threading.Thread(target=self._read_logs, name="zbot last error", daemon=True)
-        thread.start()
-        serving.join_on_close(thread)
+        serving.start_thread("zbot last error", self._read_logs)
         self._is_closed = False
         self._notices = serving.session.declare_subscriber(
             NOTICE_KEY, called_by_zenoh(self._hear_notice)

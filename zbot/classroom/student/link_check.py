@@ -11,7 +11,6 @@ from __future__ import annotations
 
 import os
 import queue
-import threading
 from typing import TYPE_CHECKING, Any
 
 import zenoh
@@ -79,10 +78,8 @@ class LinkCheck:
         self._events = serving.session.info.declare_transport_events_listener(
             called_by_zenoh(on_event), history=True
         )
-        thread = threading.Thread(target=self._run, args=(serving, changes), daemon=True)
-        thread.start()
         serving.call_on_close(lambda: changes.put(False))
-        serving.join_on_close(thread)
+        serving.start_thread("zbot link check", self._run, serving, changes)
 
     def _run(self, serving: HubProcess, changes: queue.SimpleQueue[bool]) -> None:
         while changes.get():

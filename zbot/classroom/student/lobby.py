@@ -20,6 +20,7 @@ from zbot.security.access import LOBBY, LOBBY_SECRET, credentials
 from zbot.security.pin import PinClient, WrongPinError
 from zbot.security.secret import Secret
 from zbot.terminal.text import single_line
+from zbot.threads.deadline import Deadline
 from zbot.transport.config import MAX_DOMAIN_ID
 from zbot.transport.membership import Membership
 from zbot.transport.session import open_hub_client
@@ -83,12 +84,12 @@ def request_membership(
     """
     # The hub may be reopened meanwhile. A class that is asked again by the same laptop gives the
     # same number.
-    deadline, fruitless = time.monotonic() + _LONGEST_WAIT_S, 0
+    deadline, fruitless = Deadline(_LONGEST_WAIT_S), 0
     while True:
         try:
             return _request_once(address, request, ask_pin, link, certificate)
         except RefusedError as error:
-            if error.wait_s is None or time.monotonic() + error.wait_s > deadline:
+            if error.wait_s is None or error.wait_s > deadline.left_s:
                 raise
             time.sleep(error.wait_s)
         except (NoHubError, SilentHubError):

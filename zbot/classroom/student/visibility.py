@@ -10,6 +10,7 @@ from zbot.classroom.hub import running_hub
 from zbot.classroom.hub.queries import hub_facts
 from zbot.classroom.keys import nodes_selector
 from zbot.names import fully_qualified, is_hidden
+from zbot.threads.deadline import Deadline
 from zbot.transport import admin_query, membership, running_programs
 from zbot.transport.config import domain_id
 from zbot.transport.session import open_hub_client
@@ -53,12 +54,10 @@ def settled() -> Visibility | None:
     Returns:
         The visibility, or `None` if this machine has no hub.
     """
-    deadline = time.monotonic() + _SETTLED_S
-    while True:
-        found = visibility()
-        if found is None or not found.problems() or time.monotonic() > deadline:
-            return found
+    deadline = Deadline(_SETTLED_S)
+    while (found := visibility()) is not None and found.problems() and not deadline.is_over:
         time.sleep(_PAUSE_S)
+    return found
 
 
 def visibility() -> Visibility | None:

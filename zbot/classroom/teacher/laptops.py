@@ -14,6 +14,7 @@ from zbot.classroom.hub.queries import document_of
 from zbot.classroom.keys import facts_key, here_key
 from zbot.classroom.student_name import clean_name
 from zbot.classroom.teacher.running_nodes import RunningNodes
+from zbot.threads.deadline import Deadline
 from zbot.threads.foreign_call import called_by_zenoh
 
 if TYPE_CHECKING:
@@ -85,10 +86,10 @@ class Laptops:
         answers: queue.SimpleQueue[tuple[int, dict[str, Any], int]] = queue.SimpleQueue()
         here = self._students.here()
         asked = {number: self._ask(serving.session, number, answers) for number in here}
-        deadline = time.monotonic() + _FACTS_TIMEOUT_S
+        deadline = Deadline(_FACTS_TIMEOUT_S)
         for _ in asked:
             try:
-                number, facts, came_ns = answers.get(timeout=max(0, deadline - time.monotonic()))
+                number, facts, came_ns = answers.get(timeout=deadline.left_s)
             except queue.Empty:
                 return
             self._learn(number, facts, asked[number], came_ns)

@@ -27,6 +27,7 @@ from zbot.classroom.teacher.running_class import RunningClass
 from zbot.classroom.teacher.student_list import StudentList
 from zbot.security.access import TEACHER
 from zbot.security.pin import random_pin
+from zbot.threads.deadline import Deadline, poll
 from zbot.transport import membership
 from zbot.transport.config import hub_port
 from zbot.transport.membership import Membership
@@ -184,23 +185,21 @@ def _client() -> zenoh.Session:
     if present is None or present.role != "teacher":
         raise NoClassError
     # The hub is closed for a moment when its rules change, e.g. after the previous command.
-    deadline = time.monotonic() + _REOPENING_S
+    deadline = Deadline(_REOPENING_S)
     while (session := open_hub_client()) is None:
-        if time.monotonic() > deadline or running_hub.find() is None:
+        if deadline.is_over or running_hub.find() is None:
             raise ClassCommandError("the class does not run: continue it with `zbot class start`")
         time.sleep(_PAUSE_S)
     return session
 
 
 def _ask(question: dict[str, Any]) -> list[dict[str, Any]]:
-    # A hub that is about to reopen may accept a client and then close without a reply.
-    deadline = time.monotonic() + _REOPENING_S
-    while True:
+    def answers() -> list[dict[str, Any]]:
         with _client() as session:
-            answers = ask(session, COMMAND_KEY, question, timeout_s=_ANSWER_TIMEOUT_S)
-        if answers or time.monotonic() > deadline:
-            return answers
-        time.sleep(_PAUSE_S)
+            return ask(session, COMMAND_KEY, question, timeout_s=_ANSWER_TIMEOUT_S)
+
+    # A hub that is about to reopen may accept a client and then close without a reply.
+    return poll(answers, _REOPENING_S, _PAUSE_S)
 
 
 def command(question: dict[str, Any]) -> dict[str, Any]:

@@ -46,9 +46,7 @@ class RunningNodes:
             _NODE_TOKENS, large_queue(), history=True
         )
         receive = self._subscriber.handler.recv
-        thread = threading.Thread(target=self._run, args=(receive, names), daemon=True)
-        thread.start()
-        serving.join_on_close(thread)
+        serving.start_thread("zbot running nodes", self._run, receive, names)
 
     def _run(self, receive: Callable[[], zenoh.Sample], names: dict[int, dict[str, str]]) -> None:
         while True:

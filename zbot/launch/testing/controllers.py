@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-import time
 from typing import TYPE_CHECKING
 
 from zbot.launch.testing.topics import WaitForTopics
 from zbot.libraries.controller_manager import list_controllers
+from zbot.threads.deadline import poll
 
 from sensor_msgs.msg import JointState
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Sequence
 
     from zbot.node.node import Node
 
@@ -26,7 +26,7 @@ def check_node_running(node: Node, node_name: str, timeout: float = 5.0) -> None
     Raises:
         AssertionError: It was not there within `timeout` seconds.
     """
-    if not _becomes_true(lambda: node_name in node.get_node_names(), timeout):
+    if not poll(lambda: node_name in node.get_node_names(), timeout, _PERIOD_S):
         raise AssertionError(f"{node_name} not found!")
 
 
@@ -58,7 +58,7 @@ def check_controllers_running(
         states.update((one.name, one.state) for one in found)
         return all(states.get(name) == state for name in cnames)
 
-    if not _becomes_true(have_state, timeout):
+    if not poll(have_state, timeout, _PERIOD_S):
         wrong = ", ".join(name for name in cnames if states.get(name) != state)
         raise AssertionError(f"Controller(s) not found or not {state}: {wrong}; there are {states}")
 
@@ -73,12 +73,3 @@ def check_if_js_published(topic: str, joint_names: Sequence[str]) -> None:
         found = topics.received_messages(topic)[0].name
     if sorted(found) != sorted(joint_names):
         raise AssertionError(f"Wrong joint names: {list(found)} instead of {list(joint_names)}")
-
-
-def _becomes_true(condition: Callable[[], bool], timeout_s: float) -> bool:
-    deadline = time.monotonic() + timeout_s
-    while not condition():
-        if time.monotonic() > deadline:
-            return False
-        time.sleep(_PERIOD_S)
-    return True

@@ -10,7 +10,6 @@ from __future__ import annotations
 import contextlib
 import json
 import threading
-import time
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from zbot.bag.definition import definition_text
@@ -22,6 +21,7 @@ from zbot.interfaces.registry import interface_names, packages
 from zbot.json_reader import JsonError, read_json
 from zbot.names import is_hidden
 from zbot.parameters.parameter import Parameter, parameter_type, parameter_value_to_python
+from zbot.threads.deadline import Deadline
 from zbot.web.rosbridge.client_message import RosbridgeError
 from zbot.web.rosbridge.type_details import type_details
 from zbot.wire.tokens import EntityKind
@@ -301,11 +301,11 @@ def _get_param_names(bridge: Bridge, _args: dict[str, Any]) -> dict[str, Any]:
 
 
 def _wait(futures: list[Future[Any]]) -> None:
-    until_s = time.monotonic() + _PATIENCE_S
+    deadline = Deadline(_PATIENCE_S)
     for future in futures:
         is_over = threading.Event()
         future.add_waker(is_over.set)
-        is_over.wait(max(0.0, until_s - time.monotonic()))
+        is_over.wait(deadline.left_s)
 
 
 def _get_time(bridge: Bridge, _args: dict[str, Any]) -> dict[str, Any]:

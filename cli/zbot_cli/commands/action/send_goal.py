@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import sys
-import time
 from typing import TYPE_CHECKING, Any
 
+from zbot.threads.deadline import Deadline
 from zbot_cli.domain.action_types import (
     action_class,
     only_action_type,
@@ -92,7 +92,7 @@ class SendGoal:
         import zbot  # noqa: F401, PLC0415 - makes the message packages importable
 
         template = None if self._type is None else self._template(self._type)
-        deadline = None if self._timeout_s is None else time.monotonic() + self._timeout_s
+        deadline = Deadline(self._timeout_s)
         with hidden_node("send_goal", survives_ctrl_c=True) as node:
             self._node = node
             self._print_text("Waiting for an action server to become available...")
@@ -102,7 +102,7 @@ class SendGoal:
                 self._type = self._wait_for_type(deadline)
                 template = self._template(self._type)
             client = self._client(node)
-            if not client.wait_for_server(_remaining(deadline)):
+            if not client.wait_for_server(deadline.left_s):
                 raise self._no_server()
             return self._run_goal(client, template.make(lambda: node.get_clock().now().nanoseconds))
 
@@ -123,15 +123,14 @@ class SendGoal:
 
         return ActionClient(node, action_class(self._type or ""), self._name)
 
-    def _wait_for_type(self, deadline: float | None) -> str:
+    def _wait_for_type(self, deadline: Deadline) -> str:
         graph = self._node.context.graph
         while (found := only_action_type(graph.snapshot(), self._name)) is None:
-            left = _remaining(deadline)
-            if left == 0:
+            if deadline.is_over:
                 raise self._no_server()
             graph.wait_for(
                 lambda snapshot: only_action_type(snapshot, self._name) is not None,
-                _STEP_S if left is None else min(left, _STEP_S),
+                min(deadline.left_s, _STEP_S),
             )
         return found
 
@@ -216,10 +215,6 @@ def _split(words: Sequence[str]) -> tuple[str | None, list[str]]:
     if words and looks_like_type(words[0]):
         return resolve_action_type(words[0]), list(words[1:])
     return None, list(words)
-
-
-def _remaining(deadline: float | None) -> float | None:
-    return None if deadline is None else max(0.0, deadline - time.monotonic())
 
 
 def _text(message: Any) -> str:

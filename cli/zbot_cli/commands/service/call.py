@@ -6,6 +6,7 @@ import sys
 import time
 from typing import TYPE_CHECKING, Any
 
+from zbot.threads.deadline import Deadline
 from zbot_cli.domain.client import hidden_node
 from zbot_cli.domain.pause import Pause
 from zbot_cli.domain.service_types import (
@@ -86,7 +87,7 @@ class ServiceCall:
         import zbot  # noqa: F401, PLC0415 - makes the message packages importable
 
         template = None if self._type is None else self._template(self._type)
-        deadline = None if self._timeout_s is None else time.monotonic() + self._timeout_s
+        deadline = Deadline(self._timeout_s)
         with hidden_node("service_call") as node:
             if not self._as_json:
                 print("waiting for service to become available...", flush=True)
@@ -95,7 +96,7 @@ class ServiceCall:
             client = node.create_client(
                 service_class(type_name), self._name, qos_profile=self._qos.to_publish()
             )
-            if not client.wait_for_service(_remaining(deadline)):
+            if not client.wait_for_service(deadline.left_s):
                 raise self._no_server()
             self._call(node, client, template)
 
@@ -104,17 +105,16 @@ class ServiceCall:
 
         return Template(service_class(type_name).Request, self._values)
 
-    def _wait_for_server(self, node: Node, deadline: float | None) -> str:
+    def _wait_for_server(self, node: Node, deadline: Deadline) -> str:
         """Wait for a server, and return the type to call with."""
         graph = node.context.graph
         self._hint(graph.snapshot())
         while (found := served_type_of(graph.snapshot(), self._name, self._type)) is None:
-            left = _remaining(deadline)
-            if left == 0:
+            if deadline.is_over:
                 raise self._no_server()
             graph.wait_for(
                 lambda snapshot: self._name in dict(snapshot.services()),
-                _STEP_S if left is None else min(left, _STEP_S),
+                min(deadline.left_s, _STEP_S),
             )
         return found
 
@@ -181,7 +181,3 @@ def _split(words: Sequence[str]) -> tuple[str | None, list[str]]:
     if words and looks_like_type(words[0]):
         return resolve_service_type(words[0]), list(words[1:])
     return None, list(words)
-
-
-def _remaining(deadline: float | None) -> float | None:
-    return None if deadline is None else max(0.0, deadline - time.monotonic())

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import sys
-import time
 from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING, Any
 
 from zbot.executor.single_threaded_executor import SingleThreadedExecutor
 from zbot.node.event_callbacks import SubscriptionEventCallbacks
 from zbot.terminal.text import write_styled
+from zbot.threads.deadline import Deadline
 from zbot.wire.tokens import EndpointToken, EntityKind
 from zbot_cli.domain.client import full_name, hidden_node
 from zbot_cli.domain.topic_types import (
@@ -87,8 +87,7 @@ class Echo:
             executor = SingleThreadedExecutor(context=node.context)
             executor.add_node(node)
             hint_if_silent(node, self._start(node), lambda: not self._shown)
-            deadline = None if self._timeout_s is None else time.monotonic() + self._timeout_s
-            self._spin(executor, deadline)
+            self._spin(executor, Deadline(self._timeout_s))
         if self._timeout_s is not None and not self._shown:
             raise CommandError(
                 f"no message on {', '.join(self._names)} within {self._timeout_s:g} s"
@@ -144,12 +143,9 @@ class Echo:
             event_callbacks=callbacks,
         )
 
-    def _spin(self, executor: SingleThreadedExecutor, deadline: float | None) -> None:
-        while executor.context.ok() and not self._done:
-            left = None if deadline is None else deadline - time.monotonic()
-            if left is not None and left <= 0:
-                return
-            executor.spin_once(left)
+    def _spin(self, executor: SingleThreadedExecutor, deadline: Deadline) -> None:
+        while executor.context.ok() and not self._done and not deadline.is_over:
+            executor.spin_once(deadline.left_s)
 
     def _show(self, name: str, message: Any, info: MessageInfo) -> None:
         if self._done or not self._is_wanted(message):

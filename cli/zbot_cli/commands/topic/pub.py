@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from zbot.threads.deadline import Deadline
 from zbot.wire.tokens import EntityKind
 from zbot_cli.domain.client import full_name, hidden_node, snapshot
 from zbot_cli.domain.pause import Pause
@@ -140,25 +141,22 @@ class Pub:
         wanted = self._pace.subscriptions
         if not wanted:
             return
-        deadline = (
-            None if self._pace.max_wait_s is None else time.monotonic() + self._pace.max_wait_s
-        )
-        started, is_hinted = time.monotonic(), False
+        deadline = Deadline(self._pace.max_wait_s)
+        hint_time, is_hinted = Deadline(HINT_DELAY_S), False
         while node.context.ok() and publisher.get_subscription_count() < wanted:
-            if not is_hinted and time.monotonic() - started >= HINT_DELAY_S:
+            if hint_time.is_over and not is_hinted:
                 print_missing(node.context.graph.snapshot(), self._topic, EntityKind.SUBSCRIPTION)
                 is_hinted = True
             print(f"Waiting for at least {wanted} matching subscription(s)...", flush=True)
-            step = 1.0 if deadline is None else min(1.0, max(0.0, deadline - time.monotonic()))
             node.context.graph.wait_for(
                 lambda graph: (
                     len(graph.subscriptions(publisher.topic_name)) >= wanted
                     or not node.context.ok()
                 ),
-                step,
+                min(deadline.left_s, 1.0),
             )
             found = publisher.get_subscription_count()
-            if found < wanted and deadline is not None and time.monotonic() >= deadline:
+            if found < wanted and deadline.is_over:
                 raise CommandError(
                     f"Timed out waiting for subscribers: Expected {wanted} subscribers "
                     f"but only got {found} subscribers"
