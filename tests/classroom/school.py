@@ -1,4 +1,4 @@
-"""School: a teacher's machine with a class, and students' machines, with real hubs and without root."""
+"""School: the machines of a teacher with a class and of students, with real hubs, without root."""
 
 from __future__ import annotations
 

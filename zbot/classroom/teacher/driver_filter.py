@@ -32,8 +32,8 @@ class DriverFilter:
 
     A message contains the id of its publisher. The message may pass if the publisher's session has
     tokens in the driver's domain, because only the driver's laptop may declare tokens there. The
-    filter is not safe in a class whose shared space is open: in such a class, a student can write the
-    id of another publisher into a message.
+    filter is not safe in a class whose shared space is open: in such a class, a student can write
+    the id of another publisher into a message.
 
     Args:
         context: The bridge's context, on the teacher's machine.
