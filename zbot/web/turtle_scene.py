@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import base64
-import time
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from zbot.interfaces import get_service
+from zbot.threads.deadline import Deadline
 from zbot.web.turtle_control import SCENE_TYPE
 
 if TYPE_CHECKING:
@@ -48,7 +48,7 @@ class SceneView:
         self._client: EntityReference[Client[Any, Any]] | None = None
         self._request: Any = get_service(SCENE_TYPE).Request()  # type: ignore[attr-defined] # each service has it
         self._asked: Future[Any] | None = None
-        self._retry_at_s = 0.0
+        self._pause = Deadline(0)
         self._shown: list[Any] = []
         self.turtles: dict[str, SeenTurtle] = {}
         self.background = (0, 0, 0)
@@ -66,14 +66,14 @@ class SceneView:
 
     def update(self) -> None:
         """Show the simulator's response and send the next request. `Page.live` calls it."""
-        if self._client is None or time.monotonic() < self._retry_at_s:
+        if self._client is None or not self._pause.is_over:
             return
         asked, self._asked = self._asked, None
         if asked is not None and not asked.is_over:
             self._asked = asked
             return
         if asked is not None and asked.exception() is not None:
-            self._retry_at_s = time.monotonic() + _RETRY_S  # the simulator has probably ended
+            self._pause = Deadline(_RETRY_S)  # the simulator has probably ended
             return
         if asked is not None:
             self._show(asked.result())

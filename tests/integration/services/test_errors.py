@@ -102,15 +102,6 @@ def test_a_destroyed_server_fails_waiting_calls(
     assert isinstance(future.exception(), ServiceError)
 
 
-def test_a_negative_timeout_of_a_call_is_over_at_once(
-    make_context: MakeContext, caller: zbot.Node
-) -> None:
-    server = zbot.Node("server", context=make_context())  # never spins
-    server.create_service(AddTwoInts, "add", add)
-    with pytest.raises(TimeoutError, match="no response in time"):
-        client_of(caller).call(Request(), -1)
-
-
 def test_a_call_raises_at_timeout(make_context: MakeContext, caller: zbot.Node) -> None:
     server = zbot.Node("server", context=make_context())  # never spins
     server.create_service(AddTwoInts, "add", add)

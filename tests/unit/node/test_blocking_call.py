@@ -60,10 +60,11 @@ def test_an_attempt_that_timed_out_is_repeated_with_a_longer_timeout() -> None:
     assert caller.timeouts_s == [2, 4, 8]
 
 
-def test_a_call_without_a_response_in_time_raises() -> None:
+@pytest.mark.parametrize("timeout_sec", [0.001, 0, -1])
+def test_a_call_without_a_response_in_time_raises(timeout_sec: float) -> None:
     caller = Caller()
     with pytest.raises(TimeoutError, match="/add: there was no response in time"):
-        wait(caller, 0)
+        wait(caller, timeout_sec)
     assert caller.wakers == []
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import threading
-import time
 from typing import TYPE_CHECKING
 
 import zenoh
@@ -11,6 +10,7 @@ import zenoh
 from zbot.classroom.hub.queries import ask, document_of
 from zbot.classroom.keys import COMMAND_KEY, ROBOTS_KEY
 from zbot.classroom.teacher.robots import driver_in
+from zbot.threads.deadline import Deadline
 from zbot.threads.foreign_call import called_by_zenoh
 from zbot.transport import membership
 from zbot.wire.tokens import token_selector
@@ -72,7 +72,7 @@ class DriverFilter:
         return sender is not None and sender.zid in self._sessions
 
     def _poll(self) -> None:
-        heard_s = time.monotonic()
+        silence = Deadline(_LOST_S)
         while not self._is_over.is_set():
             joined = membership.load()
             if joined is None or joined.role != "teacher":
@@ -86,10 +86,10 @@ class DriverFilter:
                     return  # the bridge ends
                 answers = []  # after `_LOST_S`, nobody drives
             if answers and "error" not in answers[0]:
-                heard_s = time.monotonic()
+                silence = Deadline(_LOST_S)
                 number = answers[0].get("driver")
                 self._set(number if isinstance(number, int) else None)
-            elif time.monotonic() > heard_s + _LOST_S:
+            elif silence.is_over:
                 self._set(None)
             self._is_over.wait(_ASK_S)
 

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 from zbot.classroom.join_request import is_proof
 from zbot.classroom.teacher.student import Identity, Laptop, Student, user_of
 from zbot.classroom.teacher.student_number import student_for
+from zbot.threads.deadline import Deadline
 
 if TYPE_CHECKING:
     from zbot.classroom.join_request import JoinRequest
@@ -43,7 +44,7 @@ class StudentList:
         self._laptops: dict[int, Laptop] = {}
         self._joining: dict[int, float] = {}  # when laptops joined that were not linked yet
         self._unconfirmed: set[int] = set()  # laptops that were here before the hub was reopened
-        self._confirm_until_s = 0.0
+        self._confirm_by = Deadline(0)
         self._lock = threading.RLock()
 
     @classmethod
@@ -205,7 +206,7 @@ class StudentList:
         """Take laptops for gone that are not seen again within 5 s, as the hub was reopened."""
         with self._lock:
             self._unconfirmed = {n for n, laptop in self._laptops.items() if laptop.is_here}
-            self._confirm_until_s = time.monotonic() + _RETURN_S
+            self._confirm_by = Deadline(_RETURN_S)
 
     def laptop(self, number: int) -> Laptop:
         """Return when a laptop was seen, and what it has reported."""
@@ -220,7 +221,7 @@ class StudentList:
             return [number for number, laptop in self._laptops.items() if laptop.is_here]
 
     def _drop_unconfirmed(self) -> None:
-        if time.monotonic() > self._confirm_until_s:
+        if self._confirm_by.is_over:
             for number in self._unconfirmed & self._laptops.keys():
                 laptop = self._laptops[number]
                 laptop.is_here, laptop.since_ns = False, time.time_ns()

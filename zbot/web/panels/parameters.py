@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from typing import TYPE_CHECKING, Any
 
 from nicegui import ui
@@ -13,6 +12,7 @@ from zbot.parameters.parameter import (
     parameter_type,
     parameter_value_to_python,
 )
+from zbot.threads.deadline import Deadline
 from zbot.web.command_line import command_line
 from zbot.web.list_panel import ListPanel
 from zbot.web.panel import Page, Panel
@@ -59,7 +59,7 @@ class _NodeParameters:
         self.watch = section.watch(_EVENTS, "rcl_interfaces/msg/ParameterEvent", keep=_EVENTS_KEPT)
         self.last = 0
         self.is_stale = self.is_loading = False
-        self.next_load_s = 0.0
+        self.load_pause = Deadline(0)
         self.place = ui.element("div").classes("zb-parameters")
         section.page.show_command(command_line("param", "dump", node))
         self.load()
@@ -68,7 +68,7 @@ class _NodeParameters:
     def load(self) -> None:
         """Load all parameters again, in the background."""
         self.is_stale, self.is_loading = False, True
-        self.next_load_s = time.monotonic() + _LOAD_PAUSE_S
+        self.load_pause = Deadline(_LOAD_PAUSE_S)
         with self.place:
             ui.timer(0, self.fill, once=True)
 
@@ -102,7 +102,7 @@ class _NodeParameters:
             event = self.watch.read(record)
             if event is not None and event.node == self.node:
                 self.is_stale |= not self.follow(event)
-        if self.is_stale and not self.is_loading and time.monotonic() >= self.next_load_s:
+        if self.is_stale and not self.is_loading and self.load_pause.is_over:
             self.load()
 
     def follow(self, event: Any) -> bool:
