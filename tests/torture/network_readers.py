@@ -37,7 +37,6 @@ from zbot.wire.error_reply import unpack_error
 from zbot.wire.errors import CodecError, TokenError
 from zbot.wire.keys import encoded_type, parse_key
 from zbot.wire.messagepack.codec import codec_for
-from zbot.wire.messagepack.large_arrays import extract_arrays
 from zbot.wire.messagepack.packing import UnreadableError, pack, unpack
 from zbot.wire.rmw_zenoh import RMW_ZENOH
 from zbot.wire.tokens import parse_token
@@ -47,7 +46,7 @@ from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry, Path
 from rcl_interfaces.msg import Log, ParameterEvent
 from rcl_interfaces.srv import DescribeParameters, GetParameters
-from sensor_msgs.msg import CompressedImage, Image, LaserScan, PointCloud2, PointField
+from sensor_msgs.msg import CompressedImage, Image, JointState, LaserScan, PointCloud2, PointField
 from std_msgs.msg import ByteMultiArray, String
 from visualization_msgs.msg import Marker, MarkerArray
 
@@ -63,6 +62,7 @@ _TYPES: tuple[Any, ...] = (
     LaserScan(ranges=[0.5] * 40, range_max=9.0, angle_increment=0.1),
     PointCloud2(width=2, height=1, point_step=4, data=bytes(8)),
     ByteMultiArray(data=[b"a", b"b"]),
+    JointState(name=[f"joint_{number}" for number in range(30)]),
     get_message("std_msgs/msg/UInt8MultiArray")(data=bytes(5000)),
     get_message("action_msgs/msg/GoalStatusArray")(),
 )
@@ -284,7 +284,9 @@ NETWORK_READERS = (
         "message",
         (
             "zbot.wire.messagepack.codec",
+            "zbot.wire.messagepack.decoder_source",
             "zbot.wire.messagepack.value_reader",
+            "zbot.wire.messagepack.walker",
             "zbot.wire.messagepack.default_memory",
             "zbot.interfaces.array_value",
             "zbot.interfaces.field_check",
@@ -313,13 +315,6 @@ NETWORK_READERS = (
         _converted(to_cdr),
         (CodecError,),
         _typed_seeds(codec_for),
-    ),
-    Reader(
-        "large_arrays",
-        ("zbot.wire.messagepack.large_arrays",),
-        lambda data: extract_arrays(data, {pack("data"): "data"}),
-        (),
-        (pack({"data": bytes(9000), "a": 1}), pack({"layout": {}, "data": b"abc"})),
     ),
     Reader(
         "attachment",

@@ -1,26 +1,24 @@
-"""Checks and conversions of single values for the generated codecs.
+"""Checks and conversions of single values. Each function returns the value or raises `Fault`.
 
-A generated codec tests each value inline. If this test fails, the codec calls a function of this
-module, which converts the value or raises `Fault`. Most values pass the test, so the speed of this
-module matters little.
+A generated codec tests most values inline, so the speed of this module matters little.
 """
 
 from __future__ import annotations
 
 import math
 from array import array
+from contextlib import suppress
 from struct import calcsize
 from struct import error as struct_error
 from typing import TYPE_CHECKING, Any
 
-from zbot.interfaces.spec import FLOAT32_MAX
+from zbot.interfaces.spec import FLOAT32_MAX, INTEGER_RANGES
 from zbot.wire.messagepack.packing import BIG_ENDIAN, ITEM_SIZE, Extension
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-#: placeholder for a field that the sender left out
-MISSING: Any = object()
+    from zbot.interfaces.spec import FieldType
 
 
 def _same_numbers(typecode: str) -> set[str]:
@@ -46,9 +44,14 @@ class Fault(Exception):  # noqa: N818 - internal: the codec turns it into a Code
         return self
 
 
+class UnusualError(Exception):
+    """A message has an unusual value or form. The walker converts or rejects it."""
+
+
 #: What generated code raises for an unusual message, before other code does the work carefully.
 UNUSUAL_ERRORS = (
     Fault,
+    UnusualError,
     struct_error,
     AttributeError,
     LookupError,
@@ -74,23 +77,13 @@ def wrong(field: str, expected: str, value: Any) -> Fault:
     return Fault(field, f"expected {expected}, not {kind(value)}")
 
 
-def message_fault(field: str, type_name: str, value: Any, error: Exception) -> Fault:
-    """Return the fault for a nested message. `error` is the error of the message's conversion."""
-    if isinstance(error, Fault):
-        return error.inside(field)
-    return wrong(field, f"a {type_name}", value)
-
-
-def items_fault(
-    field: str, type_name: str, values: list[Any], convert: Callable[[Any], Any]
-) -> Fault:
-    """Return the fault for the first message in a list that `convert` rejects."""
-    for index, value in enumerate(values):
-        try:
-            convert(value)
-        except (Fault, AttributeError) as error:
-            return message_fault(f"{field}[{index}]", type_name, value, error)
-    return Fault(field, "the list changed while it was read")
+def scalar(kind: FieldType, field: str, value: Any) -> Any:
+    """Return the value of a field that has one number, bool or text."""
+    if kind.is_string:
+        return text(field, value, kind.string_bound)
+    if kind.base in INTEGER_RANGES:
+        return integer(field, value, *INTEGER_RANGES[kind.base])
+    return {"bool": boolean, "float32": real32, "float64": real}[kind.base](field, value)
 
 
 def boolean(field: str, value: Any) -> bool:
@@ -103,12 +96,6 @@ def boolean(field: str, value: Any) -> bool:
 def any_boolean(field: str, value: Any) -> bool:
     """Return a received bool. Each number that is not 0 is true."""
     return bool(value) if isinstance(value, int) else boolean(field, value)
-
-
-def any_booleans(field: str, value: Any, size: int, *, fixed: bool) -> list[bool]:
-    """Return a list of received bools. Each number that is not 0 is true."""
-    values = items(field, value, size, fixed=fixed)
-    return [any_boolean(f"{field}[{index}]", item) for index, item in enumerate(values)]
 
 
 def integer(field: str, value: Any, low: int, high: int) -> int:
@@ -197,16 +184,9 @@ def texts(field: str, value: Any, size: int, *, fixed: bool, bound: int) -> list
 def octets(field: str, value: Any, size: int, *, fixed: bool) -> bytes:
     """Return a list of `byte` values as one binary of MessagePack."""
     values = items(field, value, size, fixed=fixed)
+    if set(map(type, values)) <= {bytes} and set(map(len, values)) <= {1}:
+        return b"".join(values)
     return bytes(octet(f"{field}[{index}]", item) for index, item in enumerate(values))
-
-
-def octets_from(field: str, value: Any, size: int, *, fixed: bool) -> list[bytes]:
-    """Return received `byte` values. The sender may send them as a binary or a list."""
-    if isinstance(value, bytes):
-        length(field, len(value), size, fixed=fixed)
-        return [bytes((number,)) for number in value]
-    values = items(field, value, size, fixed=fixed)
-    return [octet_from(f"{field}[{index}]", item) for index, item in enumerate(values)]
 
 
 def numbers(field: str, value: Any, typecode: str, size: int, *, fixed: bool) -> array[Any]:
@@ -219,6 +199,19 @@ def numbers(field: str, value: Any, typecode: str, size: int, *, fixed: bool) ->
         raise wrong(field, f"an array of typecode {typecode!r}", value)
     length(field, len(view), size, fixed=fixed)
     return _little_endian(array(typecode, view.tobytes()))
+
+
+def fixed_bytes(field: str, value: Any, typecode: str, size: int) -> bytes:
+    """Return the bytes of a fixed-size array of numbers, in little-endian order."""
+    try:
+        # The usual value is an ndarray of the field's type. For it, `numbers` would be slow.
+        dtype = value.dtype
+        if dtype.char == typecode and dtype.isnative and value.shape == (size,) and not BIG_ENDIAN:
+            data: bytes = value.tobytes()
+            return data
+    except AttributeError:
+        pass  # an array.array or a list
+    return numbers(field, value, typecode, size, fixed=True).tobytes()
 
 
 def numbers_from(field: str, value: Any, typecode: str, size: int, *, fixed: bool) -> array[Any]:
@@ -242,6 +235,9 @@ def _little_endian(values: array[Any]) -> array[Any]:
 
 def _listed(field: str, value: Any, typecode: str, size: int, *, fixed: bool) -> array[Any]:
     values = items(field, value, size, fixed=fixed)
+    if typecode != "f" and set(map(type, values)) <= {float if typecode == "d" else int}:
+        with suppress(OverflowError):
+            return array(typecode, values)
     check = {"f": real32, "d": real}.get(typecode) or _integer_check(typecode)
     return array(typecode, [check(f"{field}[{i}]", item) for i, item in enumerate(values)])
 

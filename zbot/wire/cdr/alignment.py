@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
-from zbot.interfaces import get_interface, message_spec_of
+from zbot.wire.function_source import spec_named
 from zbot.wire.messagepack.packing import ITEM_SIZE
 
 if TYPE_CHECKING:
@@ -17,11 +17,6 @@ if TYPE_CHECKING:
 #: bytes that Fast CDR writes for one wide character
 UNIT_SIZE = 4
 COUNT_SIZE = 4
-
-# If a type has more fields at all levels, its source calls a function for each message inside it.
-# Without this limit, the source of some types would be very long, and slow to compile.
-_MAX_FIELDS = 250
-_MAX_LOOPS = 8  # Python allows 20 nested blocks
 
 
 class Alignment(NamedTuple):
@@ -65,17 +60,12 @@ class TypeLayout:
 
     def __init__(self) -> None:
         self._ends: dict[tuple[str, Alignment], Alignment] = {}
-        self._sizes: dict[str, tuple[int, int, int]] = {}
-
-    def is_inline(self, spec: MessageSpec) -> bool:
-        """Return whether a type's source contains the source of the messages inside it."""
-        _, fields, loops = self._measure(spec)
-        return fields <= _MAX_FIELDS and loops <= _MAX_LOOPS
+        self._sizes: dict[str, int] = {}
 
     def least_size(self, kind: FieldType) -> int:
         """Return the smallest number of bytes of one value of a field's base type."""
         if kind.is_message:
-            return self._measure(spec_named(kind.base))[0]
+            return self._least_size(spec_named(kind.base))
         return ITEM_SIZE.get(kind.typecode, COUNT_SIZE if kind.is_string else 1)
 
     def loop_start(self, kind: FieldType, known: Alignment) -> Alignment:
@@ -120,23 +110,13 @@ class TypeLayout:
         size = ITEM_SIZE.get(kind.typecode, 1)
         return known.aligned(size).after(size)
 
-    def _measure(self, spec: MessageSpec) -> tuple[int, int, int]:
-        """Return a message's least size, its number of fields at all levels, and loop depth."""
-        measured = self._sizes.get(spec.name)
-        if measured is None:
-            size, count, loops = 0, 0, 0
-            for field in spec.fields:
-                kind = field.type
-                inner = self._measure(spec_named(kind.base)) if kind.is_message else (0, 0, 0)
-                factor = {"scalar": 1, "array": kind.size, "sequence": 0}[kind.kind]
-                size += factor * self.least_size(kind)
+    def _least_size(self, spec: MessageSpec) -> int:
+        """Return the smallest number of bytes of a message."""
+        if spec.name not in self._sizes:
+            size = 0
+            for kind in (field.type for field in spec.fields):
+                count = {"scalar": 1, "array": kind.size, "sequence": 0}[kind.kind]
+                size += count * self.least_size(kind)
                 size += COUNT_SIZE if kind.kind == "sequence" else 0
-                count += 1 + inner[1]
-                loops = max(loops, inner[2] + (kind.kind != "scalar"))
-            measured = self._sizes[spec.name] = (max(size, 1), count, loops)
-        return measured
-
-
-def spec_named(name: str) -> MessageSpec:
-    """Return the spec of the message type with this name."""
-    return message_spec_of(get_interface(name))
+            self._sizes[spec.name] = max(size, 1)
+        return self._sizes[spec.name]

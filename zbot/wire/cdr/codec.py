@@ -20,6 +20,7 @@ from zbot.wire.cdr import values
 from zbot.wire.cdr.decoder_source import HEADER_SIZE, DecoderSource
 from zbot.wire.cdr.encoder_source import EncoderSource
 from zbot.wire.errors import CodecError
+from zbot.wire.function_source import compiled
 from zbot.wire.messagepack.codec import codec_for
 from zbot.wire.messagepack.packing import BIG_ENDIAN
 from zbot.wire.payload import is_cdr
@@ -203,8 +204,5 @@ def _reader(message_class: type[Any], order: str, tolerant: bool) -> Callable[..
 def _compiled(
     message_class: type[Any], source: Source, text: str, name: str, more: dict[str, Any]
 ) -> Callable[..., Any]:
-    names = _COMMON_NAMES | source.names | more
-    filename = f"<CDR codec of {message_spec_of(message_class).name}>"
-    exec(compile(text, filename, "exec"), names)  # noqa: S102 - our own text
-    function: Callable[..., Any] = names[name]
-    return function
+    title = f"CDR codec of {message_spec_of(message_class).name}"
+    return compiled(text, name, _COMMON_NAMES | source.names | more, title)

@@ -1,8 +1,8 @@
 """Generator of the Python source that decodes CDR to messages of a type.
 
 In the source, `data` contains all bytes of the message, with the header. The source writes a
-position as the sum of a variable and a constant. A run is a group of values that one
-`struct.Struct` reads (see `zbot.wire.cdr.source`).
+position as the sum of a variable and a constant. A struct is a group of values that one
+`struct.Struct` reads (see `source`).
 """
 
 from __future__ import annotations
@@ -13,8 +13,9 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.interfaces import get_interface, message_spec_of
 from zbot.wire.cdr.alignment import COUNT_SIZE, START, UNIT_SIZE, Alignment
-from zbot.wire.cdr.source import Source, element
-from zbot.wire.messagepack.codec import layout_of
+from zbot.wire.cdr.source import Source
+from zbot.wire.class_layout import layout_of
+from zbot.wire.function_source import element, is_inline
 from zbot.wire.messagepack.packing import ITEM_SIZE
 
 if TYPE_CHECKING:
@@ -48,10 +49,10 @@ class DecoderSource(Source):
         self._swapped = (order == "<") != (sys.byteorder == "little")
         self._variable, self._offset = ("p", 0) if nested else ("", HEADER_SIZE)
         self._targets: list[str] = []
-        self._waiting: list[str] = []  # lines that use the values of the run
-        self._inline = self.layout.is_inline(message_spec_of(message_class))
+        self._waiting: list[str] = []  # lines that use the values of the struct
+        self._inline = is_inline(message_spec_of(message_class))
         message = self._message(message_class, "")
-        self._flush_run()
+        self._flush_struct()
         self.add(f"return {message}, {self._position}" if nested else f"return {message}")
 
     @property
@@ -74,7 +75,7 @@ class DecoderSource(Source):
         """Add the lines that read a message. Return the name of the message's variable."""
         layout, spec = layout_of(message_class), message_spec_of(message_class)
         if not spec.fields:
-            self._run("c", 1, self.fresh("x"))  # a structure without members is one byte in CDR
+            self._put("c", 1, self.fresh("x"))  # a structure without members is one byte in CDR
         values = {f.name: self._field(f, f"{path}{f.name}") for f in spec.fields}
         for field in spec.fields:
             method = layout.conversions.get(field.name)
@@ -100,8 +101,8 @@ class DecoderSource(Source):
                 return self._fixed(kind, path)
             return self._loop(kind, str(kind.size), path)
         count = self.fresh("n")
-        self._run("I", COUNT_SIZE, count)
-        self._flush_run()
+        self._put("I", COUNT_SIZE, count)
+        self._flush_struct()
         if kind.size:
             with self.block(f"if {count} > {kind.size}:"):
                 self.add(f"length({path!r}, {count}, {kind.size}, fixed=False)")
@@ -119,17 +120,17 @@ class DecoderSource(Source):
             return self._text(kind, path)
         value = self.fresh("x")
         if kind.base == "bool":
-            self._run("B", 1, value)
+            self._put("B", 1, value)
             if not self._tolerant:
                 self._then(f"if {value} > 1: raise Fault({path!r}, f'{{{value}}} is not a bool')")
             return f"({value} != 0)"
-        self._run(kind.typecode or "c", ITEM_SIZE.get(kind.typecode, 1), value)
+        self._put(kind.typecode or "c", ITEM_SIZE.get(kind.typecode, 1), value)
         return value
 
     def _nested(self, kind: FieldType, path: str) -> str:
         if self._inline:
             return self._message(get_interface(kind.base), f"{path}.")
-        self._flush_run()
+        self._flush_struct()
         message, position = self.fresh("m"), self.fresh("p")
         read = self.function_for("read", kind)
         self.add(f"{message}, {position} = {read}(data, {self._position}, end)")
@@ -138,8 +139,8 @@ class DecoderSource(Source):
 
     def _text(self, kind: FieldType, path: str) -> str:
         count, end, text = self.fresh("n"), self.fresh("e"), self.fresh("t")
-        self._run("I", COUNT_SIZE, count)
-        self._flush_run()
+        self._put("I", COUNT_SIZE, count)
+        self._flush_struct()
         begin = self._position
         if kind.base == "wstring":
             self.add(f"{end} = {begin} + {UNIT_SIZE} * {count}")
@@ -161,10 +162,10 @@ class DecoderSource(Source):
     # -- arrays and sequences --------------------------------------------------------------------
 
     def _fixed(self, kind: FieldType, path: str) -> str:
-        """Add a fixed-size array of numbers, bools or bytes to the run."""
+        """Add a fixed-size array of numbers, bools or bytes to the struct."""
         raw, values = self.fresh("r"), self.fresh("v")
         size = ITEM_SIZE.get(kind.typecode, 1)
-        self._run(f"{kind.size * size}s", kind.size * size, raw, size)
+        self._put(f"{kind.size * size}s", kind.size * size, raw, size)
         if not kind.typecode:
             self._then(f"{values} = {kind.base}_items({path!r}, {raw})")
             return values
@@ -203,7 +204,7 @@ class DecoderSource(Source):
 
     def _loop(self, kind: FieldType, count: str, path: str) -> str:
         """Add the lines that read an array or a sequence of messages or texts."""
-        self._flush_run()
+        self._flush_struct()
         values, append = self.fresh("v"), self.fresh("append")
         self._set_p()
         self.known = start = self.layout.loop_start(element(kind), self.known)
@@ -211,17 +212,17 @@ class DecoderSource(Source):
         self.add(f"{append} = {values}.append")
         with self.block(f"for _ in range({count}):"):
             value = self._value(element(kind), f"{path}[]")
-            self._flush_run()
+            self._flush_struct()
             self.add(f"{append}({value})")
             self._set_p()
         self.known = start
         return values
 
-    # -- runs and positions ----------------------------------------------------------------------
+    # -- structs and positions -------------------------------------------------------------------
 
     @property
     def _position(self) -> str:
-        """Expression of the position before the run."""
+        """Expression of the position before the struct."""
         if not self._variable:
             return str(self._offset)
         return f"{self._variable} + {self._offset}" if self._offset else self._variable
@@ -239,28 +240,31 @@ class DecoderSource(Source):
             self.add(f"p = {self._position}")
         self._variable, self._offset = "p", 0
 
-    def _run(self, code: str, size: int, target: str, alignment: int = 0) -> None:
-        """Put a value at the end of the run. Begin a new run if the value's padding is unknown."""
+    def _put(self, code: str, size: int, target: str, alignment: int = 0) -> None:
+        """Put a value at the end of the struct.
+
+        If the value's padding is not known, the value begins a new struct.
+        """
         alignment = alignment or size
         padding = self.known.padding(alignment)
         if padding is None:
-            self._flush_run()
+            self._flush_struct()
             start = self.fresh("p")
             self.add(f"{start} = {_aligned(self._position, alignment)}")
             self._move(start, Alignment(alignment, 0))
             padding = 0
-        self.pad_run(padding, code, size)
+        self.pad_struct(padding, code, size)
         self._targets.append(target)
 
     def _then(self, line: str) -> None:
-        """Add a line after the run. The line can use the values of the run."""
+        """Add a line after the struct. The line can use the values of the struct."""
         if self._targets:
             self._waiting.append(line)
         else:
             self.add(line)
 
-    def _flush_run(self) -> None:
-        code, size = self.take_run()
+    def _flush_struct(self) -> None:
+        code, size = self.take_struct()
         if not self._targets:
             return
         unpack = self.constant("UNPACK", Struct(f"{self._order}{code}").unpack_from)

@@ -1,6 +1,6 @@
 """Generator of the Python source that encodes the messages of a type as CDR.
 
-The generated function joins parts: packed runs (see `zbot.wire.cdr.source`), texts and arrays. Its
+The generated function joins parts: packed structs (see `source`), texts and arrays. Its
 variable `p` is the number of bytes of all earlier parts, without the header. The source computes
 `p` only where a padding depends on `p`.
 """
@@ -12,13 +12,14 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.interfaces import get_interface, message_spec_of
 from zbot.wire.cdr.alignment import COUNT_SIZE, START, UNIT_SIZE, Alignment
-from zbot.wire.cdr.source import Source, element
-from zbot.wire.messagepack.codec import layout_of
+from zbot.wire.cdr.source import Source
+from zbot.wire.class_layout import layout_of
+from zbot.wire.function_source import element, is_inline
 from zbot.wire.messagepack.packing import ITEM_SIZE
 
 if TYPE_CHECKING:
     from zbot.interfaces.spec import Field, FieldType
-    from zbot.wire.messagepack.generator import Layout
+    from zbot.wire.class_layout import ClassLayout
 
 
 class EncoderSource(Source):
@@ -31,13 +32,13 @@ class EncoderSource(Source):
         super().__init__(Alignment() if nested else START)
         self._parts: list[str] = []  # expressions of the parts that are not yet in the list
         self._values: list[str] = []
-        self._lead = 0  # alignment of a run whose padding depends on `p`
+        self._lead = 0  # alignment of a struct whose padding depends on `p`
         self._base, self._constant = ("p", 0) if nested else ("", 0)
         self._lengths: list[str] = []  # `p` is the base plus the constant plus these lengths
         self._has_list = nested
         if not nested:
             self.format, self._values = "4s", ["HEADER"]
-        self._inline = self.layout.is_inline(message_spec_of(message_class))
+        self._inline = is_inline(message_spec_of(message_class))
         self._message(message_class, "message", "")
         if nested:
             self._sync()
@@ -65,12 +66,12 @@ class EncoderSource(Source):
     def _message(self, message_class: type[Any], variable: str, path: str) -> None:
         layout, spec = layout_of(message_class), message_spec_of(message_class)
         if not spec.fields:
-            self.pad_run(0, "x", 1)  # a structure without members is one byte in CDR
+            self.pad_struct(0, "x", 1)  # a structure without members is one byte in CDR
         for field in spec.fields:
             here = f"{path}{field.name}"
             self._field(field, self._member(layout, variable, field, here), here)
 
-    def _member(self, layout: Layout, variable: str, field: Field, path: str) -> str:
+    def _member(self, layout: ClassLayout, variable: str, field: Field, path: str) -> str:
         """Return the expression of a message's field."""
         value = f"{variable}.{layout.prefix}{field.name}"
         if layout.keywords and field.type.kind == "scalar" and field.type.base == "bool":
@@ -95,7 +96,7 @@ class EncoderSource(Source):
             self._text(kind, value, path)
         else:
             code = kind.typecode or {"bool": "?", "byte": "c"}[kind.base]
-            self._run(code, ITEM_SIZE.get(kind.typecode, 1), value)
+            self._put(code, ITEM_SIZE.get(kind.typecode, 1), value)
 
     def _nested(self, kind: FieldType, value: str, path: str) -> None:
         if self._inline:
@@ -114,12 +115,12 @@ class EncoderSource(Source):
         if kind.base == "wstring":
             self.add(f"{data} = wide_units({value})")
             self.add(f"{length} = len({data})")
-            self._run("I", COUNT_SIZE, f"{length} // {UNIT_SIZE}")
+            self._put("I", COUNT_SIZE, f"{length} // {UNIT_SIZE}")
             self._part(data, length, Alignment(UNIT_SIZE, 0))
             return
         self.add(f"{data} = {value}.encode() + b'\\0'")
         self.add(f"{length} = len({data})")
-        self._run("I", COUNT_SIZE, length)
+        self._put("I", COUNT_SIZE, length)
         self._part(data, length, Alignment())
 
     # -- arrays and sequences --------------------------------------------------------------------
@@ -127,14 +128,14 @@ class EncoderSource(Source):
     def _packed(self, kind: FieldType, value: str, path: str) -> None:
         """Write an array or a sequence of numbers, bools or bytes.
 
-        An array is added to the run. The items of a sequence are one part.
+        An array is added to the struct. The items of a sequence are one part.
         """
         size = ITEM_SIZE.get(kind.typecode, 1)
         if kind.kind == "array":
             convert = f"fixed_bytes({path!r}, {value}, {kind.typecode!r}, {kind.size})"
             if not kind.typecode:
                 convert = _converted(kind, value, path)
-            self._run(f"{kind.size * size}s", kind.size * size, convert, size)
+            self._put(f"{kind.size * size}s", kind.size * size, convert, size)
             return
         data, length = self.fresh("v"), self.fresh("n")
         if kind.typecode:
@@ -149,7 +150,7 @@ class EncoderSource(Source):
         else:
             self.add(f"{data} = {_converted(kind, value, path)}")
         self.add(f"{length} = len({data})")
-        self._run("I", COUNT_SIZE, length)
+        self._put("I", COUNT_SIZE, length)
         if self.known.padding(size) != 0:
             self._pad_items(length)
         total = length if size == 1 else f"{size} * {length}"
@@ -161,7 +162,7 @@ class EncoderSource(Source):
         An empty sequence has no padding.
         """
         padding = self.fresh("z")
-        self._flush_run()
+        self._flush_struct()
         self._set_position()
         self.add(f"{padding} = FOUR_ZEROS if {length} and p & 4 else b''")
         self._part(padding, f"len({padding})", Alignment(COUNT_SIZE, 0))
@@ -176,7 +177,7 @@ class EncoderSource(Source):
         else:
             self._check_list(kind, values, path)
         self.add(f"{data} = text_items({values})")
-        self._run("I", COUNT_SIZE, f"len({values})")
+        self._put("I", COUNT_SIZE, f"len({values})")
         self._part(data, f"len({data})", Alignment())
 
     def _loop(self, kind: FieldType, value: str, path: str) -> None:
@@ -185,7 +186,7 @@ class EncoderSource(Source):
         self.add(f"{values} = {value}")
         self._check_list(kind, values, path)
         if kind.kind == "sequence":
-            self._run("I", COUNT_SIZE, f"len({values})")
+            self._put("I", COUNT_SIZE, f"len({values})")
         self._sync()
         self.known = start = self.layout.loop_start(element(kind), self.known)
         with self.block(f"for {item} in {values}:"):
@@ -201,37 +202,40 @@ class EncoderSource(Source):
         with self.block(f"if type({values}) is not list{wrong_length}:"):
             self.add(f"{values} = items({path!r}, {values}, {kind.size}, fixed={fixed})")
 
-    # -- runs, parts and positions ---------------------------------------------------------------
+    # -- structs, parts and positions ------------------------------------------------------------
 
-    def _run(self, code: str, size: int, value: str, alignment: int = 0) -> None:
-        """Put a value at the end of the run. Begin a new run if the value's padding is unknown."""
+    def _put(self, code: str, size: int, value: str, alignment: int = 0) -> None:
+        """Put a value at the end of the struct.
+
+        If the value's padding is not known, the value begins a new struct.
+        """
         padding = self.known.padding(alignment or size)
         if padding is None:
-            self._flush_run()
+            self._flush_struct()
             self._lead, padding = alignment or size, 0
             self.known = Alignment(self._lead, 0)
-        self.pad_run(padding, code, size)
+        self.pad_struct(padding, code, size)
         self._values.append(value)
 
-    def _flush_run(self) -> None:
-        code, size = self.take_run()
+    def _flush_struct(self) -> None:
+        code, size = self.take_struct()
         if not code:
             return
         values, lead = ", ".join(self._values), self._lead
         self._values, self._lead = [], 0
-        run = self.fresh("b")
+        packed = self.fresh("b")
         if lead:
             packs = tuple(Struct(f"<{-rest % lead}x{code}").pack for rest in range(lead))
             self._set_position()
-            self.add(f"{run} = {self.constant('PACK', packs)}[p & {lead - 1}]({values})")
+            self.add(f"{packed} = {self.constant('PACK', packs)}[p & {lead - 1}]({values})")
             self._base = f"(p + {lead - 1} & -{lead})"
         else:
-            self.add(f"{run} = {self.constant('PACK', Struct(f'<{code}').pack)}({values})")
+            self.add(f"{packed} = {self.constant('PACK', Struct(f'<{code}').pack)}({values})")
         self._constant += size
-        self._parts.append(run)
+        self._parts.append(packed)
 
     def _part(self, value: str, length: str, known: Alignment) -> None:
-        self._flush_run()
+        self._flush_struct()
         self._parts.append(value)
         self._lengths.append(length)
         self.known = known
@@ -247,7 +251,7 @@ class EncoderSource(Source):
 
     def _sync(self) -> None:
         """Add lines that put all parts into the list and set `p` to the position after them."""
-        self._flush_run()
+        self._flush_struct()
         self._set_position()
         if self._parts:
             self.add(f"parts += ({', '.join(self._parts)},)")
@@ -255,12 +259,12 @@ class EncoderSource(Source):
 
     def _return(self) -> None:
         if self._has_list:
-            self._flush_run()
+            self._flush_struct()
             if self._parts:
                 self.add(f"parts += ({', '.join(self._parts)},)")
             self.add("return b''.join(parts)")
             return
-        self._flush_run()
+        self._flush_struct()
         if len(self._parts) == 1:
             self.lines[-1] = self.lines[-1].replace(f"{self._parts[0]} =", "return", 1)
         else:

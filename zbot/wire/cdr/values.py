@@ -7,8 +7,7 @@ from struct import Struct, error, pack, unpack
 from typing import Any
 
 from zbot.wire.cdr.alignment import UNIT_SIZE
-from zbot.wire.messagepack.packing import BIG_ENDIAN
-from zbot.wire.validation import Fault, numbers
+from zbot.wire.validation import Fault
 
 FOUR_ZEROS = bytes(4)
 #: reason of a `Fault`
@@ -31,19 +30,6 @@ def text_items(texts: list[str]) -> bytes:
     if parts:
         parts[-1] = b"\0"  # there is no padding after the last text
     return b"".join(parts)
-
-
-def fixed_bytes(field: str, value: Any, typecode: str, size: int) -> bytes:
-    """Return the bytes of a fixed-size array of numbers, in little-endian order."""
-    try:
-        # The usual value is an ndarray of the field's type. For it, `numbers` would be slow.
-        dtype = value.dtype
-        if dtype.char == typecode and dtype.isnative and value.shape == (size,) and not BIG_ENDIAN:
-            data: bytes = value.tobytes()
-            return data
-    except AttributeError:
-        pass  # an array.array or a list
-    return numbers(field, value, typecode, size, fixed=True).tobytes()
 
 
 def large(typecode: str, data: bytes, begin: int, end: int) -> array[Any]:

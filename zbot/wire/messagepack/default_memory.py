@@ -7,12 +7,10 @@ thousands of bytes of memory, so a message of some kilobytes could fill the memo
 from __future__ import annotations
 
 import functools
-import threading
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from zbot.interfaces import get_spec
 from zbot.interfaces.default_size import DefaultSize, combined_size
-from zbot.interfaces.spec import MessageSpec
 from zbot.wire.validation import Fault
 
 if TYPE_CHECKING:
@@ -25,51 +23,24 @@ _BYTES_FOR_EACH_MESSAGE = 16 * 2**20
 _SMALL = 256
 
 
-class _Memory(threading.local):
-    left = 0
+class DefaultMemory:
+    """Memory that a message of `size` bytes may still use for default values."""
 
+    def __init__(self, size: int) -> None:
+        self._left = _BYTES_FOR_EACH_MESSAGE + _BYTES_FOR_EACH_BYTE * size
 
-_memory = _Memory()
+    def count(self, field: Field, elements: int) -> None:
+        """Count the elements of a sequence of messages.
 
-
-def begin_message(size: int) -> None:
-    """Begin a new count in this thread for a message of `size` bytes."""
-    _memory.left = _BYTES_FOR_EACH_MESSAGE + _BYTES_FOR_EACH_BYTE * size
-
-
-def count_elements(field: str, values: Any, octets: int) -> None:
-    """Count the messages in a list. One message with default values needs `octets` bytes.
-
-    Raises:
-        Fault: The message leaves out so many values that they would need too much memory.
-    """
-    if type(values) is list:
-        _memory.left -= octets * len(values)
-        if _memory.left < 0:
-            raise Fault(field, "the messages in it leave out too many values")
-
-
-def large_element(field: Field) -> int:
-    """Return the memory of an element of a sequence. Return 0 if elements need not be counted."""
-    if field.type.kind != "sequence" or not field.type.is_message:
-        return 0
-    octets = _size(field.type.base).octets
-    return octets if octets >= _SMALL else 0
-
-
-def has_large_elements(spec: MessageSpec) -> bool:
-    """Return whether a message, or a message inside it, has sequences that are counted."""
-    return any(
-        large_element(field) or _has_large_elements(field.type.base)
-        for field in spec.fields
-        if field.type.is_message
-    )
-
-
-@functools.cache
-def _has_large_elements(name: str) -> bool:
-    spec = get_spec(name)
-    return isinstance(spec, MessageSpec) and has_large_elements(spec)
+        Raises:
+            Fault: The message leaves out so many values that they would need too much memory.
+        """
+        if field.type.kind != "sequence" or not field.type.is_message:
+            return
+        octets = _size(field.type.base).octets
+        self._left -= octets * elements if octets >= _SMALL else 0
+        if self._left < 0:
+            raise Fault(field.name, "the messages in it leave out too many values")
 
 
 @functools.cache

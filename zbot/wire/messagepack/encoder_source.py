@@ -1,24 +1,24 @@
-"""Generator of the Python source that encodes messages of a type as MessagePack by runs.
+"""Generator of the Python source that encodes messages of a type as MessagePack.
 
-A run is a group of neighbouring bytes whose number is known: names of fields, floats, bools and
-arrays of fixed size. One `struct.Struct` packs a run. The bytes are the same as those of
-`zbot.wire.messagepack.generator`, but most messages need less time.
+Neighbouring bytes whose number is known form a *struct*: names of fields, floats, bools and arrays
+of fixed size. One `struct.Struct` packs a struct. The generated function joins structs and other
+parts. The bytes are the same as those of `walker`.
 """
 
 from __future__ import annotations
 
 from struct import Struct
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
+from zbot.interfaces import get_interface, message_spec_of
 from zbot.interfaces.spec import INTEGER_RANGES
-from zbot.wire.cdr.alignment import spec_named
-from zbot.wire.cdr.source import element
-from zbot.wire.function_source import FunctionSource
+from zbot.wire.class_layout import layout_of
+from zbot.wire.function_source import FunctionSource, element, is_inline
 from zbot.wire.messagepack.packing import ITEM_SIZE, bin_header, ext_header, map_header, pack
 from zbot.wire.messagepack.value_reader import array_header
 
 if TYPE_CHECKING:
-    from zbot.interfaces.spec import FieldType, MessageSpec
+    from zbot.interfaces.spec import FieldType
 
 #: MessagePack's tag of a float of 64 bits
 FLOAT = b"\xcb"
@@ -31,23 +31,27 @@ def fixed_numbers_header(kind: FieldType) -> tuple[bytes, int]:
     return bin_header(size) if code == "B" else ext_header(ord(code), size), size
 
 
-class RunEncoderSource(FunctionSource):
-    """Source of `encode(message)` for a type that `zbot.wire.run_codec.is_supported` accepts."""
+class EncoderSource(FunctionSource):
+    """Source of `encode(message)`, or of `write(parts, message)` for messages inside others.
 
-    def __init__(self, spec: MessageSpec) -> None:
+    `write` appends the parts of the inner message to `parts`.
+    """
+
+    def __init__(self, message_class: type[Any], *, nested: bool) -> None:
         super().__init__()
         self._format = ""
         self._values: list[str] = []
-        self._constant = b""  # bytes at the end of the run that are the same in each message
+        self._constant = b""  # bytes at the end of the struct that are the same in each message
         self._parts: list[str] = []  # expressions of the parts that are not yet in the list
-        self._has_list = False
-        self._message(spec, "message")
-        self._flush_run()
+        self._has_list = nested
+        self._inline = is_inline(message_spec_of(message_class))
+        self._message(message_class, "message")
+        self._flush_struct()
         if self._has_list:
             self._add_parts()
-            self.add("return b''.join(parts)")
-        else:
-            self.add(f"return b''.join(({', '.join(self._parts)},))")
+        if not nested:
+            parts = "parts" if self._has_list else f"({', '.join(self._parts)},)"
+            self.add(f"return b''.join({parts})")
 
     @property
     def text(self) -> str:
@@ -59,36 +63,55 @@ class RunEncoderSource(FunctionSource):
             "    except UNUSUAL:\n        return careful(message)\n"
         )
 
-    def _message(self, spec: MessageSpec, variable: str) -> None:
-        self._constant += map_header(len(spec.fields))
-        for field in spec.fields:
+    @property
+    def nested_text(self) -> str:
+        """The source of `write`."""
+        return "\n".join(["def write(parts, message):", *self.lines]) + "\n"
+
+    # -- messages and fields ---------------------------------------------------------------------
+
+    def _message(self, message_class: type[Any], variable: str) -> None:
+        layout, fields = layout_of(message_class), message_spec_of(message_class).fields
+        self._constant += map_header(len(fields))
+        for field in fields:
             self._constant += pack(field.name)
-            self._field(field.type, f"{variable}._{field.name}")
+            value = f"{variable}.{layout.prefix}{field.name}"
+            # A dataclass does not check its fields, and has lists in place of arrays.
+            self._field(field.type, _checked(field.type, value) if layout.keywords else value)
 
     def _field(self, kind: FieldType, value: str) -> None:
         if kind.kind == "scalar":
             self._value(kind, value)
+        elif kind.base == "byte":
+            octets = f"octets('', {value}, {kind.size}, fixed={kind.kind == 'array'})"
+            self._binary(self.variable("v", octets))
         elif not kind.typecode:
-            self._loop(kind, value)
+            self._items(kind, self.variable("v", value))
         elif kind.kind == "array":
             self._fixed_numbers(kind, value)
         else:
-            self._numbers(kind, value)
+            self._numbers(kind, self.variable("v", value))
 
     def _value(self, kind: FieldType, value: str) -> None:
         if kind.is_message:
-            variable = self._variable("m", value)
-            self._message(spec_named(kind.base), variable)
+            self._nested(kind, value)
         elif kind.base == "float64":
-            self._run(FLOAT, "d", value)
+            self._put(FLOAT, "d", value)
         elif kind.base == "float32":
-            number = self._variable("x", value)
-            self.add(f"if abs({number}) > FLOAT32_MAX and abs({number}) != inf: raise UnusualError")
-            self._run(FLOAT, "d", number)
+            number = self.variable("x", value)
+            self._refuse(f"abs({number}) > FLOAT32_MAX and abs({number}) != inf")
+            self._put(FLOAT, "d", number)
         elif kind.base == "bool":
-            self._run(b"", "B", f"BOOLS[{value}]")
+            self._put(b"", "B", f"BOOLS[{value}]")
         else:
-            self._packed(kind, self._variable("x", value))
+            self._packed(kind, self.variable("x", value))
+
+    def _nested(self, kind: FieldType, value: str) -> None:
+        if self._inline:
+            self._message(get_interface(kind.base), self.variable("m", value))
+            return
+        self._add_parts()
+        self.add(f"{self.function_for('write', kind)}(parts, {value})")
 
     def _packed(self, kind: FieldType, variable: str) -> None:
         """Write an integer, a `byte` or a text, whose size differs between messages."""
@@ -96,36 +119,50 @@ class RunEncoderSource(FunctionSource):
             self._part(f"pack(octet('', {variable}))")
             return
         usual = f"type({variable}) is str"
+        if kind.string_bound:
+            usual += f" and len({variable}) <= {kind.string_bound}"
         if kind.base in INTEGER_RANGES:
             low, high = INTEGER_RANGES[kind.base]
             usual = f"type({variable}) is int and {low} <= {variable} <= {high}"
-        self.add(f"if not ({usual}): raise UnusualError")
+        self._refuse(f"not ({usual})")
         self._part(f"pack({variable})")
+
+    # -- arrays and sequences --------------------------------------------------------------------
 
     def _fixed_numbers(self, kind: FieldType, value: str) -> None:
         header, size = fixed_numbers_header(kind)
         convert = f"fixed_bytes('', {value}, {kind.typecode!r}, {kind.size})"
-        self._run(header, f"{size}s", convert)
+        self._put(header, f"{size}s", convert)
 
-    def _numbers(self, kind: FieldType, value: str) -> None:
-        values, code = self._variable("v", value), kind.typecode
+    def _numbers(self, kind: FieldType, values: str) -> None:
+        code = kind.typecode
         wrong = f"type({values}) is not array or {values}.typecode != {code!r}"
-        self.add(f"if {wrong}: raise UnusualError")
-        size = f"{ITEM_SIZE[code]} * len({values})"
-        header = f"bin_header({size})" if code == "B" else f"ext_header({ord(code)}, {size})"
-        self._part(header)
+        self._refuse(wrong + _wrong_length(kind, values))
+        if code == "B":
+            self._binary(values)
+            return
+        self._part(f"ext_header({ord(code)}, {ITEM_SIZE[code]} * len({values}))")
         self._part(values)
 
-    def _loop(self, kind: FieldType, value: str) -> None:
-        """Write an array or a sequence of messages or texts."""
-        values, item = self._variable("v", value), self.fresh("i")
-        wrong_length = f" or len({values}) != {kind.size}" if kind.kind == "array" else ""
-        wrong_types = "" if kind.is_message else f" or set(map(type, {values})) - {{str}}"
-        wrong = f"type({values}) is not list{wrong_length}{wrong_types}"
-        self.add(f"if {wrong}: raise UnusualError")
-        if kind.is_string:
+    def _binary(self, data: str) -> None:
+        self._part(f"bin_header(len({data}))")
+        self._part(data)
+
+    def _items(self, kind: FieldType, values: str) -> None:
+        """Write an array or a sequence of messages, texts or bools."""
+        wrong = f"type({values}) is not list{_wrong_length(kind, values)}"
+        if not kind.is_message:
+            wrong += f" or set(map(type, {values})) - {{{'str' if kind.is_string else 'bool'}}}"
+        if kind.string_bound:
+            wrong += f" or max(map(len, {values}), default=0) > {kind.string_bound}"
+        self._refuse(wrong)
+        if kind.is_message:
+            self._loop(kind, values)
+        else:
             self._part(f"pack({values})")
-            return
+
+    def _loop(self, kind: FieldType, values: str) -> None:
+        item = self.fresh("i")
         self.add(f"{values} = {values}.copy()")  # another thread may change the list
         if kind.kind == "array":
             self._constant += array_header(kind.size)
@@ -136,15 +173,13 @@ class RunEncoderSource(FunctionSource):
             self._value(element(kind), item)
             self._add_parts()
 
-    # -- runs and parts --------------------------------------------------------------------------
+    # -- structs and parts -----------------------------------------------------------------------
 
-    def _variable(self, prefix: str, value: str) -> str:
-        variable = self.fresh(prefix)
-        self.add(f"{variable} = {value}")
-        return variable
+    def _refuse(self, condition: str) -> None:
+        self.add(f"if {condition}: raise UnusualError")
 
-    def _run(self, header: bytes, code: str, value: str) -> None:
-        """Put a value and its constant header at the end of the run."""
+    def _put(self, header: bytes, code: str, value: str) -> None:
+        """Put a value and its constant header at the end of the struct."""
         self._constant += header
         self._take_constant()
         self._format += code
@@ -156,25 +191,37 @@ class RunEncoderSource(FunctionSource):
             self._values.append(repr(self._constant))
             self._constant = b""
 
-    def _flush_run(self) -> None:
-        """Make the run a part."""
+    def _flush_struct(self) -> None:
+        """Make the struct a part."""
         if self._values:
             self._take_constant()
-            run, pack_run = self.fresh("r"), self.constant("PACK", Struct(f">{self._format}").pack)
-            self.add(f"{run} = {pack_run}({', '.join(self._values)})")
-            self._parts.append(run)
+            pack_struct = self.constant("PACK", Struct(f">{self._format}").pack)
+            self._parts.append(self.variable("b", f"{pack_struct}({', '.join(self._values)})"))
             self._format, self._values = "", []
         elif self._constant:
             self._parts.append(repr(self._constant))
             self._constant = b""
 
     def _part(self, value: str) -> None:
-        self._flush_run()
+        self._flush_struct()
         self._parts.append(value)
 
     def _add_parts(self) -> None:
         """Add a line that puts all parts into the list."""
-        self._flush_run()
+        self._flush_struct()
         if self._parts:
             self.add(f"parts += ({', '.join(self._parts)},)")
         self._parts, self._has_list = [], True
+
+
+def _wrong_length(kind: FieldType, values: str) -> str:
+    compare = "!=" if kind.kind == "array" else ">"
+    return f" or len({values}) {compare} {kind.size}" if kind.size else ""
+
+
+def _checked(kind: FieldType, value: str) -> str:
+    """Return the expression of a value that is checked and converted, if it can need this."""
+    if kind.kind == "sequence" and kind.typecode:
+        return f"numbers('', {value}, {kind.typecode!r}, {kind.size}, fixed=False)"
+    check = {"bool": "boolean", "float32": "real", "float64": "real"}.get(kind.base)
+    return f"{check}('', {value})" if check and kind.kind == "scalar" else value

@@ -1,7 +1,7 @@
-"""Fast encoders and decoders for most message types.
+"""Fast encoders and decoders with generated code for each type.
 
 They work for usual messages, and for bytes as zbot sends them. For all others, they call the
-careful functions of `codec`, which convert or reject them. Both send the same bytes.
+functions of `walker`, which convert or reject them. Both send the same bytes.
 """
 
 from __future__ import annotations
@@ -9,108 +9,77 @@ from __future__ import annotations
 import math
 import struct
 from array import array
-from dataclasses import is_dataclass
 from typing import TYPE_CHECKING, Any
 
-from zbot.interfaces import get_interface, message_spec_of
+from zbot.errors import ExternalShutdownException
+from zbot.interfaces import message_spec_of
 from zbot.interfaces.array_value import fixed_array
-from zbot.interfaces.spec import FLOAT32_MAX
-from zbot.wire.cdr.alignment import TypeLayout
-from zbot.wire.cdr.values import fixed_bytes
-from zbot.wire.messagepack.decoder_source import RunDecoderSource
-from zbot.wire.messagepack.encoder_source import RunEncoderSource
-from zbot.wire.messagepack.packing import BIG_ENDIAN, bin_header, ext_header, pack
-from zbot.wire.messagepack.value_reader import (
-    UnusualError,
-    array_header,
-    read_count,
-    read_integer,
-    read_numbers,
-    read_text,
-    read_texts,
-    read_time,
-)
-from zbot.wire.validation import UNUSUAL_ERRORS, octet
+from zbot.wire import validation
+from zbot.wire.function_source import compiled
+from zbot.wire.messagepack import value_reader
+from zbot.wire.messagepack.decoder_source import DecoderSource
+from zbot.wire.messagepack.encoder_source import EncoderSource
+from zbot.wire.messagepack.packing import bin_header, ext_header, pack
+from zbot.wire.validation import UNUSUAL_ERRORS
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from zbot.interfaces.spec import FieldType
-
 _NAMES: dict[str, Any] = {
+    **vars(validation),
+    **vars(value_reader),
     "BOOLS": {False: 0xC2, True: 0xC3},
-    "FLOAT32_MAX": FLOAT32_MAX,
-    "UNUSUAL": (UnusualError, *UNUSUAL_ERRORS),
-    "UnusualError": UnusualError,
+    "SHUTDOWN": ExternalShutdownException,
+    "UNUSUAL": UNUSUAL_ERRORS,
     "array": array,
-    "array_header": array_header,
     "bin_header": bin_header,
     "ext_header": ext_header,
     "fixed_array": fixed_array,
-    "fixed_bytes": fixed_bytes,
     "inf": math.inf,
-    "octet": octet,
     "pack": pack,
-    "read_count": read_count,
-    "read_integer": read_integer,
-    "read_numbers": read_numbers,
-    "read_text": read_text,
-    "read_texts": read_texts,
-    "read_time": read_time,
     "uint32": struct.Struct(">I").unpack_from,
 }
-
-
-def is_supported(message_class: type[Any]) -> bool:
-    """Return whether a class can have a fast encoder and decoder on this machine.
-
-    Dataclasses and types with bounds, with arrays of `bool` or `byte`, or with very many fields
-    have none. The same is true for messages with such messages inside.
-    """
-    is_short = TypeLayout().is_inline(message_spec_of(message_class))
-    return not BIG_ENDIAN and is_short and _has_support(message_class)
+_nested_functions: dict[tuple[type[Any], str], Callable[..., Any]] = {}
 
 
 def encoder(message_class: type[Any], careful: Callable[[Any], bytes]) -> Callable[[Any], bytes]:
-    """Return a function that encodes messages of a class that `is_supported` accepts."""
-    written = RunEncoderSource(message_spec_of(message_class))
-    return _compiled(message_class, written, "encode", careful)
+    """Return a function that encodes messages of a class. It calls `careful` if it cannot."""
+    source = EncoderSource(message_class, nested=False)
+    names = _names(source, "write") | {"careful": careful}
+    return compiled(source.text, "encode", names, _title(message_class))
 
 
 def decoder(message_class: type[Any], careful: Callable[[Any], Any]) -> Callable[[Any], Any]:
-    """Return a function that decodes messages of a class that `is_supported` accepts."""
-    return _compiled(message_class, RunDecoderSource(message_class), "decode", careful)
+    """Return a function that decodes messages of a class. It calls `careful` if it cannot."""
+    source = DecoderSource(message_class, nested=False)
+    names = _names(source, "read") | {"careful": careful}
+    if source.has_constructors or source.called:
+        names["UNUSUAL"] = Exception  # a constructor may raise any exception
+    return compiled(source.text, "decode", names, _title(message_class))
 
 
 def source(message_class: type[Any]) -> str:
-    """Return the source of the encoder and the decoder of a class that `is_supported` accepts."""
-    encode = RunEncoderSource(message_spec_of(message_class)).text
-    return f"{encode}\n\n{RunDecoderSource(message_class).text}"
+    """Return the source of the encoder and the decoder of a class."""
+    encode = EncoderSource(message_class, nested=False).text
+    return f"{encode}\n\n{DecoderSource(message_class, nested=False).text}"
 
 
-def _compiled(
-    message_class: type[Any],
-    written: RunEncoderSource | RunDecoderSource,
-    name: str,
-    careful: Callable[[Any], Any],
-) -> Callable[[Any], Any]:
-    names = _NAMES | written.names | {"careful": careful}
-    filename = f"<runs of {message_spec_of(message_class).name}>"
-    exec(compile(written.text, filename, "exec"), names)  # noqa: S102 - our own text
-    function: Callable[[Any], Any] = names[name]
-    return function
+def _names(source: EncoderSource | DecoderSource, verb: str) -> dict[str, Any]:
+    """Return the values of the names in a source, with the functions that it calls."""
+    called = {name: _nested_function(cls, verb) for name, cls in source.called.items()}
+    return _NAMES | source.names | called
 
 
-def _has_support(message_class: type[Any]) -> bool:
-    kinds = [field.type for field in message_spec_of(message_class).fields]
-    inner = [get_interface(kind.base) for kind in kinds if kind.is_message]
-    return (
-        not is_dataclass(message_class)
-        and all(map(_is_simple, kinds))
-        and all(map(_has_support, inner))
-    )
+def _nested_function(message_class: type[Any], verb: str) -> Callable[..., Any]:
+    """Return the function that reads or writes a class's messages inside other messages."""
+    key = message_class, verb
+    if key not in _nested_functions:
+        source_class = EncoderSource if verb == "write" else DecoderSource
+        source = source_class(message_class, nested=True)
+        names, title = _names(source, verb), _title(message_class)
+        _nested_functions[key] = compiled(source.nested_text, verb, names, title)
+    return _nested_functions[key]
 
 
-def _is_simple(kind: FieldType) -> bool:
-    is_bounded = kind.string_bound > 0 or (kind.kind == "sequence" and kind.size > 0)
-    return not is_bounded and (kind.kind == "scalar" or kind.base not in {"bool", "byte"})
+def _title(message_class: type[Any]) -> str:
+    return f"MessagePack codec of {message_spec_of(message_class).name}"

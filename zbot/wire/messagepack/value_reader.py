@@ -7,7 +7,12 @@ Python, if the bytes are not the value that zbot would send.
 from __future__ import annotations
 
 from array import array
+from itertools import islice
 from typing import Any
+
+import msgpack  # type: ignore[import-untyped]
+
+from zbot.wire.validation import UnusualError
 
 _UNSIGNED_SIZES = {0xCC: 1, 0xCD: 2, 0xCE: 4, 0xCF: 8}
 _SIGNED_SIZES = {0xD0: 1, 0xD1: 2, 0xD2: 4, 0xD3: 8}
@@ -17,12 +22,11 @@ UINT32 = b"\xce"
 #: what is before the two integers of a `builtin_interfaces/Time`
 TIME_KEYS = b"\x82\xa3sec", b"\xa7nanosec"
 _FEW_TEXTS = 12
+_USUAL_TEXT = 64  #: most texts have fewer bytes
+#: Settings of a msgpack that refuses all values that could need much memory.
+_ONLY_TEXTS = {"max_array_len": 0, "max_map_len": 0, "max_bin_len": 0, "max_ext_len": 0}
 #: size in bytes from which a view saves time, because the numbers are then copied only once
 _LARGE = 1 << 12
-
-
-class UnusualError(Exception):
-    """A message has an unusual value or form. The careful codec converts or rejects it."""
 
 
 def read_integer(data: bytes, position: int) -> tuple[int, int]:
@@ -63,9 +67,9 @@ def read_text(data: bytes, position: int) -> tuple[str, int]:
 
 
 def read_texts(data: bytes, position: int, count: int) -> tuple[list[str], int]:
-    """Read as many texts as an array has, but only if there are few of them."""
+    """Read as many texts as an array has."""
     if count > _FEW_TEXTS:
-        raise UnusualError  # msgpack reads many texts faster
+        return _read_many_texts(data, position, count)
     texts: list[str] = []
     for _ in range(count):
         tag = data[position]
@@ -77,6 +81,30 @@ def read_texts(data: bytes, position: int, count: int) -> tuple[list[str], int]:
             texts.append(text)
         position = end
     return texts, position
+
+
+def _read_many_texts(data: bytes, position: int, count: int) -> tuple[list[str], int]:
+    """Read texts with msgpack, which begins slower than `read_texts` but needs less for each."""
+    # Usually a part of the bytes contains all texts. msgpack copies the bytes that it gets.
+    for end in (position + _USUAL_TEXT * count, len(data)):
+        part = data[position:end]
+        unpacker = msgpack.Unpacker(max_buffer_size=len(part), **_ONLY_TEXTS)
+        unpacker.feed(part)
+        texts = list(islice(unpacker, count))
+        if len(texts) == count:
+            break
+    if len(texts) != count or set(map(type, texts)) != {str}:
+        raise UnusualError
+    return texts, position + unpacker.tell()
+
+
+def read_bools(data: bytes, position: int, count: int) -> tuple[list[bool], int]:
+    """Read as many bools as an array has."""
+    end = position + count
+    tags = data[position:end]
+    if len(tags) != count or tags.strip(b"\xc2\xc3"):
+        raise UnusualError
+    return [tag == 0xC3 for tag in tags], end
 
 
 def read_count(data: bytes, position: int) -> tuple[int, int]:
@@ -118,6 +146,12 @@ def read_numbers(data: bytes, position: int, typecode: str, code: int) -> tuple[
     values: array[Any] = array(typecode)
     values.frombytes(memoryview(data)[begin:end])
     return values, end
+
+
+def read_octets(data: bytes, position: int) -> tuple[list[bytes], int]:
+    """Read an array of `byte`, which is sent as a binary."""
+    numbers, end = read_numbers(data, position, "B", 0)
+    return [bytes((number,)) for number in numbers], end
 
 
 def array_header(count: int) -> bytes:

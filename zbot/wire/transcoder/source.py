@@ -8,14 +8,13 @@ from zbot.interfaces import message_spec_of
 from zbot.wire.cdr.alignment import COUNT_SIZE
 from zbot.wire.cdr.decoder_source import DecoderSource
 from zbot.wire.cdr.encoder_source import EncoderSource
-from zbot.wire.messagepack.generator import is_numeric_array
 from zbot.wire.messagepack.packing import ITEM_SIZE, map_header, pack
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from zbot.interfaces.spec import Field, FieldType, MessageSpec
-    from zbot.wire.messagepack.generator import Layout
+    from zbot.wire.class_layout import ClassLayout
 
 
 class MapReaderSource(DecoderSource):
@@ -39,7 +38,7 @@ class MapReaderSource(DecoderSource):
     def _message(self, message_class: type[Any], path: str) -> str:
         spec = message_spec_of(message_class)
         if not spec.fields:
-            self._run("c", 1, self.fresh("x"))  # a structure without members is one byte in CDR
+            self._put("c", 1, self.fresh("x"))  # a structure without members is one byte in CDR
         is_outer = not path and not self._is_nested
         values = {}
         for field in spec.fields:
@@ -52,7 +51,7 @@ class MapReaderSource(DecoderSource):
     def _value(self, kind: FieldType, path: str) -> str:
         if kind.kind == "scalar" and kind.base == "byte":
             value = self.fresh("x")
-            self._run("B", 1, value)
+            self._put("B", 1, value)
             return value
         return super()._value(kind, path)
 
@@ -60,7 +59,7 @@ class MapReaderSource(DecoderSource):
         if kind.base == "bool":
             return super()._fixed(kind, path)
         raw, size = self.fresh("r"), ITEM_SIZE.get(kind.typecode, 1)
-        self._run(f"{kind.size * size}s", kind.size * size, raw, size)
+        self._put(f"{kind.size * size}s", kind.size * size, raw, size)
         return raw
 
     def _packed_items(self, kind: FieldType, begin: str, end: str, path: str) -> str:
@@ -69,8 +68,13 @@ class MapReaderSource(DecoderSource):
         return f"data[{begin}:{end}]"
 
 
+def _is_numeric_array(field: Field) -> bool:
+    """Return whether a field is an array of numbers, which is sent as a binary or an extension."""
+    return field.type.kind != "scalar" and bool(field.type.typecode)
+
+
 def _wire_value(field: Field, value: str) -> str:
-    if not is_numeric_array(field) or field.type.typecode == "B":
+    if not _is_numeric_array(field) or field.type.typecode == "B":
         return value
     return f"extension_of({ord(field.type.typecode)}, {value})"
 
@@ -81,12 +85,12 @@ def _map(values: dict[str, str]) -> str:
 
 def _packed(spec: MessageSpec, values: dict[str, str]) -> str:
     """Return the expression of a message's bytes. Arrays are copied once, into the joined bytes."""
-    if not any(map(is_numeric_array, spec.fields)):
+    if not any(map(_is_numeric_array, spec.fields)):
         return f"pack({_map(values)})"
     parts, others = [repr(map_header(len(spec.fields)))], dict[str, str]()
     for field in spec.fields:
         value = values[field.name]
-        if not is_numeric_array(field):
+        if not _is_numeric_array(field):
             others[field.name] = value
             continue
         parts += _entries(others)
@@ -123,7 +127,7 @@ class MapWriterSource(EncoderSource):
         begin += ["    parts = []"] if self._has_list else []
         return "\n".join(["def convert(data):", *begin, *self.lines]) + "\n"
 
-    def _member(self, layout: Layout, variable: str, field: Field, path: str) -> str:
+    def _member(self, layout: ClassLayout, variable: str, field: Field, path: str) -> str:
         del layout, path
         value = f"{variable}[{field.name!r}]"
         is_bool = field.type.kind == "scalar" and field.type.base == "bool"
@@ -131,7 +135,7 @@ class MapWriterSource(EncoderSource):
 
     def _value(self, kind: FieldType, value: str, path: str) -> None:
         if kind.base == "byte":
-            self._run("B", 1, value)
+            self._put("B", 1, value)
         else:
             super()._value(kind, value, path)
 
@@ -150,9 +154,9 @@ class MapWriterSource(EncoderSource):
             with self.block(f"if len({data}) {compare} {kind.size * size}:"):
                 self.add(f"raise Fault({path!r}, '')")
         if kind.kind == "array":
-            self._run(f"{kind.size * size}s", kind.size * size, data, size)
+            self._put(f"{kind.size * size}s", kind.size * size, data, size)
             return
-        self._run("I", COUNT_SIZE, f"len({data}) // {size}" if size > 1 else f"len({data})")
+        self._put("I", COUNT_SIZE, f"len({data}) // {size}" if size > 1 else f"len({data})")
         if self.known.padding(size) != 0:
             self._pad_items(data)
         self._part(data, f"len({data})", self.known.after_items(size))

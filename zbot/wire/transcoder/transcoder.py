@@ -15,6 +15,7 @@ from zbot.interfaces import message_spec_of
 from zbot.wire import validation
 from zbot.wire.cdr import values as cdr_values
 from zbot.wire.cdr.codec import cdr_codec_for
+from zbot.wire.function_source import compiled
 from zbot.wire.messagepack.codec import codec_for
 from zbot.wire.messagepack.packing import bin_header, ext_header, pack
 from zbot.wire.transcoder import values as map_values
@@ -105,7 +106,6 @@ def _function(
             name: _function(cls, source_class, nested=True) for name, cls in source.called.items()
         }
         names = _COMMON_NAMES | source.names | called
-        filename = f"<transcoder of {message_spec_of(message_class).name}>"
-        exec(compile(source.function_text, filename, "exec"), names)  # noqa: S102 - our own text
-        _functions[key] = names["convert"]
+        title = f"transcoder of {message_spec_of(message_class).name}"
+        _functions[key] = compiled(source.function_text, "convert", names, title)
     return _functions[key]
