@@ -122,7 +122,7 @@ def measure_new_nodes(report: Report, lesson: Lesson) -> None:
         seen = lesson.watch.until(has(node))
         after_start.append(seen - begun)
         after_birth.append(seen - int(program.wait_for("node").split()[1]) / 1e9)
-        program.stop(timeout_s=20)
+        program.stop(timeout=20)
     report.row("from a node's creation until it is seen, longest of 10", max(after_birth), 0.5)
     report.row(
         "from the start of its process until it is seen, median", statistics.median(after_start)
@@ -235,7 +235,7 @@ def measure_flood(report: Report, lesson: Lesson) -> None:
     flood.wait_for("flood")
     time.sleep(FLOOD_S)
     for program in (flood, ana, teacher):
-        program.stop(timeout_s=20)
+        program.stop(timeout=20)
     heard = json.loads(teacher.lines[-1])
     # The flood's schedule (flood.py): seconds in which it begins or ends are not counted.
     with_flood, without = (by_second(heard["delays_us"], phase) for phase in (1, 3))
@@ -355,9 +355,9 @@ def measure_bad_wifi(report: Report, minutes: float) -> None:
         laptop.reconnect()
         time.sleep(minutes * 60 / 2)
         after = {what: resident_mb(pid) for what, pid in watched.items()}
-        telemetry.stop(timeout_s=20)
+        telemetry.stop(timeout=20)
         time.sleep(2)
-        room.stop(timeout_s=20)
+        room.stop(timeout=20)
     for what, pid_before in before.items():
         report.row(f"memory growth of the {what}", after[what] - pid_before, 5, "MB")
     report_numbers(report, first, json.loads(telemetry.lines[-1]), json.loads(room.lines[-1]))

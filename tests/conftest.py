@@ -4,14 +4,9 @@ from __future__ import annotations
 
 import itertools
 import os
-import queue
-import signal
-import socket
-import subprocess
 import sys
 import threading
 import time
-from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -19,17 +14,13 @@ import hypothesis
 import pytest
 
 import zbot
+import zbot.testing
 from zbot.log.registry import REGISTRY
-from zbot.transport import config
-from zbot.transport.config import MAX_DOMAIN_ID, MEETING_PORT
+from zbot.testing.domain import open_router, reserved_domain
 from zbot.transport.rmw_choice import RMW_VARIABLE, RMW_ZENOH
-from zbot.transport.rmw_meeting import RmwRouter
-from zbot.transport.session import MeetingPoint
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
-
-    import zenoh
 
     from tests.docs.machines import Machines
     from zbot.log.record import Record
@@ -59,7 +50,6 @@ _ROOT = Path(__file__).parents[1]
 os.environ["PYTHONPATH"] = os.pathsep.join(str(_ROOT / folder) for folder in ("", "cli", "nodes"))
 
 _test_numbers = itertools.count()
-_RESERVATION_PORT = MEETING_PORT + 1000
 _PREFIXES = ("ZBOT_", "ROS_", "RCUTILS_", "RMW_", "ZENOH_", "AMENT_", "COLCON_")
 
 
@@ -120,50 +110,10 @@ def free_domain(monkeypatch: pytest.MonkeyPatch) -> Iterator[int]:
 @pytest.fixture
 def domain(free_domain: int, monkeypatch: pytest.MonkeyPatch) -> Iterator[int]:
     """Return an unused domain whose router runs in this process, which is faster."""
-    router = _open_router(free_domain, monkeypatch)
+    router = open_router(free_domain, monkeypatch)
     assert router is not None
     yield free_domain
     router.close()
-
-
-def _open_router(domain: int, monkeypatch: pytest.MonkeyPatch) -> zenoh.Session | None:
-    if not speaks_ros2():
-        return MeetingPoint(config.load(), domain, config.discovery_range(), {}).open_router()
-    endpoint = f"tcp/127.0.0.1:{MEETING_PORT + domain}"
-    monkeypatch.setenv("ZENOH_CONFIG_OVERRIDE", f'connect/endpoints=["{endpoint}"]')
-    return RmwRouter([endpoint], []).open()
-
-
-@contextmanager
-def reserved_domain() -> Iterator[int]:
-    """Reserve an unused domain of this machine until the end of a block."""
-    first = time.monotonic_ns() // 1000 % MAX_DOMAIN_ID
-    for offset in range(MAX_DOMAIN_ID):
-        candidate = 1 + (first + offset) % MAX_DOMAIN_ID
-        # A meeting port may be free for moments of its test: a second port reserves it.
-        with _bound(_RESERVATION_PORT + candidate) as is_ours:
-            if is_ours and _is_free(MEETING_PORT + candidate):
-                yield candidate
-                return
-    pytest.fail("every meeting port of this machine is taken")
-
-
-@contextmanager
-def _bound(port: int) -> Iterator[bool]:
-    with socket.socket() as holder:
-        holder.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-        try:
-            holder.bind(("127.0.0.1", port))
-            holder.listen()
-        except OSError:
-            yield False
-        else:
-            yield True
-
-
-def _is_free(port: int) -> bool:
-    with _bound(port) as is_free:
-        return is_free
 
 
 def allowed(limit_s: float) -> float:
@@ -266,31 +216,15 @@ def spin(make_context: object) -> Iterator[Callable[..., Spinner]]:  # noqa: ARG
         spinner.stop()
 
 
-class Program:
-    """Process of a program, whose lines of output a test can wait for."""
+class Program(zbot.testing.Program):
+    """Program of a test, with more time if other tests keep the machine busy."""
 
-    def __init__(
-        self, command: list[str], cwd: Path, env: dict[str, str], stdin: int = subprocess.DEVNULL
-    ) -> None:
-        self.process = subprocess.Popen(
-            command,
-            cwd=cwd,
-            env=env,
-            stdin=stdin,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,
-            encoding="utf-8",
-        )
-        self.lines: list[str] = []
-        self._queue: queue.Queue[str | None] = queue.Queue()
-        threading.Thread(target=self._read, daemon=True).start()
+    def wait_for(self, text: str, timeout: float = 20.0) -> str:
+        __tracebackhide__ = True
+        return super().wait_for(text, allowed(timeout))
 
-    def _read(self) -> None:
-        assert self.process.stdout is not None
-        with self.process.stdout as lines:
-            for line in lines:
-                self._queue.put(line.rstrip("\n"))
-        self._queue.put(None)
+    def wait(self, timeout: float = 30.0) -> int:
+        return super().wait(allowed(timeout))
 
     def wait_for_rate(self, rate_hz: float, within_hz: float) -> None:
         """Wait for a rate reported by `topic hz`; the first ones may be low on a busy machine."""
@@ -298,50 +232,6 @@ class Program:
         while abs(rates[-1] - rate_hz) > within_hz:
             assert len(rates) < 10, rates
             rates.append(float(self.wait_for("average rate: ").rpartition(" ")[2]))
-
-    def wait_for(self, text: str, timeout_s: float = 20.0) -> str:
-        """Return the next line that contains `text`; fail at the timeout or at the end."""
-        deadline = time.monotonic() + allowed(timeout_s)
-        while True:
-            try:
-                line = self._queue.get(timeout=max(0.0, deadline - time.monotonic()))
-            except queue.Empty:
-                line = None
-            if line is None:
-                pytest.fail(f"{text!r} never came; there was:\n" + "\n".join(self.lines))
-            self.lines.append(line)
-            if text in line:
-                return line
-
-    def see(self, text: str, timeout_s: float = 20.0) -> None:
-        """Wait for a line that contains `text`, unless it has come; for lines without an order."""
-        if not any(text in line for line in self.lines):
-            self.wait_for(text, timeout_s)
-
-    def new_lines(self) -> list[str]:
-        """Return the lines that have come since the last line that was waited for."""
-        begin = len(self.lines)
-        while not self._queue.empty() and (line := self._queue.get()) is not None:
-            self.lines.append(line)
-        return self.lines[begin:]
-
-    def stop(self, number: int = signal.SIGINT, timeout_s: float = 15.0) -> int:
-        """Send a signal, wait for the end, and return the exit code."""
-        if self.process.poll() is None:
-            self.process.send_signal(number)
-        return self.wait(timeout_s)
-
-    def wait(self, timeout_s: float = 30.0) -> int:
-        """Wait for the end, collect the remaining lines, and return the exit code."""
-        code = self.process.wait(allowed(timeout_s))
-        while (line := self._queue.get(timeout=allowed(10))) is not None:
-            self.lines.append(line)
-        self._queue.put(None)
-        return code
-
-    @property
-    def output(self) -> str:
-        return "\n".join(self.lines)
 
 
 @pytest.fixture
@@ -364,9 +254,9 @@ def start(domain: int, tmp_path: Path) -> Iterator[Callable[..., Program]]:  # n
             path = tmp_path / f"program_{next(counter)}.py"
             path.write_text(source, encoding="utf-8")
             runner = ["-m", "zbot_cli", "run"] if by_zbot else []
-            command = [sys.executable, "-u", *runner, str(path), *words]
+            command = ["python", "-u", *runner, str(path), *words]
         elif command[0] == "zbot":
-            command = [sys.executable, "-m", "zbot_cli", *command[1:]]
+            command = ["python", "-m", "zbot_cli", *command[1:]]
         program = Program(command, tmp_path, {**os.environ, **(env or {})})
         running.append(program)
         return program

@@ -21,6 +21,7 @@ PACKAGES = (
     "zbot.tf2",
     "zbot.bag",
     "zbot.launch",
+    "zbot.testing",
     "zbot.qos",
     "zbot.time",
 )

@@ -56,9 +56,9 @@ class Finished:
 class Started(Program):
     """A program in a machine; machines that start many at a time are slow."""
 
-    def wait_for(self, text: str, timeout_s: float = 30.0) -> str:
+    def wait_for(self, text: str, timeout: float = 30.0) -> str:
         """Return the next line that contains `text`; fail if it does not come."""
-        return super().wait_for(text, timeout_s)
+        return super().wait_for(text, timeout)
 
 
 class Machine:

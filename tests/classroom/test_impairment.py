@@ -21,7 +21,7 @@ CALL_TIMEOUT_S = 5.0  # of telemetry.py's calls
 
 def end(program: Program) -> dict[str, Any]:
     """Interrupt a program; return what it says of its work."""
-    assert program.stop(timeout_s=3 * CALL_TIMEOUT_S) == 0
+    assert program.stop(timeout=3 * CALL_TIMEOUT_S) == 0
     assert program.lines[-1].startswith("{"), program.output
     report: dict[str, Any] = json.loads(program.lines[-1])
     return report

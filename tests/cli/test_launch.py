@@ -126,7 +126,7 @@ def test_output_is_prefixed_and_not_buffered(launch: Callable[..., Program]) -> 
     )
     program.wait_for("[chatty-1] out")
     program.see("[chatty-1] err")  # two pipes have no common order
-    assert program.stop(timeout_s=15) == 0
+    assert program.stop(timeout=15) == 0
 
 
 def test_a_terminal_is_emulated(launch: Callable[..., Program]) -> None:

@@ -62,4 +62,4 @@ def test_taken_port_is_replaced_by_the_next_port(start: Callable[..., Program]) 
         program = start("zbot", "web", "--no-browser", "--port", str(port))
         line = program.wait_for("zbot web: ", 30)
         assert port < int(line.rstrip("/").rpartition(":")[2]) <= port + 100
-        assert program.stop(timeout_s=15) == 130
+        assert program.stop(timeout=15) == 130

@@ -121,10 +121,10 @@ def test_other_processes_communicate_and_join_after_the_holder_is_killed(start: 
     listener.wait_for("heard")
     holder.stop(signal.SIGKILL)
     for _ in range(20):
-        listener.wait_for("heard", timeout_s=2)
+        listener.wait_for("heard", timeout=2)
     newcomer = start(source=LISTENER)
     newcomer.wait_for("ready")
-    newcomer.wait_for("heard", timeout_s=2)
+    newcomer.wait_for("heard", timeout=2)
     assert talker.process.poll() is None
 
 

@@ -95,7 +95,7 @@ def test_a_file_is_launched(
     assert wait_until(lambda: nodes() == sorted(case.nodes), 10), nodes()
     if case.heard:
         assert wait_until(lambda: looker.count_subscribers(case.heard) == 1)
-    assert launch.stop(timeout_s=15) == 0
+    assert launch.stop(timeout=15) == 0
     assert case.unwanted not in launch.output
     assert "Traceback" not in launch.output
 

@@ -11,10 +11,11 @@ import msgpack  # type: ignore[import-untyped]
 import pytest
 
 import zbot
-from tests.conftest import reserved_domain, wait_until
+from tests.conftest import wait_until
 from tests.integration.conftest import KEEP_ALL, await_match, packed
 from zbot.executor.errors import NotCallableError
 from zbot.node.errors import MessageTypeError
+from zbot.testing.domain import reserved_domain
 from zbot.wire.serialization import deserialize_message, serialize_message
 
 from std_msgs.msg import Float32, Int64, String

@@ -233,4 +233,4 @@ def test_two_simulators_in_two_namespaces(start: Start) -> None:
     topics = out("topic", "list").split()
     assert "/turtlesim1/eve/pose" in topics
     assert "/turtlesim2/eve/pose" not in topics
-    assert launched.stop(timeout_s=10) == 0
+    assert launched.stop(timeout=10) == 0

@@ -275,5 +275,5 @@ def test_one_command_starts_the_whole_robot(student: Student, start: Start) -> N
     )
     student.aim(0.2, 0.0)
     robot.wait_for("[navigation]: Arrived at (0.")
-    assert robot.stop(timeout_s=15) == 0
+    assert robot.stop(timeout=15) == 0
     assert wait_until(lambda: "navigation" not in student.get_node_names(), 10)

@@ -73,7 +73,7 @@ def test_a_name_opens_its_panel(
     program = start("zbot", "run", "rqt_console", "rqt_console")
     assert wait_until(opened.exists, 30)
     assert wait_until(lambda: opened.read_text().strip().endswith("/console"), 10)
-    assert program.stop(timeout_s=20) == -2
+    assert program.stop(timeout=20) == -2
 
 
 def test_launches_find_the_programs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -54,7 +54,7 @@ def test_turtlesim_opens_the_page_of_the_turtle(start: Start, address_file: Path
     assert wait_until(lambda: len(opened_addresses(address_file)) == 2, 30)
     root = address.partition("/turtle")[0]
     assert opened_addresses(address_file)[1] == f"{root}/turtle?node=/second/turtlesim"
-    assert program.stop(timeout_s=20) == -2
+    assert program.stop(timeout=20) == -2
     assert wait_until(lambda: not is_served(root))
 
 
@@ -64,7 +64,7 @@ def test_two_turtlesims_share_a_page(start: Start, address_file: Path) -> None:
     assert wait_until(lambda: len(opened_addresses(address_file)) == 2, 40)
     roots = {address.partition("/turtle?")[0] for address in opened_addresses(address_file)}
     assert len(roots) == 1
-    assert launched.stop(timeout_s=20) == 0
+    assert launched.stop(timeout=20) == 0
 
 
 def test_the_page_ends_with_a_killed_turtlesim(start: Start, address_file: Path) -> None:

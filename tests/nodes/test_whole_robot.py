@@ -169,7 +169,7 @@ def test_a_robot_is_launched_driven_and_its_frames_are_right(bench: Bench, rover
     assert heading > 0.1
     assert y > 0
     assert rover.process.poll() is None
-    assert rover.stop(timeout_s=20) == 0
+    assert rover.stop(timeout=20) == 0
     assert listener is not None
 
 

@@ -15,12 +15,12 @@ import tempfile
 import threading
 from pathlib import Path
 
-from tests.conftest import reserved_domain
 from tests.torture.class_chaos import run_class
 from tests.torture.domain_chaos import DomainChaos, small_disk
 from tests.torture.processes import Processes, clean_end
 from tests.torture.report import Report
 from tests.torture.stall import StallMeter
+from zbot.testing.domain import reserved_domain
 
 
 def run_domain(folder: Path, seed: str, seconds: float, report: Report, stall: StallMeter) -> None:

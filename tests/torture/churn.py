@@ -22,10 +22,11 @@ from pathlib import Path
 
 import zenoh
 
-from tests.conftest import reserved_domain, wait_until
+from tests.conftest import wait_until
 from tests.torture.processes import Process, Processes, clean_end
 from tests.torture.report import Report
 from tests.torture.stall import StallMeter
+from zbot.testing.domain import reserved_domain
 
 KINDS = (
     *("publisher", "latched publisher", "subscription", "latched subscription"),

@@ -21,11 +21,12 @@ from pathlib import Path
 from random import Random
 from typing import TYPE_CHECKING
 
-from tests.conftest import reserved_domain, wait_until
+from tests.conftest import wait_until
 from tests.torture.freezer import Freezer
 from tests.torture.processes import Process, Processes, clean_end
 from tests.torture.report import Report, times
 from tests.torture.stall import StallMeter
+from zbot.testing.domain import reserved_domain
 
 if TYPE_CHECKING:
     from collections.abc import Callable

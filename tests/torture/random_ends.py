@@ -17,10 +17,10 @@ from pathlib import Path
 from random import Random
 from typing import TYPE_CHECKING, NamedTuple
 
-from tests.conftest import reserved_domain
 from tests.torture.processes import PROGRAMS, ROOT, Process, Processes, clean_end
 from tests.torture.report import Report, times
 from tests.torture.stall import StallMeter
+from zbot.testing.domain import reserved_domain
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

@@ -20,11 +20,12 @@ import urllib.request
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from tests.conftest import reserved_domain, wait_until
+from tests.conftest import wait_until
 from tests.torture.page_visit import PageVisit
 from tests.torture.processes import Process, Processes, clean_end
 from tests.torture.report import Report, times
 from tests.torture.stall import StallMeter
+from zbot.testing.domain import reserved_domain
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

@@ -12,7 +12,8 @@ from urllib.parse import urlsplit
 
 import pytest
 
-from tests.conftest import Program, reserved_domain, wait_until
+from tests.conftest import Program, wait_until
+from zbot.testing.domain import reserved_domain
 from zbot_cli.domain.client import snapshot
 
 if TYPE_CHECKING:
@@ -88,7 +89,7 @@ class Server:
         self.address = program.wait_for("zbot web: ", 30).partition("zbot web: ")[2].rstrip("/")
 
     def stop(self) -> int:
-        return self.program.stop(timeout_s=15)
+        return self.program.stop(timeout=15)
 
 
 class SharedBrowser:

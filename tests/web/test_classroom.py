@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from tests.classroom.local_machine import LocalMachine
-from tests.conftest import reserved_domain
+from zbot.testing.domain import reserved_domain
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator

@@ -59,4 +59,4 @@ def test_the_stick_of_the_page_drives_the_robot(
     assert wait_until(lambda: x() > 0.2 and odometry[-1].twist.twist.linear.x == 0, 30)
     page.goto(f"{server.address}/topics?topic=/base_controller/odom")
     page.get_by_text("/base_controller/odom").first.wait_for()
-    assert program.stop(timeout_s=20) == 0
+    assert program.stop(timeout=20) == 0

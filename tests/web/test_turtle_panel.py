@@ -165,7 +165,7 @@ def test_two_simulators_can_be_selected(start: Start, server: Server, page: Page
     page.get_by_label("Simulator").click()
     page.get_by_role("option", name="/turtlesim1/turtlesim").click()
     assert wait_in_page(page, lambda: place(page)[0] == 5.54)
-    assert launched.stop(timeout_s=15) == 0
+    assert launched.stop(timeout=15) == 0
 
 
 def test_page_without_a_simulator_has_a_hint(start: Start, server: Server, page: Page) -> None:

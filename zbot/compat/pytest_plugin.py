@@ -1,7 +1,7 @@
 """Plugin of pytest for launch tests: files of `launch_testing` and functions of `launch_pytest`.
 
 If zbot is installed, pytest loads this plugin by its entry point. The plugin has no effect on files
-without such tests.
+without such tests. It also loads the fixtures of `zbot.testing`.
 
 `ros2 pkg create` adds tests to each package. These tests run ROS 2's linters, e.g. `ament_flake8`.
 If a linter is not installed, this plugin skips the linter's test, so that the other tests run.
@@ -23,6 +23,9 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from zbot.launch.testing.test_run import TestRun
+
+#: Plugins that pytest loads with this one.
+pytest_plugins = ("zbot.testing.plugin",)
 
 _MARKS = {"launch_test", "rostest"}
 _LINTERS = {

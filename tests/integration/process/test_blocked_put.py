@@ -59,7 +59,7 @@ def test_a_signal_that_does_not_end_the_program_loses_no_message(
     sender.wait_for("waits")
     sender.process.send_signal(getattr(signal, name))
     spin(listener)
-    sender.wait_for("sent", timeout_s=30)
+    sender.wait_for("sent", timeout=30)
     assert wait_until(lambda: len(heard) >= COUNT), len(heard)
     assert heard == list(range(COUNT))
     assert "handled" in sender.lines

@@ -51,7 +51,7 @@ with zbot.init():
     )
     program.wait_for("ready")
     assert stop_without_errors(program, signal.SIGINT) == -signal.SIGINT
-    listener.wait_for("stop the motors", timeout_s=2)
+    listener.wait_for("stop the motors", timeout=2)
 
 
 def test_a_signal_during_the_exit_causes_no_output(start: Start) -> None:
