@@ -1,4 +1,4 @@
-"""Import of submodules and names of a package at their first use: `import launch; launch.actions`."""
+"""Import of submodules and names of a package when they are used, e.g. `launch.actions`."""
 
 from __future__ import annotations
 

@@ -7,7 +7,7 @@ import textwrap
 from typing import TYPE_CHECKING, Any
 
 from zbot.names import is_hidden
-from zbot.suggestion import did_you_mean
+from zbot.errors.suggestion import did_you_mean
 from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:

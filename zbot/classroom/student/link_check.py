@@ -39,6 +39,7 @@ if TYPE_CHECKING:
 _CALM_S = 1.0
 _TIMEOUT_S = 1.0
 # If reopening the hub does not help, something else may be wrong. So each wait is twice as long.
+# A link that was lost since then is a new case.
 _LONGEST_CALM_S = 600.0
 
 
@@ -66,20 +67,27 @@ class LinkCheck:
         self._of_class = of_class
         self._is_member = is_member
         self._faults = 0  # checks in a row that found something missing, or a silent class
+        self._is_reopening = False
 
     def attach(self, serving: HubProcess) -> None:
         """Begin to check the links of a hub that was opened, until it is closed."""
         changes: queue.SimpleQueue[bool] = queue.SimpleQueue()  # `False` ends the thread
+        self._is_reopening = False
 
         def on_event(event: Any) -> None:
             if event.transport.whatami == zenoh.WhatAmI.ROUTER:
-                changes.put(True)
+                self._change(changes, is_lost=event.kind == zenoh.SampleKind.DELETE)
 
         self._events = serving.session.info.declare_transport_events_listener(
             called_by_zenoh(on_event), history=True
         )
         serving.call_on_close(lambda: changes.put(False))
         serving.start_thread("zbot link check", self._run, serving, changes)
+
+    def _change(self, changes: queue.SimpleQueue[bool], *, is_lost: bool) -> None:
+        if is_lost and not self._is_reopening:
+            self._faults = 0
+        changes.put(True)
 
     def _run(self, serving: HubProcess, changes: queue.SimpleQueue[bool]) -> None:
         while changes.get():
@@ -101,6 +109,7 @@ class LinkCheck:
             elif missing & again:
                 self._faults += 1
                 get_logger("hub").warning(f"reopening the hub: {', '.join(sorted(again))}")
+                self._is_reopening = True  # this loses all links
                 serving.reopen()
             else:
                 changes.put(True)  # e.g. nodes start and end at this moment

@@ -1,7 +1,7 @@
 from __future__ import annotations
 
 import queue
-from typing import Any
+from typing import Any, cast
 
 import pytest
 
@@ -85,3 +85,25 @@ def test_a_hub_is_reopened_only_if_the_class_answers_in_its_lobby(
     LinkCheck(17, of_class, lambda: known)._run(hub, changes)
     assert hub.reopenings == reopenings
     assert not answers
+
+
+def test_each_reopening_doubles_the_wait_until_another_link_is_lost(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    waits: list[float] = []
+    monkeypatch.setattr(link_check, "_is_calm", lambda _, calm_s: not waits.append(calm_s))
+    monkeypatch.setattr(LinkCheck, "_missing", lambda *_: {"/a"})
+    check, hub = LinkCheck(17, None), Hub()
+    changes: Any = queue.SimpleQueue()
+
+    def run(*, is_lost: bool) -> float:
+        waits.clear()
+        check._change(changes, is_lost=is_lost)
+        changes.put(False)
+        check._run(cast("Any", hub), changes)
+        return waits[0]
+
+    assert [run(is_lost=False) for _ in range(3)] == [1.0, 2.0, 4.0]
+    assert run(is_lost=True) == 8.0  # reopening the hub loses all links
+    check._is_reopening = False  # the hub is open again
+    assert run(is_lost=True) == 1.0
