@@ -6,8 +6,8 @@ import inspect
 import textwrap
 from typing import TYPE_CHECKING, Any
 
-from zbot.names import is_hidden
 from zbot.errors.suggestion import did_you_mean
+from zbot.names import is_hidden
 from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:

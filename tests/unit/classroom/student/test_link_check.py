@@ -91,7 +91,12 @@ def test_each_reopening_doubles_the_wait_until_another_link_is_lost(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     waits: list[float] = []
-    monkeypatch.setattr(link_check, "_is_calm", lambda _, calm_s: not waits.append(calm_s))
+
+    def is_calm(_changes: Any, calm_s: float) -> bool:
+        waits.append(calm_s)
+        return True
+
+    monkeypatch.setattr(link_check, "_is_calm", is_calm)
     monkeypatch.setattr(LinkCheck, "_missing", lambda *_: {"/a"})
     check, hub = LinkCheck(17, None), Hub()
     changes: Any = queue.SimpleQueue()
