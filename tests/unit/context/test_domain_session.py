@@ -139,8 +139,9 @@ def test_the_session_is_closed_before_the_wait_for_its_threads(happened: list[st
 
 
 def test_only_a_session_that_asks_no_router_waits_for_peers(happened: list[str]) -> None:
-    for mode in ("peer", "client"):
-        session = session_of(happened, mode)  # type: ignore[arg-type]
+    modes: tuple[Literal["peer", "client"], ...] = ("peer", "client")
+    for mode in modes:
+        session = session_of(happened, mode)
         session.wait_for_peers()
         session.open(lambda: False)
         happened.clear()

@@ -38,7 +38,9 @@ class Calls:
         self.calls: PendingCalls[Any] = PendingCalls(
             read, lambda: self.is_closed, self.ready_queue, self._post
         )
-        self.take = self.calls.take
+
+    def take(self) -> Any:
+        return self.calls.take()
 
     def _post(self) -> None:
         self.posts += 1
@@ -161,8 +163,9 @@ def test_the_executor_runs_the_callbacks_of_a_future(calls: Calls) -> None:
     response.add_done_callback(seen.append)
     sender.answer(reply(Response()))
     assert (seen, calls.posts) == ([], 1)
-    assert calls.take() is response
-    response.run_callbacks(None)
+    taken = calls.take()
+    assert taken is response
+    taken.run_callbacks(None)
     assert seen == [response]
 
 

@@ -80,7 +80,7 @@ def test_a_context_that_fails_does_not_keep_the_others_open(
 
 
 def test_a_forked_child_forgets_the_contexts_of_its_parent() -> None:
-    context = Context()
+    context: Any = Context()
     at_exit._Process.is_ending = True
     assert at_exit.leave_to_parent() == [context]
     assert not at_exit.is_ending()

@@ -231,15 +231,12 @@ def test_a_thread_ends_without_output_while_the_process_ends(
     errors = list[BaseException]()
     monkeypatch.setattr("zbot.process.at_exit._Process.is_ending", True)
 
-    def work() -> None:
-        for end in (
-            lambda: signals.raise_shutdown(by_signal=False),
-            lambda: signals.raise_not_initialized("a node"),
-        ):
-            try:
-                end()
-            except BaseException as error:  # noqa: BLE001 - also of the end of the process
-                errors.append(error)
+    def note(end: Callable[[], object]) -> None:
+        try:
+            end()
+        except BaseException as error:  # noqa: BLE001 - also of the end of the process
+            errors.append(error)
 
-    in_thread(work)
+    in_thread(lambda: note(lambda: signals.raise_shutdown(by_signal=False)))
+    in_thread(lambda: note(lambda: signals.raise_not_initialized("a node")))
     assert [type(error) for error in errors] == [SystemExit, SystemExit]
