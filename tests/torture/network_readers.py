@@ -251,7 +251,7 @@ NETWORK_READERS = (
     ),
     Reader(
         "ros2_token",
-        ("zbot.wire.rmw_zenoh", "zbot.wire.tokens", "zbot.wire.qos", "zbot.wire.xxh3"),
+        ("zbot.wire.rmw_zenoh", "zbot.wire.tokens", "zbot.wire.qos"),
         _ros2_token,
         (TokenError,),
         (_ROS2_TOKEN, b"@ros2_lv/5/a1b2/0/0/NN/%/%robots/talker", _ROS2_TOKEN + b"/backends:cpu:"),

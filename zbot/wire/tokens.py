@@ -20,7 +20,6 @@ from zbot.wire.attachment import GID_LENGTH
 from zbot.wire.errors import TokenError
 from zbot.wire.keys import SHARED_DOMAIN, SHARED_SPACE, domain_text, is_number
 from zbot.wire.qos import parse_qos, qos_text
-from zbot.wire.xxh3 import MIN_LENGTH, xxh3_128
 
 if TYPE_CHECKING:
     from zbot.qos import QoSProfile
@@ -146,8 +145,11 @@ def gid_of(key: str) -> bytes:
 
     The hash is XXH3 for a token of ROS 2, and BLAKE2b for a token of zbot.
     """
-    if key.startswith(ROS2_TOKEN_PREFIX) and len(key) >= MIN_LENGTH:
-        return xxh3_128(key.encode())
+    if key.startswith(ROS2_TOKEN_PREFIX):
+        import xxhash  # noqa: PLC0415 - only contexts with ROS 2's dialect need it
+
+        low_half_first: bytes = xxhash.xxh3_128_digest(key.encode())[::-1]
+        return low_half_first
     import hashlib  # noqa: PLC0415 - 4 ms, and commands that only list need no gids
 
     return hashlib.blake2b(key.encode(), digest_size=GID_LENGTH).digest()
