@@ -12,7 +12,7 @@ import zbot as library
 from tests.cli.command import zbot
 from tests.conftest import wait_until
 from zbot.lifecycle import LifecycleNode, LifecycleState, TransitionCallbackReturn
-from zbot_cli.domain import managed_nodes
+from zbot.remote import managed_nodes
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -139,7 +139,7 @@ def test_parameters_of_another_node_take_one_call(
 def test_parameters_of_an_unknown_node_are_an_error(
     asking: zbot.Node, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("zbot.compat.parameter_calls._SERVICE_TIMEOUT_S", 0.01)
+    monkeypatch.setattr("zbot.compat.parameter_calls.ANSWER_TIMEOUT_S", 0.01)
     with pytest.raises(NoParameterServiceError, match="/nobody offered no parameter services"):
         call_get_parameters(node=asking, node_name="/nobody", parameter_names=["limit"])
 

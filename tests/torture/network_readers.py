@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from types import SimpleNamespace
 from typing import Any
 
 import zbot  # noqa: F401 - makes the messages importable
@@ -25,10 +26,11 @@ from zbot.libraries.point_cloud import read_points
 from zbot.names import validate_full_topic_name
 from zbot.parameters.errors import ParameterAnswerError
 from zbot.parameters.parameter import UnknownParameterTypeError
+from zbot.remote.parameters import RemoteParameters
 from zbot.transport.admin_query import router_facts
 from zbot.web.image_encoder import ImageError, encode_jpeg, media_type
 from zbot.web.page_discovery import address_in
-from zbot.web.remote_parameter import remote_parameters
+from zbot.web.remote_parameter import load
 from zbot.web.topic_picture import points_of, ring
 from zbot.web.value_text import brief
 from zbot.wire import attachment
@@ -162,7 +164,10 @@ def _parameters(data: bytes) -> None:
     got = _decoded(GetParameters.Response, values).values
     described = _decoded(DescribeParameters.Response, descriptors).descriptors
     names = [f"a{index}" for index in range(len(got))]
-    for one in remote_parameters("/node", names, got, described):
+    listed = SimpleNamespace(names=names)
+    answers = SimpleNamespace(result=listed, values=got, descriptors=described)
+    calls: Any = SimpleNamespace(call=lambda *_: answers)
+    for one in load(RemoteParameters(calls), "/node"):
         assert one.text is not None
 
 
@@ -356,7 +361,7 @@ NETWORK_READERS = (
     ),
     Reader(
         "parameter_answers",
-        ("zbot.web.remote_parameter", "zbot.parameters.parameter"),
+        ("zbot.web.remote_parameter", "zbot.remote.parameters", "zbot.parameters.parameter"),
         _parameters,
         (CodecError, ParameterAnswerError, UnknownParameterTypeError),
         (
@@ -365,7 +370,7 @@ NETWORK_READERS = (
             + pack(
                 {
                     "descriptors": [
-                        {"name": "a", "integer_range": [{"from_value": 1, "to_value": 9}]}
+                        {"name": "a0", "integer_range": [{"from_value": 1, "to_value": 9}]}
                     ]
                 }
             ),

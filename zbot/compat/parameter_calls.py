@@ -6,9 +6,10 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
 from zbot.parameters import parameter
+from zbot.remote.parameters import RemoteParameters
+from zbot.remote.service_calls import ANSWER_TIMEOUT_S, NoServiceError, ServiceCalls
 
 from rcl_interfaces.msg import ParameterType
-from rcl_interfaces.srv import DescribeParameters, GetParameters, ListParameters, SetParameters
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -16,8 +17,7 @@ if TYPE_CHECKING:
     from zbot.node.node import Node
 
     from rcl_interfaces.msg import Parameter, ParameterValue
-
-_SERVICE_TIMEOUT_S = 5.0  # ros2cli's timeout for a node's services
+    from rcl_interfaces.srv import DescribeParameters, GetParameters, SetParameters
 
 _TYPE_NAMES = {
     ParameterType.PARAMETER_NOT_SET: "not set",
@@ -38,7 +38,7 @@ class NoParameterServiceError(ZbotError, RuntimeError):
 
     def __init__(self, node_name: str) -> None:
         self.node_name = node_name
-        timeout = f"{_SERVICE_TIMEOUT_S:.0f} s"
+        timeout = f"{ANSWER_TIMEOUT_S:.0f} s"
         super().__init__(f"{node_name} offered no parameter services within {timeout}")
 
 
@@ -73,8 +73,9 @@ def call_get_parameters(
         NoParameterServiceError: The node offers no parameter services within 5 s.
         ServiceError: The node ended before it answered.
     """
-    request = GetParameters.Request(names=list(parameter_names))
-    response: GetParameters.Response = _answer(node, GetParameters, node_name, request)
+    response: GetParameters.Response = _answer(
+        node, "GetParameters", node_name, names=list(parameter_names)
+    )
     return response
 
 
@@ -85,8 +86,9 @@ def call_set_parameters(
 
     See `call_get_parameters`.
     """
-    request = SetParameters.Request(parameters=list(parameters))
-    response: SetParameters.Response = _answer(node, SetParameters, node_name, request)
+    response: SetParameters.Response = _answer(
+        node, "SetParameters", node_name, parameters=list(parameters)
+    )
     return response
 
 
@@ -94,8 +96,9 @@ def call_describe_parameters(
     *, node: Node, node_name: str, parameter_names: Sequence[str] | None = None
 ) -> DescribeParameters.Response:
     """Ask a node for descriptions of parameters. See `call_get_parameters`."""
-    request = DescribeParameters.Request(names=list(parameter_names or []))
-    response: DescribeParameters.Response = _answer(node, DescribeParameters, node_name, request)
+    response: DescribeParameters.Response = _answer(
+        node, "DescribeParameters", node_name, names=list(parameter_names or [])
+    )
     return response
 
 
@@ -103,24 +106,13 @@ def call_list_parameters(
     *, node: Node, node_name: str, prefixes: Sequence[str] | None = None
 ) -> list[str]:
     """Return the names of a node's parameters. See `call_get_parameters`."""
-    request = ListParameters.Request(prefixes=list(prefixes or []))
-    response: ListParameters.Response = _answer(node, ListParameters, node_name, request)
-    return list(response.result.names)
+    answer = _answer(node, "ListParameters", node_name, prefixes=list(prefixes or []))
+    return list(answer.result.names)
 
 
-_SERVICES: dict[type[Any], str] = {
-    GetParameters: "get_parameters",
-    SetParameters: "set_parameters",
-    DescribeParameters: "describe_parameters",
-    ListParameters: "list_parameters",
-}
-
-
-def _answer(node: Node, srv_type: type[Any], node_name: str, request: Any) -> Any:
-    client: Any = node.create_client(srv_type, f"{node_name}/{_SERVICES[srv_type]}")
+def _answer(node: Node, service: str, node_name: str, **fields: Any) -> Any:
+    calls = ServiceCalls(node, answer_timeout_s=None, server_timeout_s=ANSWER_TIMEOUT_S)
     try:
-        if not client.wait_for_service(_SERVICE_TIMEOUT_S):
-            raise NoParameterServiceError(node_name)
-        return client.call(request)
-    finally:
-        node.destroy_client(client)
+        return RemoteParameters(calls).ask(node_name, service, **fields)
+    except NoServiceError:
+        raise NoParameterServiceError(node_name) from None

@@ -7,7 +7,7 @@ import threading
 from typing import TYPE_CHECKING, Any
 
 from zbot.context import Context
-from zbot.errors import ExternalShutdownException
+from zbot.errors import ExternalShutdownException, ZbotError
 from zbot.executor.spin_thread import SpinThread
 from zbot.node.node import Node
 
@@ -83,16 +83,16 @@ class LaunchNode:
     def _change_state(
         self, node_name: str, transition: int, on_answer: Callable[[bool], None]
     ) -> None:
-        from lifecycle_msgs.srv import ChangeState  # noqa: PLC0415 - the import makes the class
+        from zbot.remote.managed_nodes import ManagedNodes  # noqa: PLC0415 - makes message classes
 
-        client = self.node.create_client(ChangeState, f"{node_name}/change_state")
-        request = ChangeState.Request()
-        request.transition.id = transition
-        if not client.wait_for_service(_SERVER_TIMEOUT_S):
-            on_answer(False)
-            return
-        future = client.call_server_async(request)
-        future.add_done_callback(lambda done: on_answer(_success(done)))
+        managed = ManagedNodes(self.node, server_timeout_s=_SERVER_TIMEOUT_S)
+        try:
+            succeeded = managed.request(node_name, transition)
+        except ZbotError:
+            if self._node is None:
+                return  # the launch ended
+            succeeded = False
+        on_answer(succeeded)
 
     def shutdown(self) -> None:
         """Stop the spinning and close the session. A second call does nothing."""
@@ -102,10 +102,6 @@ class LaunchNode:
         self._spinner.stop(0)
         self.ros_context.shutdown()
         self._spinner.join()
-
-
-def _success(future: Any) -> bool:
-    return future.exception() is None and bool(future.result().success)
 
 
 def launch_node(context: LaunchContext) -> LaunchNode:

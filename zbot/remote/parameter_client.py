@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.parameters.parameter import Parameter, parameter_dict_from_yaml_file
 from zbot.qos import qos_profile_parameter_events, qos_profile_services_default
+from zbot.remote.parameters import parameter_messages
 from zbot.threads.deadline import Deadline
 
 from rcl_interfaces.msg import ParameterEvent
@@ -125,13 +126,15 @@ class AsyncParameterClient:
         self, parameters: Sequence[Parameter[Any] | ParameterMsg], callback: Callback = None
     ) -> Future[Any]:
         """Set parameters one after the other. The response has a result for each parameter."""
-        return _sent(self._set, SetParameters.Request(parameters=_messages(parameters)), callback)
+        return _sent(
+            self._set, SetParameters.Request(parameters=parameter_messages(parameters)), callback
+        )
 
     def set_parameters_atomically(
         self, parameters: Sequence[Parameter[Any] | ParameterMsg], callback: Callback = None
     ) -> Future[Any]:
         """Set all of the parameters or none of them. The response has one result."""
-        request = SetParametersAtomically.Request(parameters=_messages(parameters))
+        request = SetParametersAtomically.Request(parameters=parameter_messages(parameters))
         return _sent(self._set_atomically, request, callback)
 
     def delete_parameters(self, names: list[str], callback: Callback = None) -> Future[Any]:
@@ -185,10 +188,6 @@ class AsyncParameterClient:
             qos_overriding_options=qos_overriding_options,
             raw=raw,
         )
-
-
-def _messages(parameters: Sequence[Parameter[Any] | ParameterMsg]) -> list[ParameterMsg]:
-    return [one.to_parameter_msg() if isinstance(one, Parameter) else one for one in parameters]
 
 
 def _sent(client: Client[Any, Any], request: Any, callback: Callback) -> Future[Any]:

@@ -11,7 +11,7 @@ from zbot.parameters.parameter import Parameter
 from zbot.web.command_line import command_line
 from zbot.web.form_value import EntryError
 from zbot.web.remote_parameter import set_value, show_value
-from zbot.web.service_call import with_errors_shown
+from zbot.web.service_call import run_in_thread, with_errors_shown
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -148,7 +148,7 @@ class ParameterInput:
         self._section.page.show_command(command_line(*words))
         message = Parameter(parameter.name, parameter.type, value)
         try:
-            refusal = await set_value(self._section.system, self._node, message)
+            refusal = await run_in_thread(set_value, self._section.system, self._node, message)
         except ZbotError:
             self._restore()
             raise

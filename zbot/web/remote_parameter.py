@@ -6,20 +6,14 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from zbot.interfaces import FieldType, get_service
-from zbot.parameters.errors import ParameterAnswerError
-from zbot.parameters.parameter import Parameter, parameter_type, parameter_value_to_python
+from zbot.interfaces import FieldType
+from zbot.parameters.parameter import Parameter
 from zbot.web.form_value import Entry, EntryError, read, show
-from zbot.web.service_call import call
 
 if TYPE_CHECKING:
-    from zbot.graph.snapshot import Snapshot
+    from zbot.remote.parameters import RemoteParameters
     from zbot.web.system import System
 
-_LIST = "rcl_interfaces/srv/ListParameters"
-_GET = "rcl_interfaces/srv/GetParameters"
-_DESCRIBE = "rcl_interfaces/srv/DescribeParameters"
-_SET = "rcl_interfaces/srv/SetParameters"
 _TYPES = {
     Parameter.Type.BOOL: FieldType("bool"),
     Parameter.Type.INTEGER: FieldType("int64"),
@@ -83,75 +77,40 @@ def show_value(type_: Parameter.Type, value: Any) -> str:
     return "" if kind is None else show(kind, value)
 
 
-def nodes_with_parameters(graph: Snapshot) -> list[str]:
-    """Return the sorted full names of the nodes that have parameter services."""
-    served = (name for name, types in graph.services() if _SET in types)
-    return sorted(name.rpartition("/")[0] for name in served)
-
-
-async def load(system: System, node: str) -> list[RemoteParameter]:
-    """Return a node's parameters, sorted by name.
+def load(parameters: RemoteParameters, node: str) -> list[RemoteParameter]:
+    """Return a node's parameters, sorted by name. This may take seconds.
 
     Raises:
-        ServiceError: The node has ended.
+        NoServiceError: The node has ended.
         NoAnswerError: The node does not answer.
         ParameterAnswerError: The node's answer does not fit the request.
-    """
-    listed = await _ask(system, node, "list_parameters", _LIST)
-    names = sorted(listed.result.names)
-    if not names:
-        return []
-    described = await _ask(system, node, "describe_parameters", _DESCRIBE, names=names)
-    got = await _ask(system, node, "get_parameters", _GET, names=names)
-    return remote_parameters(node, names, got.values, described.descriptors)
-
-
-def remote_parameters(
-    node: str, names: list[str], values: list[Any], descriptors: list[Any]
-) -> list[RemoteParameter]:
-    """Return the parameters in a node's answers.
-
-    Raises:
-        ParameterAnswerError: The answers do not have a value and a descriptor for each name.
         UnknownParameterTypeError: A value has an unknown type.
     """
-    if not len(names) == len(values) == len(descriptors):
-        reason = f"{len(values)} values and {len(descriptors)} descriptors for {len(names)} names"
-        raise ParameterAnswerError(node, reason)
-    found = zip(names, values, descriptors, strict=True)
-    return [_remote(name, value, descriptor) for name, value, descriptor in found]
+    names = parameters.names(node)
+    if not names:
+        return []
+    values = parameters.values(node, names)
+    return [_shown(values[one.name], one) for one in parameters.descriptors(node, names)]
 
 
-async def set_value(system: System, node: str, parameter: Parameter[Any]) -> str:
+def set_value(system: System, node: str, parameter: Parameter[Any]) -> str:
     """Set one parameter. Return the node's reason if it refuses, otherwise an empty string.
 
     Raises:
         ReadOnlyError: The page is read-only.
-        ServiceError: The node has ended.
+        NoServiceError: The node has ended.
         NoAnswerError: The node does not answer.
         ParameterAnswerError: The node's answer does not fit the request.
     """
-    request = get_service(_SET).Request(  # type: ignore[attr-defined] # each service has it
-        parameters=[parameter.to_parameter_msg()]
-    )
-    response = await call(system, f"{node}/set_parameters", _SET, request)
-    if len(response.results) != 1:
-        raise ParameterAnswerError(node, f"it has {len(response.results)} results, not one")
-    result = response.results[0]
+    (result,) = system.set_parameters(node, [parameter])
     return "" if result.successful else result.reason or "the node refused the value"
 
 
-async def _ask(system: System, node: str, name: str, type_name: str, **fields: Any) -> Any:
-    request = get_service(type_name).Request(**fields)  # type: ignore[attr-defined] # each service has it
-    return await call(system, f"{node}/{name}", type_name, request, changes=False)
-
-
-def _remote(name: str, value: Any, descriptor: Any) -> RemoteParameter:
-    type_ = parameter_type(value.type)
+def _shown(parameter: Parameter[Any], descriptor: Any) -> RemoteParameter:
     return RemoteParameter(
-        name,
-        type_,
-        parameter_value_to_python(value),
+        parameter.name,
+        parameter.type_,
+        parameter.value,
         descriptor.description,
         descriptor.additional_constraints,
         _range(descriptor),

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any, TypeVar
 from nicegui import run, ui
 
 from zbot.errors import ZbotError
-from zbot.web.system import await_future
+from zbot.remote.service_calls import NoAnswerError
+from zbot.web.system import PATIENCE_S, await_future
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine
@@ -17,17 +18,6 @@ if TYPE_CHECKING:
     from zbot.web.system import System
 
 T = TypeVar("T")
-
-#: Longest wait for a response, in seconds.
-PATIENCE_S = 10.0
-
-
-class NoAnswerError(ZbotError, TimeoutError):
-    """A service did not answer in time."""
-
-    def __init__(self, name: str, timeout_s: float) -> None:
-        self.name, self.timeout_s = name, timeout_s
-        super().__init__(f"{name} did not answer within {timeout_s:g} s: its node is busy or stuck")
 
 
 async def call(

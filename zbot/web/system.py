@@ -17,7 +17,9 @@ from zbot.log import LoggingSeverity, get_logger, set_logger_level
 from zbot.names import ROSOUT_TOPIC
 from zbot.node.node import Node
 from zbot.qos import qos_profile_rosout_default
+from zbot.remote.parameters import RemoteParameters
 from zbot.remote.profiles import profile_to_show
+from zbot.remote.service_calls import ServiceCalls
 from zbot.remote.types import interface
 from zbot.web.log_ring import LogRing
 from zbot.web.payload_subscription import QUEUE_DEPTH, subscribe_to_payloads
@@ -26,7 +28,7 @@ from zbot.web.shared_entities import SharedEntities
 from zbot.web.watch import Feed, Watch
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Sequence
 
     from typing_extensions import Self
 
@@ -34,12 +36,15 @@ if TYPE_CHECKING:
     from zbot.graph.snapshot import Snapshot, Token
     from zbot.node.client import Client
     from zbot.node.publisher import Publisher
+    from zbot.parameters.parameter import Parameter
     from zbot.web.shared_entities import EntityReference
 
 T = TypeVar("T")
 
 _PUBLISH_DEPTH = 10
 _END_S = 2.0  #: longest wait for a callback at the end
+#: Longest wait for an answer of a node, in seconds.
+PATIENCE_S = 10.0
 
 
 class ReadOnlyError(ZbotError):
@@ -59,6 +64,7 @@ class System:
 
     Attributes:
         logs: The last lines of `/rosout`.
+        parameters: Client of all nodes' parameters. `set_parameters` checks `read_only` too.
         revision: A number that grows with every change of the graph.
 
     Raises:
@@ -94,6 +100,7 @@ class System:
         )
         # Pages show the problems of topics, so the terminal should not repeat them.
         set_logger_level(self.node.get_logger().name, LoggingSeverity.FATAL)
+        self.parameters = RemoteParameters(ServiceCalls(self.node, answer_timeout_s=PATIENCE_S))
         log_type: Any = get_interface("rcl_interfaces/msg/Log")
         self.node.create_subscription(
             log_type, ROSOUT_TOPIC, self.logs.add, qos_profile_rosout_default
@@ -313,6 +320,15 @@ class System:
             lambda: self.node.create_client(service_type, name),
             self.node.destroy_client,
         )
+
+    def set_parameters(self, node: str, parameters: Sequence[Parameter[Any]]) -> list[Any]:
+        """Set parameters of a node, and return a result for each. See `RemoteParameters.set`.
+
+        Raises:
+            ReadOnlyError: The page is read-only.
+        """
+        self._check_writable("setting parameters")
+        return self.parameters.set(node, parameters)
 
     def action_client(
         self, name: str, type_name: str

@@ -13,7 +13,7 @@ from zbot.node.node import Node
 from zbot.parameters.parameter import Parameter
 from zbot.web.command_line import command_line
 from zbot.web.form import Form
-from zbot.web.service_call import call
+from zbot.web.service_call import call, run_in_thread
 from zbot.web.system import ReadOnlyError, await_future
 
 if TYPE_CHECKING:
@@ -216,10 +216,7 @@ class TurtleControl:
         pairs = [word for name, value in values.items() for word in (name, str(value))]
         self._show("param", "set", self.simulator.node, *pairs)
         parameters = [Parameter(name, value=value) for name, value in values.items()]
-        type_name = "rcl_interfaces/srv/SetParameters"
-        messages = [one.to_parameter_msg() for one in parameters]
-        request = get_service(type_name).Request(parameters=messages)  # type: ignore[attr-defined]
-        await call(self._system, f"{self.simulator.node}/set_parameters", type_name, request)
+        await run_in_thread(self._system.set_parameters, self.simulator.node, parameters)
 
     def _show(self, *words: str) -> None:
         self._page.show_command(command_line(*words))

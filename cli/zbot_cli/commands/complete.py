@@ -131,8 +131,8 @@ def _nodes(_: Sequence[str], unfinished: str) -> Iterable[str]:
 
 
 def _managed_nodes(_: Sequence[str], unfinished: str) -> Iterable[str]:
-    from zbot_cli.domain.client import snapshot  # noqa: PLC0415 - needed only for live names
-    from zbot_cli.domain.managed_nodes import managed_nodes  # noqa: PLC0415 - as above
+    from zbot.remote.managed_nodes import managed_nodes  # noqa: PLC0415 - needed only for live names
+    from zbot_cli.domain.client import snapshot  # noqa: PLC0415 - as above
 
     names = managed_nodes(snapshot(), include_hidden=unfinished.lstrip("/").startswith("_"))
     return names if unfinished.startswith("/") or not unfinished else [name[1:] for name in names]
@@ -144,10 +144,10 @@ def _transitions(_: Sequence[str], __: str) -> Iterable[str]:
 
 def _parameters(done: Sequence[str], _: str) -> Iterable[str]:
     from zbot_cli.domain.client import hidden_node  # noqa: PLC0415 - needed only for live names
-    from zbot_cli.domain.parameters import RemoteParameters  # noqa: PLC0415 - as above
+    from zbot_cli.domain.parameters import CommandParameters  # noqa: PLC0415 - as above
 
     with hidden_node("complete") as node:
-        remote = RemoteParameters(node, 0)
+        remote = CommandParameters(node, 0)
         return filter(_is_plain_word, remote.names(remote.find(done[0])))
 
 

@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from zbot.remote.managed_nodes import ManagedNodes, NodeSilentError, managed_nodes
 from zbot_cli.domain.client import hidden_node, note_if_nobody_runs, snapshot
-from zbot_cli.domain.managed_nodes import ManagedNodes, NodeSilentError, managed_nodes
+from zbot_cli.domain.managed_nodes import find_managed_node
 from zbot_cli.input.option_groups import with_option_groups
 from zbot_cli.output.exit_status import Status
 from zbot_cli.output.listing import (
@@ -34,9 +35,10 @@ NodeName = Annotated[str, typer.Argument(help="Name of the node, e.g. /lc_talker
 
 
 @contextmanager
-def _managed(timeout: float) -> Iterator[ManagedNodes]:
+def _managed(name: str, timeout: float) -> Iterator[tuple[ManagedNodes, str]]:
+    """Yield a client of managed nodes, and the full name of a node as soon as it is running."""
     with hidden_node("lifecycle") as node:
-        yield ManagedNodes(node, timeout)
+        yield ManagedNodes(node), find_managed_node(node, name, timeout)
 
 
 @app.command("nodes")
@@ -68,15 +70,17 @@ def get(
     search: NodeSearch = VISIBLE_NODES,
 ) -> None:
     """Print the states of managed nodes."""
-    with _managed(search.timeout) as remote:
-        if node_name is not None:
-            state = remote.state(remote.find(node_name))
-            if as_json:
-                print_json(_plain(state))
-            else:
-                print(f"{state.label} [{state.id}]")
-            return
-        answers = remote.states(remote.all(include_hidden=search.include_hidden))
+    if node_name is not None:
+        with _managed(node_name, search.timeout) as (remote, name):
+            state = remote.state(name)
+        if as_json:
+            print_json(_plain(state))
+        else:
+            print(f"{state.label} [{state.id}]")
+        return
+    with hidden_node("lifecycle") as node:
+        found = managed_nodes(node.context.graph.snapshot(), include_hidden=search.include_hidden)
+        answers = ManagedNodes(node).states(found)
     silent = [one for one in answers.values() if isinstance(one, NodeSilentError)]
     states = {name: one for name, one in answers.items() if not isinstance(one, NodeSilentError)}
     if as_json:
@@ -105,8 +109,8 @@ def list_transitions(
     search: NodeSearch = VISIBLE_NODES,
 ) -> None:
     """List the transitions that a node allows now."""
-    with _managed(search.timeout) as remote:
-        found = remote.transitions(remote.find(node_name), show_all=show_all)
+    with _managed(node_name, search.timeout) as (remote, name):
+        found = remote.transitions(name, show_all=show_all)
     if as_json:
         print_json([_plain_transition(one) for one in found])
         return
@@ -132,6 +136,6 @@ def set_state(
     search: NodeSearch = VISIBLE_NODES,
 ) -> None:
     """Change the state of a node."""
-    with _managed(search.timeout) as remote:
-        remote.change(remote.find(node_name), transition)
+    with _managed(node_name, search.timeout) as (remote, name):
+        remote.change(name, transition)
     print("Transitioning successful")

@@ -9,11 +9,13 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 
 import typer
 
-from zbot.parameters.errors import ParameterAnswerError
+from zbot.errors import ZbotError
 from zbot.parameters.file import sections
 from zbot.parameters.parameter import NoParametersError, Parameter
+from zbot.remote.parameters import ParameterNotSetError
+from zbot.remote.service_calls import ANSWER_TIMEOUT_S
 from zbot_cli.domain.client import hidden_node, note_if_nobody_runs
-from zbot_cli.domain.parameters import ANSWER_TIMEOUT_S, ParameterNotSetError, RemoteParameters
+from zbot_cli.domain.parameters import CommandParameters, in_words_of_ros2
 from zbot_cli.errors import CommandError
 from zbot_cli.input.many_values import ManyValuesCommand
 from zbot_cli.input.option_groups import with_option_groups
@@ -53,13 +55,18 @@ class ListCommand(ManyValuesCommand):
 
 
 @contextmanager
-def _remote(timeout: float, answer_timeout: float = ANSWER_TIMEOUT_S) -> Iterator[RemoteParameters]:
+def _remote(
+    timeout: float, answer_timeout: float = ANSWER_TIMEOUT_S
+) -> Iterator[CommandParameters]:
     with hidden_node("param") as node:
-        yield RemoteParameters(node, timeout, answer_timeout)
+        try:
+            yield CommandParameters(node, timeout, answer_timeout)
+        except ZbotError as error:
+            raise in_words_of_ros2(error) from error
 
 
 def _fail(error: object) -> None:
-    print(error, file=sys.stderr)
+    print(in_words_of_ros2(error) if isinstance(error, ZbotError) else error, file=sys.stderr)
 
 
 def _end(failures: int) -> None:
@@ -95,20 +102,15 @@ def list_parameters(
         nodes = remote.nodes(include_hidden=search.include_hidden) if one is None else [one]
         if not nodes:
             note_if_nobody_runs(remote.graph())
-        answers = remote.ask_all(
-            nodes, "ListParameters", lambda request, _: request(prefixes=prefixes or [])
-        )
-        found = {
-            node: sorted(filter(wanted.match, answer.result.names))
-            for node, answer in answers.found.items()
-        }
+        answers = remote.all_names(nodes, prefixes or [])
+        found = {node: list(filter(wanted.match, names)) for node, names in answers.found.items()}
         typed = {
             node: remote.types(node, names) if show_types or as_json else dict.fromkeys(names)
             for node, names in found.items()
         }
     for error in answers.errors.values():
         if one is not None:
-            raise error
+            raise in_words_of_ros2(error)
         _fail(error)
     _print_names(typed, as_json=as_json, is_one=one is not None)
     _end(len(answers.errors))
@@ -172,7 +174,7 @@ def _heading(node: str, *, is_shown: bool) -> Iterator[str]:
 
 
 def _targets(
-    remote: RemoteParameters, words: Sequence[str], *, include_hidden: bool
+    remote: CommandParameters, words: Sequence[str], *, include_hidden: bool
 ) -> tuple[list[str], list[str]]:
     """Return nodes and parameters of `NODE PARAM...`. Without NODE, use all nodes with PARAM."""
     if len(words) > 1:
@@ -181,17 +183,17 @@ def _targets(
 
 
 def _nodes_with(
-    remote: RemoteParameters, names: Sequence[str], *, include_hidden: bool
+    remote: CommandParameters, names: Sequence[str], *, include_hidden: bool
 ) -> list[str]:
     """Return the nodes that have all of these parameters."""
     nodes = remote.nodes(include_hidden=include_hidden)
-    answers = remote.ask_all(nodes, "ListParameters", lambda request, _: request())
+    answers = remote.all_names(nodes)
     for error in answers.errors.values():
         _fail(error)
-    has = {node: set(answer.result.names) for node, answer in answers.found.items()}
-    found = [node for node, known in has.items() if known.issuperset(names)]
+    found = [node for node, known in answers.found.items() if set(names) <= set(known)]
     if not found:
-        raise ParameterNotSetError(None, " and ".join(names), sorted(set().union(*has.values())))
+        known = sorted(set().union(*answers.found.values()))
+        raise ParameterNotSetError(None, " and ".join(names), known)
     return found
 
 
@@ -228,7 +230,7 @@ def set_parameters(
             else _nodes_with(remote, list(values), include_hidden=search.include_hidden)
         )
         for node in nodes:
-            results = _send(remote, node, messages, atomic=atomic)
+            results = remote.set(node, messages, atomic=atomic)
             with _heading(node, is_shown=not has_node) as indent:
                 if atomic:
                     failures += _report(indent, results[0], *_ATOMIC)
@@ -244,19 +246,6 @@ def _reject_options(words: Sequence[str]) -> None:
     for word in words:
         if word.startswith("--"):
             raise typer.BadParameter(f"there is no option {word}")
-
-
-def _send(
-    remote: RemoteParameters, node: str, messages: list[Any], *, atomic: bool = False
-) -> list[Any]:
-    if atomic:
-        answer = remote.ask(node, "SetParametersAtomically", parameters=messages)
-        return [answer.result] * len(messages)
-    results: list[Any] = remote.ask(node, "SetParameters", parameters=messages).results
-    if len(results) != len(messages):
-        reason = f"it has {len(results)} results for {len(messages)} parameters"
-        raise ParameterAnswerError(node, reason)
-    return results
 
 
 def _report(label: str, result: Any, success: str, failure: str) -> bool:
@@ -281,8 +270,7 @@ def delete(
     with _remote(search.timeout) as remote:
         nodes, names = _targets(remote, words, include_hidden=search.include_hidden)
         for node in nodes:
-            messages = [Parameter(name).to_parameter_msg() for name in names]
-            results = _send(remote, node, messages)
+            results = remote.set(node, [Parameter(name) for name in names])
             with _heading(node, is_shown=len(words) == 1) as indent:
                 for name, result in zip(names, results, strict=True):
                     label = f"{indent}{name}: " if len(names) > 1 else indent
@@ -371,10 +359,10 @@ def load(
     _end(failures)
 
 
-def _load(remote: RemoteParameters, node: str, values: dict[str, Any], indent: str) -> int:
+def _load(remote: CommandParameters, node: str, values: dict[str, Any], indent: str) -> int:
     """Set a file's values for one node. Return how many of the values the node still lacks."""
-    parameters = remote.typed(node, values)
-    results = _send(remote, node, [one.to_parameter_msg() for one in parameters])
+    parameters = remote.from_file(node, values)
+    results = remote.set(node, parameters)
     refused = []
     for parameter, result in zip(parameters, results, strict=True):
         if result.successful:
@@ -384,5 +372,5 @@ def _load(remote: RemoteParameters, node: str, values: dict[str, Any], indent: s
             refused.append(parameter)
     # A dump contains read-only parameters too, which the node refuses to set. A refusal counts as a
     # failure only if the node's value differs from the file's value.
-    present = remote.values_or_none(node, [one.name for one in refused])
-    return sum(present.get(one.name) != one.value for one in refused)
+    present = remote.known_values(node, [one.name for one in refused])
+    return sum(one.name not in present or present[one.name].value != one.value for one in refused)

@@ -12,12 +12,14 @@ from zbot.parameters.parameter import (
     parameter_type,
     parameter_value_to_python,
 )
+from zbot.remote.parameters import nodes_with_parameters
 from zbot.threads.deadline import Deadline
 from zbot.web.command_line import command_line
 from zbot.web.list_panel import ListPanel
 from zbot.web.panel import Page, Panel
 from zbot.web.parameter_input import ParameterInput
-from zbot.web.remote_parameter import load, nodes_with_parameters
+from zbot.web.remote_parameter import load
+from zbot.web.service_call import run_in_thread
 from zbot.web.table import Cell, Column
 
 if TYPE_CHECKING:
@@ -48,8 +50,8 @@ def _build(page: Page) -> None:
 
 
 def _rows(graph: Snapshot, hidden: bool) -> dict[str, list[str | Cell]]:
-    nodes = nodes_with_parameters(graph)
-    return {node: [Cell(node, hint=node)] for node in nodes if hidden or "/_" not in node}
+    nodes = nodes_with_parameters(graph, include_hidden=hidden)
+    return {node: [Cell(node, hint=node)] for node in nodes}
 
 
 class _NodeParameters:
@@ -80,7 +82,7 @@ class _NodeParameters:
 
     async def show_all(self) -> None:
         try:
-            found = await load(self.section.system, self.node)
+            found = await run_in_thread(load, self.section.system.parameters, self.node)
         except ZbotError as error:
             self.inputs = {}
             self.place.clear()

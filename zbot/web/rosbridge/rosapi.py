@@ -7,21 +7,19 @@ rosapi, clients call the service of that node.
 
 from __future__ import annotations
 
-import contextlib
 import json
-import threading
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from zbot.bag.definition import definition_text
 from zbot.errors import ZbotError
 from zbot.graph.snapshot import full_names
-from zbot.interfaces import get_service
 from zbot.interfaces.plain_value import json_value
 from zbot.interfaces.registry import interface_names, packages
 from zbot.json_reader import JsonError, read_json
 from zbot.names import is_hidden
-from zbot.parameters.parameter import Parameter, parameter_type, parameter_value_to_python
-from zbot.threads.deadline import Deadline
+from zbot.parameters.parameter import Parameter
+from zbot.remote.parameters import RemoteParameters, nodes_with_parameters
+from zbot.remote.service_calls import ServiceCalls
 from zbot.web.rosbridge.client_message import RosbridgeError
 from zbot.web.rosbridge.type_details import type_details
 from zbot.wire.tokens import EntityKind
@@ -29,18 +27,13 @@ from zbot.wire.tokens import EntityKind
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from zbot.executor.task import Future
     from zbot.graph.snapshot import Snapshot
     from zbot.web.rosbridge.bridge import Bridge
-    from zbot.web.shared_entities import EntityReference
 
     Procedure: TypeAlias = Callable[[Bridge, dict[str, Any]], dict[str, Any]]
 
 _MAX_WORD = 1000
 _PATIENCE_S = 5.0
-_SET = "rcl_interfaces/srv/SetParameters"
-_GET = "rcl_interfaces/srv/GetParameters"
-_LIST = "rcl_interfaces/srv/ListParameters"
 
 
 def arguments(args: Any) -> dict[str, Any]:
@@ -194,7 +187,7 @@ def _part_details(kind: str, part: str) -> Procedure:
 
 def _get_param(bridge: Bridge, args: dict[str, Any]) -> dict[str, Any]:
     name, default = _word(args, "name"), _word(args, "default_value", "")
-    value = _value(bridge, name)
+    value = _parameters(bridge).value(*_split(name)).value
     if value is not None:
         return {"value": json.dumps(json_value(value)), "successful": True, "reason": ""}
     is_given = default != ""
@@ -203,16 +196,14 @@ def _get_param(bridge: Bridge, args: dict[str, Any]) -> dict[str, Any]:
 
 
 def _has_param(bridge: Bridge, args: dict[str, Any]) -> dict[str, Any]:
-    return {"exists": _value(bridge, _word(args, "name")) is not None}
+    return {"exists": _parameters(bridge).value(*_split(_word(args, "name"))).value is not None}
 
 
 def _set_param(bridge: Bridge, args: dict[str, Any]) -> dict[str, Any]:
-    name = _word(args, "name")
-    parameter = parameter_from_json(_split(name)[1], _word(args, "value"))
-    if type(parameter.value) is int and isinstance(_value(bridge, name), float):
-        # JavaScript writes 1.0 as 1, so the value is converted to the parameter's type.
-        parameter = Parameter(parameter.name, value=float(parameter.value))
-    return _set(bridge, name, parameter)
+    node, name = _split(_word(args, "name"))
+    parameter = parameter_from_json(name, _word(args, "value"))
+    _check_writable(bridge)
+    return _set(bridge, node, _parameters(bridge).from_json(node, name, parameter.value))
 
 
 def parameter_from_json(name: str, text: str) -> Parameter[Any]:
@@ -230,27 +221,23 @@ def parameter_from_json(name: str, text: str) -> Parameter[Any]:
 
 
 def _delete_param(bridge: Bridge, args: dict[str, Any]) -> dict[str, Any]:
-    name = _word(args, "name")
-    return _set(bridge, name, Parameter(_split(name)[1]))
+    node, name = _split(_word(args, "name"))
+    _check_writable(bridge)
+    return _set(bridge, node, Parameter(name))
 
 
-def _set(bridge: Bridge, name: str, parameter: Parameter[Any]) -> dict[str, Any]:
+def _check_writable(bridge: Bridge) -> None:
     if bridge.is_read_only:
         raise RosbridgeError("setting parameters is not possible: zbot web runs with --read-only")
-    response = _ask(bridge, name, "set_parameters", _SET, parameters=[parameter.to_parameter_msg()])
-    if len(response.results) != 1:
-        raise RosbridgeError(f"{name}: the node's answer does not fit the request")
-    result = response.results[0]
+
+
+def _set(bridge: Bridge, node: str, parameter: Parameter[Any]) -> dict[str, Any]:
+    (result,) = _parameters(bridge).set(node, [parameter])
     return {"successful": result.successful, "reason": result.reason}
 
 
-def _value(bridge: Bridge, name: str) -> Any:
-    """Return a parameter's value, or `None` if the parameter is not set."""
-    response = _ask(bridge, name, "get_parameters", _GET, names=[_split(name)[1]])
-    if len(response.values) != 1:
-        return None
-    parameter_type(response.values[0].type)
-    return parameter_value_to_python(response.values[0])
+def _parameters(bridge: Bridge) -> RemoteParameters:
+    return RemoteParameters(ServiceCalls(bridge.node, answer_timeout_s=_PATIENCE_S))
 
 
 def _split(name: str) -> tuple[str, str]:
@@ -262,50 +249,11 @@ def _split(name: str) -> tuple[str, str]:
     return _node_name(node), parameter
 
 
-def _ask(bridge: Bridge, name: str, service: str, type_name: str, **fields: Any) -> Any:
-    node = _split(name)[0]
-    with _client(bridge, f"{node}/{service}", type_name) as reference:
-        try:
-            client = reference.entity
-            return client.call(client.srv_type.Request(**fields), _PATIENCE_S)
-        except TimeoutError:
-            raise RosbridgeError(f"{node} did not answer within {_PATIENCE_S:g} s") from None
-
-
-def _client(bridge: Bridge, service: str, type_name: str) -> EntityReference[Any]:
-    full = bridge.node.resolve_service_name(service)
-    service_type: Any = get_service(type_name)
-    return bridge.shared.get(
-        ("client", full, type_name),
-        lambda: bridge.node.create_client(service_type, full),
-        bridge.node.destroy_client,
-    )
-
-
 def _get_param_names(bridge: Bridge, _args: dict[str, Any]) -> dict[str, Any]:
-    """Ask all nodes for the names of their parameters at the same time.
-
-    A node that does not answer in time is left out.
-    """
-    services = [service for service, types in bridge.graph().services() if _LIST in types]
-    found: list[str] = []
-    with contextlib.ExitStack() as stack:
-        clients = [stack.enter_context(_client(bridge, one, _LIST)).entity for one in services]
-        futures = [client.call_server_async(client.srv_type.Request()) for client in clients]
-        _wait(futures)
-        for service, future in zip(services, futures, strict=True):
-            if future.done() and future.exception() is None:
-                node, names = service.rpartition("/")[0], future.result().result.names
-                found += [f"{node}:{name}" for name in sorted(names)]
-    return {"names": found}
-
-
-def _wait(futures: list[Future[Any]]) -> None:
-    deadline = Deadline(_PATIENCE_S)
-    for future in futures:
-        is_over = threading.Event()
-        future.add_waker(is_over.set)
-        is_over.wait(deadline.left_s)
+    """Ask all nodes for the names of their parameters. Leave out nodes without an answer."""
+    nodes = nodes_with_parameters(bridge.graph(), include_hidden=True)
+    found = _parameters(bridge).all_names(nodes).found
+    return {"names": [f"{node}:{name}" for node, names in found.items() for name in names]}
 
 
 def _get_time(bridge: Bridge, _args: dict[str, Any]) -> dict[str, Any]:

@@ -1,0 +1,165 @@
+"""Client of managed nodes, for their states and transitions."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from zbot.errors import ZbotError
+from zbot.errors.suggestion import did_you_mean
+from zbot.names import fully_qualified, is_hidden
+from zbot.remote.service_calls import ANSWER_TIMEOUT_S, NoAnswerError, NoServiceError, ServiceCalls
+
+from lifecycle_msgs.msg import Transition
+from lifecycle_msgs.srv import ChangeState, GetAvailableTransitions, GetState
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Sequence
+
+    from zbot.graph.snapshot import Snapshot
+    from zbot.node.node import Node
+
+    from lifecycle_msgs.msg import State, TransitionDescription
+
+_GET_STATE = "lifecycle_msgs/srv/GetState"
+
+
+class NodeSilentError(ZbotError):
+    """A managed node does not answer, or ended before it answered."""
+
+    def __init__(self, node: str, error: ZbotError) -> None:
+        self.node = node
+        reason: object = error
+        if isinstance(error, NoServiceError):
+            reason = f"it has no {error.name}"
+        elif isinstance(error, NoAnswerError):
+            reason = f"no answer in {error.timeout_s:g} s; does it spin?"
+        self.reason = reason
+        super().__init__(f"Exception while calling service of node '{node}': {reason}")
+
+
+class UnknownTransitionError(ZbotError):
+    """The transition is not possible in the node's present state."""
+
+    def __init__(self, wanted: str, possible: Sequence[TransitionDescription]) -> None:
+        self.wanted = wanted
+        labels = [one.transition.label for one in possible]
+        self.hint = did_you_mean(wanted, labels)
+        rows = [f"- {one.transition.label} [{one.transition.id}]" for one in possible]
+        super().__init__("\n".join(("Unknown transition requested, available ones are:", *rows)))
+
+
+class TransitionFailedError(ZbotError):
+    """The transition's callback failed, or the state changed before the transition started."""
+
+    def __init__(self, node: str, state: State) -> None:
+        self.node, self.state = node, state
+        self.hint = f"{node} is {state.label} now; see its log for the reason"
+        super().__init__("Transitioning failed")
+
+
+def managed_nodes(graph: Snapshot, *, include_hidden: bool) -> list[str]:
+    """Return the full names of the managed nodes, sorted."""
+    offered = {name for name, types in graph.services() if _GET_STATE in types}
+    return sorted(
+        {
+            name
+            for node in graph.nodes
+            if f"{(name := fully_qualified(node.namespace, node.node))}/get_state" in offered
+            and (include_hidden or not is_hidden(fully_qualified("/", node.node)))
+        }
+    )
+
+
+class ManagedNodes:
+    """Client of the managed nodes of the domain. Any thread may call the methods, which block.
+
+    A node is given by its full name.
+
+    Args:
+        node: The node that sends the requests. It need not spin.
+        server_timeout_s: Seconds to wait for a managed node that is not running yet.
+    """
+
+    def __init__(self, node: Node, *, server_timeout_s: float = ANSWER_TIMEOUT_S) -> None:
+        self._calls = ServiceCalls(
+            node, answer_timeout_s=ANSWER_TIMEOUT_S, server_timeout_s=server_timeout_s
+        )
+        # The callback of a transition may take long.
+        self._patient_calls = ServiceCalls(
+            node, answer_timeout_s=None, server_timeout_s=server_timeout_s
+        )
+
+    def states(self, nodes: Iterable[str]) -> dict[str, State | NodeSilentError]:
+        """Return each node's state, or an error for a silent node. Ask all nodes in parallel."""
+        names = {f"{node}/get_state": node for node in nodes}
+        answers = self._calls.call_all(GetState, dict.fromkeys(names, GetState.Request()))
+        states: dict[str, State | NodeSilentError] = {}
+        for name, node in names.items():
+            answer = answers.found.get(name)
+            states[node] = (
+                NodeSilentError(node, answers.errors[name])
+                if answer is None
+                else answer.current_state
+            )
+        return states
+
+    def state(self, name: str) -> State:
+        """Return the state of a node.
+
+        Raises:
+            NodeSilentError: The node does not answer.
+        """
+        answer = self.states([name])[name]
+        if isinstance(answer, NodeSilentError):
+            raise answer
+        return answer
+
+    def transitions(self, name: str, *, show_all: bool) -> list[TransitionDescription]:
+        """Return the transitions that are possible now, or all transitions of the node.
+
+        Raises:
+            NodeSilentError: The node does not answer.
+        """
+        service = "get_transition_graph" if show_all else "get_available_transitions"
+        request = GetAvailableTransitions.Request()
+        answer = _ask(self._calls, name, service, GetAvailableTransitions, request)
+        found: list[TransitionDescription] = answer.available_transitions
+        return found
+
+    def change(self, name: str, wanted: str) -> None:
+        """Make the transition with the label or number `wanted`.
+
+        There is no time limit, because the transition's callback in the node may take long.
+
+        Raises:
+            UnknownTransitionError: The transition is not possible now.
+            TransitionFailedError: The state did not change.
+            NodeSilentError: The node does not answer, or ended before it answered.
+        """
+        possible = self.transitions(name, show_all=False)
+        for one in possible:
+            if wanted in {one.transition.label, str(one.transition.id)}:
+                break
+        else:
+            raise UnknownTransitionError(wanted, possible)
+        if not self.request(name, one.transition.id, one.transition.label):
+            raise TransitionFailedError(name, self.state(name))
+
+    def request(self, name: str, number: int, label: str = "") -> bool:
+        """Request a transition by its number. Return whether the node made it.
+
+        There is no time limit, as in `change`.
+
+        Raises:
+            NodeSilentError: The node does not answer, or ended before it answered.
+        """
+        request = ChangeState.Request(transition=Transition(id=number, label=label))
+        answer = _ask(self._patient_calls, name, "change_state", ChangeState, request)
+        return bool(answer.success)
+
+
+def _ask(calls: ServiceCalls, node: str, service: str, srv_type: type[Any], request: Any) -> Any:
+    try:
+        return calls.call(f"{node}/{service}", srv_type, request)
+    except ZbotError as error:
+        raise NodeSilentError(node, error) from error
