@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import zbot  # noqa: F401 - makes the messages importable
 from benchmarks.report import Report
 from zbot.wire.cdr.codec import CdrCodec, cdr_codec_for
-from zbot.wire.messagepack.codec import Codec, codec_for
+from zbot.wire.messagepack.codec import MessagePackCodec, messagepack_codec_for
 
 from geometry_msgs.msg import PoseStamped, TransformStamped, Twist
 from nav_msgs.msg import Odometry, Path
@@ -104,7 +104,7 @@ def table(report: Report) -> None:
     for name, message in MESSAGES.items():
         compiling = compile_seconds(message)
         cdr: CdrCodec[Any] = cdr_codec_for(type(message))
-        own: Codec[Any] = codec_for(type(message))
+        own: MessagePackCodec[Any] = messagepack_codec_for(type(message))
         encode = fastest([(cdr.encode, message), (own.encode, message)])
         decode = fastest([(cdr.decode, cdr.encode(message)), (own.decode, own.encode(message))])
         cells = [

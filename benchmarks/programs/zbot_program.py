@@ -20,7 +20,7 @@ from program_control import (
 from sample_messages import TYPES, message
 from zbot.interfaces import has_sequences
 from zbot.threads.wakeup import BusyWait
-from zbot.wire.messagepack.codec import codec_for
+from zbot.wire.messagepack.codec import messagepack_codec_for
 
 from example_interfaces.srv import AddTwoInts
 from std_msgs.msg import String
@@ -119,7 +119,7 @@ def facts() -> None:
         msg = message(kind)
         # zbot/node/subscription.py has these lengths.
         queue = 256 if has_sequences(type(msg)) else 8192
-        found[kind] = {"bytes": len(codec_for(type(msg)).encode(msg)), "queue": queue}
+        found[kind] = {"bytes": len(messagepack_codec_for(type(msg)).encode(msg)), "queue": queue}
     say(**found)
 
 

@@ -38,9 +38,9 @@ from zbot.wire.cdr.codec import cdr_codec_for
 from zbot.wire.error_reply import unpack_error
 from zbot.wire.errors import CodecError, TokenError
 from zbot.wire.keys import encoded_type, parse_key
-from zbot.wire.messagepack.codec import codec_for
+from zbot.wire.messagepack.codec import messagepack_codec_for
 from zbot.wire.messagepack.packing import UnreadableError, pack, unpack
-from zbot.wire.rmw_zenoh import RMW_ZENOH
+from zbot.wire.rmw_zenoh import ROS2
 from zbot.wire.tokens import parse_token
 from zbot.wire.transcoder.transcoder import to_cdr, to_messagepack
 
@@ -102,11 +102,11 @@ def _typed_seeds(codec_of: Any) -> tuple[bytes, ...]:
 
 
 def _decoded(message_type: Any, data: bytes) -> Any:
-    return codec_for(message_type).decode(data)
+    return messagepack_codec_for(message_type).decode(data)
 
 
 def _encoded(message: Any) -> bytes:
-    encode: Any = codec_for(type(message)).encode
+    encode: Any = messagepack_codec_for(type(message)).encode
     octets: bytes = encode(message)
     return octets
 
@@ -122,10 +122,10 @@ def _token(data: bytes) -> None:
 
 
 def _ros2_token(data: bytes) -> None:
-    token: Any = RMW_ZENOH.parse_token(_text(data))
+    token: Any = ROS2.parse_token(_text(data))
     assert len(token.gid) == 16
-    assert token == RMW_ZENOH.parse_token(token.key)
-    RMW_ZENOH.with_key(token)
+    assert token == ROS2.parse_token(token.key)
+    ROS2.with_key(token)
 
 
 def _names(data: bytes) -> None:
@@ -296,9 +296,9 @@ NETWORK_READERS = (
             "zbot.interfaces.array_value",
             "zbot.interfaces.field_check",
         ),
-        _typed(codec_for),
+        _typed(messagepack_codec_for),
         (CodecError,),
-        _typed_seeds(codec_for),
+        _typed_seeds(messagepack_codec_for),
     ),
     Reader(
         "cdr_message",
@@ -319,7 +319,7 @@ NETWORK_READERS = (
         ("zbot.wire.transcoder.transcoder", "zbot.wire.transcoder.values"),
         _converted(to_cdr),
         (CodecError,),
-        _typed_seeds(codec_for),
+        _typed_seeds(messagepack_codec_for),
     ),
     Reader(
         "attachment",

@@ -14,13 +14,13 @@ from typing import Any
 import zbot  # noqa: F401 - makes the messages importable
 from tests.torture.package_readers import MANIFEST
 from tests.torture.reader import Reader, file_with, text_of
-from zbot.interfaces.added import check
 from zbot.interfaces.collection import DefinitionSourceError, collect
 from zbot.interfaces.content_filter import ContentFilter, ContentFilterError
 from zbot.interfaces.errors import FieldTypeError, FieldValueError, InterfaceSyntaxError
 from zbot.interfaces.field_path import FieldPath, FieldPathError
 from zbot.interfaces.parser import parse
 from zbot.interfaces.spec import FieldType
+from zbot.interfaces.user_definitions import check
 from zbot.launch import LaunchContext
 from zbot.launch.actions.loop import _values
 from zbot.launch.errors import (

@@ -19,7 +19,7 @@ from zbot.web.rosbridge.client_message import Fragments, RosbridgeError, read_me
 from zbot.web.rosbridge.frame import frames
 from zbot.web.rosbridge.json_message import message_from_json
 from zbot.web.rosbridge.rosapi import parameter_from_json
-from zbot.wire.messagepack.codec import codec_for
+from zbot.wire.messagepack.codec import messagepack_codec_for
 
 from builtin_interfaces.msg import Time
 from geometry_msgs.msg import Twist
@@ -51,7 +51,7 @@ def _client_message(data: bytes) -> None:
     found = message_from_json(message_type, message.get("msg"), Time)
     frames({"op": "publish", "msg": json_value(found)}, fragment_size=100)
     encode(cbor_value(found))
-    assert codec_for(message_type).encode(found) is not None
+    assert messagepack_codec_for(message_type).encode(found) is not None
 
 
 def _message_type(name: str) -> Any:

@@ -20,7 +20,7 @@ from zbot.bridge.side import DEPTH, End, World, queue_length
 from zbot.interfaces import get_interface, type_hash
 from zbot.threads.deadline import Deadline
 from zbot.wire.cdr.codec import cdr_codec_for
-from zbot.wire.messagepack.codec import codec_for
+from zbot.wire.messagepack.codec import messagepack_codec_for
 from zbot.wire.qos import qos_text
 from zbot.wire.tokens import EntityKind
 from zbot.wire.transcoder.transcoder import to_cdr, to_messagepack
@@ -128,7 +128,9 @@ class Carrier:
             is_driven = isinstance(one, _Topic) and one.direction is Direction.OUT
             if is_driven and one.type_name in _VELOCITIES and isinstance(route, TopicRoute):
                 cls = get_interface(one.type_name)
-                codec = cdr_codec_for(cls) if self._ros.format == "cdr" else codec_for(cls)
+                codec = (
+                    cdr_codec_for(cls) if self._ros.format == "cdr" else messagepack_codec_for(cls)
+                )
                 route.send_once(codec.encode(cls()))
 
     @property

@@ -122,7 +122,7 @@ def _grouped(source: Path, entries: Iterable[_Entry]) -> list[FoundPackage]:
         package = FoundPackage(name, "/".join(parts) or ".", inside)
         _check(source, package, found.get(name))
         found[name] = package
-    return sorted(found.values(), key=lambda one: one.name)
+    return sorted(found.values(), key=lambda package: package.name)
 
 
 def _is_definition(parts: tuple[str, ...]) -> bool:
@@ -150,7 +150,9 @@ def _stem(source: Path) -> str:
 
 def _folder_entries(source: Path) -> Iterator[_Entry]:
     for folder, below, names in _counted(source, os.walk(source)):
-        below[:] = sorted(one for one in below if not one.startswith(".") and one not in SKIPPED)
+        below[:] = sorted(
+            child for child in below if not child.startswith(".") and child not in SKIPPED
+        )
         parts = Path(folder).relative_to(source).parts
         for name in _counted(source, sorted(names)):
             yield (*parts, name), partial(_file_content, source, Path(folder, name))
@@ -206,7 +208,7 @@ def _unpacked(source: Path) -> Iterator[IO[bytes]]:
     with source.open("rb") as plain:
         start = plain.read(8)
         plain.seek(0)
-        unpack = next((one for magic, one in _COMPRESSIONS if start.startswith(magic)), None)
+        unpack = next((opener for magic, opener in _COMPRESSIONS if start.startswith(magic)), None)
         with unpack(plain) if unpack else plain as file:
             yield cast("IO[bytes]", _LimitedStream(source, file))
 

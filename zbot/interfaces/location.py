@@ -76,7 +76,7 @@ def has_other_versions(package: str) -> bool:
 def packages_in(parent: Path) -> list[str]:
     """Return the names of the packages in a folder that contains only packages, sorted."""
     folders = parent.iterdir() if parent.is_dir() else ()
-    found = (one for one in folders if one.name.isidentifier())
+    found = (folder for folder in folders if folder.name.isidentifier())
     return sorted(folder.name for folder in found if has_definitions(folder))
 
 

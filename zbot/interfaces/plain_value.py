@@ -83,8 +83,8 @@ def _shown_list(value: Any, kind: FieldType, shortening: Shortening) -> list[Any
     if kind.is_message:
         items = [plain(item, shortening) for item in items]
     elif not kind.typecode:
-        one = type(kind)(kind.base)
-        items = [_plain_value(item, one, shortening) for item in items]
+        element = type(kind)(kind.base)
+        items = [_plain_value(item, element, shortening) for item in items]
     if len(shown) < len(value):
         items.append("...")
     is_short = kind.typecode and len(value) <= shortening.short_list

@@ -86,7 +86,7 @@ def has_sequences(interface: str | type[Any]) -> bool:
     spec = _spec_for(interface)
     fields = (field.type for field in spec.fields) if isinstance(spec, MessageSpec) else ()
     return any(
-        one.kind == "sequence" or (one.is_message and has_sequences(one.base)) for one in fields
+        kind.kind == "sequence" or (kind.is_message and has_sequences(kind.base)) for kind in fields
     )
 
 
@@ -98,9 +98,9 @@ def has_byte_sequences(interface: str | type[Any]) -> bool:
     spec = _spec_for(interface)
     fields = (field.type for field in spec.fields) if isinstance(spec, MessageSpec) else ()
     return any(
-        (one.base == "uint8" and one.kind == "sequence" and not one.size)
-        or (one.is_message and has_byte_sequences(one.base))
-        for one in fields
+        (kind.base == "uint8" and kind.kind == "sequence" and not kind.size)
+        or (kind.is_message and has_byte_sequences(kind.base))
+        for kind in fields
     )
 
 

@@ -68,7 +68,7 @@ def specs_from(description: Mapping[str, Any]) -> list[InterfaceSpec]:
         main = description["type_description"]
         name = str(main["type_name"])
         others = description["referenced_type_descriptions"]
-        check_field_limits(name, [len(one["fields"]) for one in (main, *others)])
+        check_field_limits(name, [len(part["fields"]) for part in (main, *others)])
         messages = {spec.name: spec for spec in map(_message, others)}
         last = _main(main, messages)
     except GrammarError as error:
@@ -100,9 +100,9 @@ def specs_from_sources(name: str, sources: Mapping[str, str]) -> list[InterfaceS
 
     check_text_limits(name, sources.values())
     try:
-        for one in sources:
-            grammar.check_interface_name(one)
-        others = [parse(one, text) for one, text in sources.items() if one != name]
+        for other in sources:
+            grammar.check_interface_name(other)
+        others = [parse(other, text) for other, text in sources.items() if other != name]
         return [*others, parse(name, sources[name])]
     except GrammarError as error:
         raise InterfaceSyntaxError(name, 0, "", str(error)) from error
@@ -119,8 +119,8 @@ def hash_among(name: str, specs: Iterable[InterfaceSpec]) -> str:
     """
     found = with_parts(specs)
 
-    def look_up(one: str) -> InterfaceSpec:
-        return found[one] if one in found else get_spec(one)
+    def look_up(type_name: str) -> InterfaceSpec:
+        return found[type_name] if type_name in found else get_spec(type_name)
 
     return hash_of(look_up(name), look_up)
 

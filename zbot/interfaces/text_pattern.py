@@ -101,8 +101,8 @@ class RegularExpression:
 
     def _step(self, here: _States, character: str) -> _States:
         states, reached = self._states, list[int]()
-        for one in here:
-            accepts, following = states[one]
+        for state in here:
+            accepts, following = states[state]
             if accepts is not None and accepts(character):
                 reached += following
         found = self._reached(reached)
@@ -116,10 +116,10 @@ class RegularExpression:
         """Return these states and all states that can be reached from them without a character."""
         waiting, found = list(states), set[int]()
         while waiting:
-            one = waiting.pop()
-            if one not in found:
-                found.add(one)
-                accepts, following = self._states[one]
+            state = waiting.pop()
+            if state not in found:
+                found.add(state)
+                accepts, following = self._states[state]
                 if accepts is None:
                     waiting += following
         return frozenset(found)
@@ -137,11 +137,11 @@ class RegularExpression:
         if part.kind == "character":
             return self._new(part.accepts, following)
         if part.kind == "choice":
-            return self._new(None, *[self._add(one, following) for one in part.parts])
+            return self._new(None, *[self._add(inner, following) for inner in part.parts])
         if part.kind == "repetition":
             return self._add_repetition(part, following)
-        for one in reversed(part.parts):
-            following = self._add(one, following)
+        for inner in reversed(part.parts):
+            following = self._add(inner, following)
         return following
 
     def _add_repetition(self, part: _Part, following: int) -> int:

@@ -6,14 +6,15 @@ import os
 from typing import TYPE_CHECKING
 
 from zbot.transport.errors import RmwError
-from zbot.wire.dialect import CLASSROOM, NATIVE, ZBOT_IDENTIFIER
+from zbot.wire.dialect import CLASSROOM, NATIVE, RMW_ZENOH, ZBOT_IDENTIFIER
 
 if TYPE_CHECKING:
     from zbot.transport.config import SessionConfig
     from zbot.wire.dialect import Dialect
 
+__all__ = ["IDENTIFIERS", "RMW_VARIABLE", "RMW_ZENOH", "dialect_of_rmw", "known"]
+
 RMW_VARIABLE = "RMW_IMPLEMENTATION"
-RMW_ZENOH = "rmw_zenoh_cpp"
 #: Names of the middlewares that a program can choose.
 IDENTIFIERS = (ZBOT_IDENTIFIER, RMW_ZENOH)
 
@@ -40,9 +41,9 @@ def dialect_of_rmw(
     found = given or _of_variable() or (file and _of_file(file))
     name = known(found) if found else ZBOT_IDENTIFIER
     if name == RMW_ZENOH:
-        from zbot.wire.rmw_zenoh import RMW_ZENOH as DIALECT  # noqa: PLC0415 - rarely needed
+        from zbot.wire.rmw_zenoh import ROS2  # noqa: PLC0415 - rarely needed
 
-        return DIALECT
+        return ROS2
     return CLASSROOM if in_class else NATIVE
 
 

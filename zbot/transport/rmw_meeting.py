@@ -26,7 +26,7 @@ from zbot.transport.rmw_config import (
 )
 from zbot.transport.zenoh_session import open_session
 from zbot.version import __version__
-from zbot.wire.rmw_zenoh import RMW_ZENOH, dialect_of
+from zbot.wire.rmw_zenoh import ROS2, dialect_of
 
 if TYPE_CHECKING:
     import zenoh
@@ -62,7 +62,7 @@ class RmwMeeting:
         self._config = RmwConfig()
         self._is_off = reach is DiscoveryRange.OFF
         self._facts = facts
-        self._token_keys = RMW_ZENOH.token_selectors(domain)
+        self._token_keys = ROS2.token_selectors(domain)
         self._fill: dict[str, Any] = {"metadata": facts}
         built = self._config.session(self._fill)
         self._connect = endpoints(built, "connect/endpoints")

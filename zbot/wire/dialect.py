@@ -17,12 +17,14 @@ if TYPE_CHECKING:
 
     from zbot.wire.tokens import EndpointToken, NodeToken
 
-__all__ = ["CLASSROOM", "NATIVE", "Dialect"]
+__all__ = ["CLASSROOM", "NATIVE", "RMW_ZENOH", "Dialect"]
 
 MessageT = TypeVar("MessageT")
 TokenT = TypeVar("TokenT", bound=tokens.NodeToken | tokens.EndpointToken)
 #: Name of zbot's own wire format, as in ROS 2's `get_rmw_implementation_identifier`.
 ZBOT_IDENTIFIER = "rmw_zbot_zenoh"
+#: Name of ROS 2's Zenoh middleware.
+RMW_ZENOH = "rmw_zenoh_cpp"
 
 
 class MessageCodec(Protocol[MessageT]):
@@ -209,9 +211,9 @@ class _NativeDialect:
 
     @staticmethod
     def codec_for(message_class: type[MessageT]) -> MessageCodec[MessageT]:
-        from zbot.wire.messagepack.codec import codec_for  # noqa: PLC0415 - commands that only list need no codec
+        from zbot.wire.messagepack.codec import messagepack_codec_for  # noqa: PLC0415 - lists need none
 
-        return codec_for(message_class)  # pyright: ignore[reportReturnType] - see MessageCodec
+        return messagepack_codec_for(message_class)  # pyright: ignore[reportReturnType] - see MessageCodec
 
     @staticmethod
     def payload_of(data: bytes, message_class: type[object]) -> bytes:

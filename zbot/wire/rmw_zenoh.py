@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, TypeVar
 from zbot.qos import DurabilityPolicy
 from zbot.wire import error_reply, tokens
 from zbot.wire.attachment import LAYOUT
+from zbot.wire.dialect import RMW_ZENOH
 from zbot.wire.errors import TokenError
 from zbot.wire.payload import is_cdr
 from zbot.wire.qos import qos_text
@@ -25,8 +26,7 @@ if TYPE_CHECKING:
 __all__ = [
     "HUMBLE",
     "NO_HASH",
-    "RMW_ZENOH",
-    "RMW_ZENOH_IDENTIFIER",
+    "ROS2",
     "dds_type",
     "dialect_of",
     "ros_type",
@@ -35,7 +35,6 @@ __all__ = [
 MessageT = TypeVar("MessageT")
 TokenT = TypeVar("TokenT", bound=NodeToken | EndpointToken)
 
-RMW_ZENOH_IDENTIFIER = "rmw_zenoh_cpp"
 NO_HASH = "TypeHashNotSupported"  #: Humble's text in place of a type hash
 # Zenoh's default encoding, which Zenoh does not send. ROS 2 ignores encodings.
 _ENCODING = "zenoh/bytes"
@@ -74,15 +73,15 @@ def dialect_of(found: Iterable[str], *, distro: str = "") -> Dialect:
             the endpoints speak both dialects.
     """
     endpoints = filter(None, map(_endpoint, found))
-    speaks_humble = {one.type_hash == NO_HASH for one in endpoints}
+    speaks_humble = {endpoint.type_hash == NO_HASH for endpoint in endpoints}
     if len(speaks_humble) != 1:
-        return HUMBLE if distro == "humble" else RMW_ZENOH
-    return HUMBLE if speaks_humble.pop() else RMW_ZENOH
+        return HUMBLE if distro == "humble" else ROS2
+    return HUMBLE if speaks_humble.pop() else ROS2
 
 
 def _endpoint(key: str) -> EndpointToken | None:
     try:
-        token = RMW_ZENOH.parse_token(key)
+        token = ROS2.parse_token(key)
     except TokenError:
         return None
     return token if isinstance(token, EndpointToken) else None
@@ -95,7 +94,7 @@ class _RmwZenohDialect:
         has_hashes: Whether keys and tokens have the hash of the type.
     """
 
-    identifier = RMW_ZENOH_IDENTIFIER
+    identifier = RMW_ZENOH
     calls_all_servers = True
     needs_equal_types = True
 
@@ -199,5 +198,5 @@ class _RmwZenohDialect:
         return error_reply.error_text(error).encode(), _ENCODING
 
 
-RMW_ZENOH: Dialect = _RmwZenohDialect(has_hashes=True)
+ROS2: Dialect = _RmwZenohDialect(has_hashes=True)
 HUMBLE: Dialect = _RmwZenohDialect(has_hashes=False)

@@ -227,7 +227,7 @@ def _workspace_packages(_: Sequence[str], __: str) -> Iterable[str]:
 
 
 def _added_packages(_: Sequence[str], __: str) -> Iterable[str]:
-    from zbot.interfaces.added import added_packages  # noqa: PLC0415 - needed only for this verb
+    from zbot.interfaces.user_definitions import added_packages  # noqa: PLC0415 - needed only for this verb
 
     return added_packages()
 

@@ -206,7 +206,7 @@ def add(
     std_msgs always come from zbot. Other packages come from the workspace, or else from the added
     packages, or else from zbot.
     """
-    from zbot.interfaces import added, collection  # noqa: PLC0415 - only this verb reads archives
+    from zbot.interfaces import collection, user_definitions  # noqa: PLC0415 - only this verb reads archives
     from zbot_cli.packages import pypi  # noqa: PLC0415 - as above
 
     path = Path(source).expanduser()
@@ -217,17 +217,17 @@ def add(
     core = core_packages()
     new = [package for package in found if package.name not in core]
     for package in new:
-        added.check(package)
+        user_definitions.check(package)
     for package in new:
-        added.store(package)
+        user_definitions.store(package)
         count = len(package.texts)
         print(f"{package.name}: {count} type{'s' * (count != 1)} added")
     for name in sorted({one.name for one in found}.intersection(core)):
         print(f"warning: {name} is not added: it is part of ROS 2 and of zbot", file=sys.stderr)
-    lacking = sorted({name for package in new for name in added.check(package)})
-    for name in lacking:
+    missing = sorted({name for package in new for name in user_definitions.check(package)})
+    for name in missing:
         print(f"warning: the types use {name}: {how_to_add(name)}", file=sys.stderr)
-    return Status.OK if new and not lacking else Status.ERROR
+    return Status.OK if new and not missing else Status.ERROR
 
 
 @app.command("remove")
@@ -235,7 +235,7 @@ def remove(
     package_name: Annotated[str, typer.Argument(help="Name of a package that was added")],
 ) -> None:
     """Remove a package that was added."""
-    from zbot.interfaces import added  # noqa: PLC0415 - only this verb and `add` use the store
+    from zbot.interfaces import user_definitions  # noqa: PLC0415 - only this verb and `add` use the store
 
-    added.remove(package_name)
+    user_definitions.remove(package_name)
     print(f"{package_name}: removed")

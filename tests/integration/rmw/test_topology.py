@@ -14,7 +14,7 @@ from zbot.interfaces import type_hash
 from zbot.transport.config import MEETING_PORT
 from zbot.transport.errors import NoRouterError, RouterAttemptsError
 from zbot.transport.rmw_meeting import RmwRouter
-from zbot.wire.rmw_zenoh import HUMBLE, NO_HASH, RMW_ZENOH
+from zbot.wire.rmw_zenoh import HUMBLE, NO_HASH, ROS2
 
 from sensor_msgs.msg import Image
 from std_msgs.msg import String
@@ -228,7 +228,7 @@ def test_an_image_in_a_buffer_of_lyrical_arrives_once(
     of_type = ("sensor_msgs::msg::dds_::Image_", type_hash(Image))
     key = plain.announce("MP", "/camera", of_type, "::,10:,:,:,,/backends:cpu:")
     assert wait_until(lambda: subscription.get_publisher_count() == 1)
-    encode = RMW_ZENOH.codec_for(Image).encode
+    encode = ROS2.codec_for(Image).encode
     gid = bytes(16)
     for number, where in enumerate(("_buf_cpu", "_buf/00ff", ""), 1):
         payload = encode(Image(height=number))

@@ -13,7 +13,7 @@ import pytest
 import zbot
 from tests.conftest import wait_until
 from tests.integration.services.conftest import Request, Response, add, client_of
-from zbot.wire.messagepack.codec import codec_for
+from zbot.wire.messagepack.codec import messagepack_codec_for
 
 from example_interfaces.srv import AddTwoInts
 from std_srvs.srv import Trigger
@@ -131,7 +131,7 @@ class TestAnswers:
 
         def reply(query: zenoh.Query) -> None:
             kept.append(query)  # a program that keeps its query must not delay the caller
-            query.reply(key, codec_for(Response).encode(Response(sum=7)))
+            query.reply(key, messagepack_codec_for(Response).encode(Response(sum=7)))
 
         with session.declare_queryable(key, reply):
             client = caller.create_client(AddTwoInts, "add")

@@ -12,7 +12,7 @@ from zbot.bridge.selection import Direction, Selection, patterns
 from zbot.interfaces import get_interface
 from zbot.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from zbot.wire.cdr.codec import cdr_codec_for
-from zbot.wire.messagepack.codec import codec_for
+from zbot.wire.messagepack.codec import messagepack_codec_for
 from zbot.wire.tokens import EntityKind
 
 PUBLISHER, SUBSCRIPTION = EntityKind.PUBLISHER, EntityKind.SUBSCRIPTION
@@ -57,7 +57,9 @@ def test_a_topic_of_ros_is_carried_in_with_its_bytes_converted(
     carrier(zbot, ros, log)
     assert not ros.open("sender")
     ros.open("receiver")["/scan"].call_back(cdr_codec_for(STRING).encode(STRING(data="hi")))
-    assert zbot.open("sender")["/scan"].sent == [codec_for(STRING).encode(STRING(data="hi"))]
+    assert zbot.open("sender")["/scan"].sent == [
+        messagepack_codec_for(STRING).encode(STRING(data="hi"))
+    ]
     assert {end.name for end in zbot.shown} == {"/scan"}
     assert zbot.shown_nodes == {"/node"}
 
@@ -197,11 +199,13 @@ def test_a_call_is_carried_and_its_response_comes_back(
     request: Any = get_interface("std_srvs/srv/SetBool_Request")
     response: Any = get_interface("std_srvs/srv/SetBool_Response")
     answer = FakeAnswer()
-    zbot.open("server")["/lamp"].call_back(codec_for(request).encode(request(data=True)), answer)
+    zbot.open("server")["/lamp"].call_back(
+        messagepack_codec_for(request).encode(request(data=True)), answer
+    )
     caller = ros.open("caller")["/lamp"]
     assert caller.sent == [cdr_codec_for(request).encode(request(data=True))]
     caller.call_back.reply(cdr_codec_for(response).encode(response(message="on")))
-    assert answer.outcome == codec_for(response).encode(response(message="on"))
+    assert answer.outcome == messagepack_codec_for(response).encode(response(message="on"))
 
 
 def test_a_damaged_request_or_response_lets_the_call_fail(

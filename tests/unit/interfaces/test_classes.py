@@ -17,7 +17,7 @@ from zbot.interfaces.errors import FieldTypeError, PositionalFieldError, Unknown
 from zbot.interfaces.message import Message
 from zbot.interfaces.parser import parse_message
 from zbot.wire.errors import CodecError
-from zbot.wire.messagepack.codec import codec_for
+from zbot.wire.messagepack.codec import messagepack_codec_for
 
 
 def define(text: str) -> type[Any]:
@@ -124,8 +124,10 @@ def test_a_constant_may_have_a_name_that_the_source_of_the_class_needs() -> None
     )
     assert (cls.INF, cls.NAN, cls.DEFAULT) == (5.0, 6.0, 7)
     assert repr(cls()) == "demo_msgs.msg.Demo(a=inf, b=nan, c=[])"
-    assert repr(codec_for(cls).decode(codec_for(cls).encode(cls()))) == repr(cls())
-    assert repr(codec_for(cls).decode(b"\x80")) == repr(cls())
+    assert repr(
+        messagepack_codec_for(cls).decode(messagepack_codec_for(cls).encode(cls()))
+    ) == repr(cls())
+    assert repr(messagepack_codec_for(cls).decode(b"\x80")) == repr(cls())
 
 
 @pytest.mark.parametrize(
@@ -176,7 +178,7 @@ def test_fields_are_not_checked_if_the_environment_says_so() -> None:
     assert (message.raw, list(message.pair)) == (array("B", [1]), [1.0, 2.0])
     assert copy.deepcopy(message) == message
     with pytest.raises(CodecError, match="field 'text': expected a string, not bool False"):
-        codec_for(cls).encode(message)
+        messagepack_codec_for(cls).encode(message)
     with pytest.raises(TypeError, match="give the fields of demo_msgs/msg/Demo by name"):
         cls("text")
     with pytest.raises(AssertionError):

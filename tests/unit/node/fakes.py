@@ -16,7 +16,7 @@ from zbot.node.subscription import Subscription
 from zbot.qos import QoSProfile
 from zbot.wire.attachment import pack
 from zbot.wire.dialect import NATIVE
-from zbot.wire.messagepack.codec import codec_for
+from zbot.wire.messagepack.codec import messagepack_codec_for
 from zbot.wire.tokens import EntityKind
 
 from std_msgs.msg import String
@@ -49,7 +49,11 @@ def sample(
     encoding: str = "",
 ) -> Any:
     """Return a sample of a message or of bytes. A plain Zenoh program gives no `number`."""
-    payload = content if isinstance(content, bytes) else codec_for(type(content)).encode(content)
+    payload = (
+        content
+        if isinstance(content, bytes)
+        else messagepack_codec_for(type(content)).encode(content)
+    )
     attachment = None if number is None else zenoh.ZBytes(pack(number, stamp_ns, gid))
     return Sample(zenoh.ZBytes(payload), attachment, encoding)
 

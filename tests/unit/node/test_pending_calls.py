@@ -16,7 +16,7 @@ from zbot.node.service_reply import response_sample
 from zbot.node.service_request import ServiceRequest
 from zbot.wire.attachment import pack
 from zbot.wire.error_reply import pack_error
-from zbot.wire.messagepack.codec import codec_for
+from zbot.wire.messagepack.codec import messagepack_codec_for
 
 from example_interfaces.srv import AddTwoInts
 
@@ -25,7 +25,7 @@ Response = AddTwoInts.Response
 
 def read(answer: Any) -> Any:
     payload = response_sample(answer, "/add").payload.to_bytes()
-    return codec_for(Response).decode(payload)
+    return messagepack_codec_for(Response).decode(payload)
 
 
 class Calls:

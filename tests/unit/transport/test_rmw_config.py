@@ -12,7 +12,7 @@ from zbot.transport.errors import ConfigError, RmwError, RouterAttemptsError
 from zbot.transport.rmw_choice import RMW_VARIABLE, RMW_ZENOH, dialect_of_rmw
 from zbot.transport.rmw_config import RmwConfig, endpoints, is_local, router_attempts
 from zbot.wire.dialect import CLASSROOM, NATIVE
-from zbot.wire.rmw_zenoh import RMW_ZENOH as ROS2
+from zbot.wire.rmw_zenoh import ROS2
 
 if TYPE_CHECKING:
     from pathlib import Path

@@ -22,7 +22,7 @@ from zbot.wire import attachment
 from zbot.wire.dialect import NATIVE, Dialect
 from zbot.wire.errors import TokenError
 from zbot.wire.messagepack.packing import pack
-from zbot.wire.rmw_zenoh import HUMBLE, NO_HASH, RMW_ZENOH, dds_type, dialect_of, ros_type
+from zbot.wire.rmw_zenoh import HUMBLE, NO_HASH, ROS2, dds_type, dialect_of, ros_type
 from zbot.wire.tokens import EndpointToken, EntityKind
 
 STRING_HASH = "RIHS01_df668c740482bbd48fb39d76a70dfd4bd59db1288021743503259e948f6b1a18"
@@ -84,13 +84,13 @@ def endpoint(
 
 @pytest.mark.parametrize("key", RECORDED)
 def test_a_recorded_token_is_read_and_written_again_byte_by_byte(key: str) -> None:
-    token = RMW_ZENOH.parse_token(key)
+    token = ROS2.parse_token(key)
     assert token.key == key
-    assert RMW_ZENOH.with_key(replace(token, key="")).key == key
+    assert ROS2.with_key(replace(token, key="")).key == key
 
 
 def test_a_recorded_token_has_the_facts_of_ros_2() -> None:
-    token = RMW_ZENOH.parse_token(RECORDED[2])
+    token = ROS2.parse_token(RECORDED[2])
     assert isinstance(token, EndpointToken)
     assert (token.domain, token.zid, token.nid, token.eid) == (2, TALKER, 0, 10)
     assert (token.kind, token.node, token.namespace) == (EntityKind.PUBLISHER, "talker", "/")
@@ -101,7 +101,7 @@ def test_a_recorded_token_has_the_facts_of_ros_2() -> None:
 
 @pytest.mark.parametrize("key", GIDS)
 def test_a_gid_is_that_of_ros_2(key: str) -> None:
-    assert RMW_ZENOH.parse_token(key).gid.hex() == GIDS[key]
+    assert ROS2.parse_token(key).gid.hex() == GIDS[key]
 
 
 @pytest.mark.parametrize(
@@ -123,8 +123,8 @@ def test_a_gid_is_that_of_ros_2(key: str) -> None:
 )
 def test_keys_are_those_of_ros_2(domain: int, name: str, type_name: str, expected: str) -> None:
     token = endpoint(name, type_name, domain=domain)
-    assert RMW_ZENOH.data_key(token) == expected
-    assert zenoh.KeyExpr(RMW_ZENOH.topic_key(domain, name)).includes(zenoh.KeyExpr(expected))
+    assert ROS2.data_key(token) == expected
+    assert zenoh.KeyExpr(ROS2.topic_key(domain, name)).includes(zenoh.KeyExpr(expected))
 
 
 LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
@@ -150,7 +150,7 @@ ROSOUT = QoSProfile(
     ],
 )
 def test_the_text_of_a_profile_is_that_of_ros_2(profile: QoSProfile, text: str) -> None:
-    token = RMW_ZENOH.with_key(endpoint("/x", "std_msgs/msg/String", qos=profile))
+    token = ROS2.with_key(endpoint("/x", "std_msgs/msg/String", qos=profile))
     assert token.key.rpartition("/")[2] == text
 
 
@@ -173,26 +173,26 @@ def test_humble_has_a_text_in_place_of_the_hash() -> None:
 
 
 def test_the_tokens_of_a_domain_show_its_dialect() -> None:
-    plain = RMW_ZENOH.with_key(endpoint("/chatter", "std_msgs/msg/String")).key
+    plain = ROS2.with_key(endpoint("/chatter", "std_msgs/msg/String")).key
     humble = HUMBLE.with_key(endpoint("/chatter", "std_msgs/msg/String")).key
-    assert dialect_of([plain, RECORDED[0]]) is RMW_ZENOH
+    assert dialect_of([plain, RECORDED[0]]) is ROS2
     assert dialect_of([humble, "@ros2_lv/nonsense"]) is HUMBLE
-    assert dialect_of([humble, plain]) is RMW_ZENOH
-    assert dialect_of([]) is RMW_ZENOH
+    assert dialect_of([humble, plain]) is ROS2
+    assert dialect_of([]) is ROS2
     assert dialect_of([RECORDED[0]], distro="humble") is HUMBLE
-    assert dialect_of([plain], distro="humble") is RMW_ZENOH
+    assert dialect_of([plain], distro="humble") is ROS2
 
 
 def test_a_subscription_to_images_also_gets_the_buffers_of_lyrical() -> None:
     image = endpoint("/camera", "sensor_msgs/msg/Image", kind=EntityKind.SUBSCRIPTION)
-    token, key = RMW_ZENOH.with_key(image), RMW_ZENOH.data_key(image)
+    token, key = ROS2.with_key(image), ROS2.data_key(image)
     assert token.key.endswith("/::,10:,:,:,,/backends:cpu:")
-    assert RMW_ZENOH.parse_token(token.key) == token
-    selector = zenoh.KeyExpr(RMW_ZENOH.subscription_key(token))
+    assert ROS2.parse_token(token.key) == token
+    selector = zenoh.KeyExpr(ROS2.subscription_key(token))
     assert selector.includes(zenoh.KeyExpr(key))
     assert selector.includes(zenoh.KeyExpr(f"{key}/_buf_cpu"))
-    assert not RMW_ZENOH.refusal(f"{key}/_buf_cpu", "", "")
-    assert RMW_ZENOH.refusal(f"{key}/_buf/00ff", "", "")
+    assert not ROS2.refusal(f"{key}/_buf_cpu", "", "")
+    assert ROS2.refusal(f"{key}/_buf/00ff", "", "")
 
 
 @pytest.mark.parametrize(
@@ -204,8 +204,8 @@ def test_a_subscription_to_images_also_gets_the_buffers_of_lyrical() -> None:
     ],
 )
 def test_other_endpoints_use_the_key_of_the_topic_only(token: EndpointToken) -> None:
-    assert RMW_ZENOH.subscription_key(token) == RMW_ZENOH.data_key(token)
-    assert "backends" not in RMW_ZENOH.with_key(token).key
+    assert ROS2.subscription_key(token) == ROS2.data_key(token)
+    assert "backends" not in ROS2.with_key(token).key
 
 
 @pytest.mark.parametrize(
@@ -213,20 +213,20 @@ def test_other_endpoints_use_the_key_of_the_topic_only(token: EndpointToken) -> 
 )
 def test_a_token_of_another_form_is_an_error(key: str) -> None:
     with pytest.raises(TokenError):
-        RMW_ZENOH.parse_token(key)
+        ROS2.parse_token(key)
 
 
 def test_selectors_match_the_tokens_of_ros_2() -> None:
-    (selector,) = RMW_ZENOH.token_selectors(2)
+    (selector,) = ROS2.token_selectors(2)
     for key in RECORDED[:5]:
         assert zenoh.KeyExpr(selector).includes(zenoh.KeyExpr(key))
-        namesakes = RMW_ZENOH.namesake_selector(RMW_ZENOH.parse_token(key))
+        namesakes = ROS2.namesake_selector(ROS2.parse_token(key))
         assert zenoh.KeyExpr(namesakes).includes(zenoh.KeyExpr(key))
 
 
 def test_an_attachment_of_another_form_is_refused_with_a_reason() -> None:
-    assert "no attachment" in RMW_ZENOH.attachment_refusal(None)
-    assert "78 bytes" in RMW_ZENOH.attachment_refusal(78)
+    assert "no attachment" in ROS2.attachment_refusal(None)
+    assert "78 bytes" in ROS2.attachment_refusal(78)
     assert not NATIVE.attachment_refusal(None)
 
 
@@ -236,7 +236,7 @@ def test_an_attachment_is_that_of_ros_2() -> None:
     assert packed.hex() == expected
 
 
-@pytest.mark.parametrize("dialect", [NATIVE, RMW_ZENOH])
+@pytest.mark.parametrize("dialect", [NATIVE, ROS2])
 def test_bytes_in_either_format_become_the_payload_of_the_dialect(dialect: Dialect) -> None:
     cls: Any = get_message("std_msgs/msg/String")
     cdr = bytes.fromhex("00010000030000006869 00".replace(" ", ""))
@@ -251,7 +251,7 @@ def test_the_payloads_are_the_recorded_ones() -> None:
     for vector in vectors:
         cls: Any = get_message(vector["type"])
         data = bytes.fromhex(vector["cdr"])
-        codec = RMW_ZENOH.codec_for(cls)
+        codec = ROS2.codec_for(cls)
         assert codec.encode(codec.decode(data)) == data
 
 
@@ -260,4 +260,4 @@ def test_the_type_hashes_of_services_are_those_of_ros_2() -> None:
 
 
 def test_a_type_error_of_a_node_is_a_text() -> None:
-    assert RMW_ZENOH.error_payload(ValueError("too hot"))[0] == b"ValueError: too hot"
+    assert ROS2.error_payload(ValueError("too hot"))[0] == b"ValueError: too hot"

@@ -19,7 +19,7 @@ from zbot.threads.foreign_call import called_by_zenoh
 from zbot.transport import admin_query
 from zbot.version import __version__
 from zbot.wire.errors import CodecError
-from zbot.wire.messagepack.codec import codec_for
+from zbot.wire.messagepack.codec import messagepack_codec_for
 
 if TYPE_CHECKING:
     from zbot.classroom.hub.process import HubProcess
@@ -44,7 +44,7 @@ class LaptopReport:
         self._joined = joined
         self._last_error: dict[str, Any] | None = None
         self._known: set[str] = set()
-        self._codec = codec_for(get_message("rcl_interfaces/msg/Log"))
+        self._codec = messagepack_codec_for(get_message("rcl_interfaces/msg/Log"))
 
     def attach(self, serving: HubProcess) -> None:
         """Declare the token on this laptop's open hub, and begin to answer the teacher there."""

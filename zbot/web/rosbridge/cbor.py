@@ -3,37 +3,31 @@
 from __future__ import annotations
 
 import array
-import struct
 import sys
 from typing import TYPE_CHECKING, Any
 
 from zbot.interfaces.field_path import fields_of
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
-
     from zbot.interfaces import FieldType
 
-_UNSIGNED, _NEGATIVE, _BYTES, _TEXT, _LIST, _MAP, _TAG = range(7)
-_SIMPLE = {False: b"\xf4", True: b"\xf5", None: b"\xf6"}
 #: Tag of the typed array for each typecode of Python's `array`.
 _TAGS = {"H": 69, "I": 70, "Q": 71, "b": 72, "h": 77, "i": 78, "q": 79, "f": 85, "d": 86}
 
 
-class TypedArray:
-    """Numbers that CBOR stores as one block of bytes.
+def typed_array(typecode: str, values: Any) -> Any:
+    """Return numbers that CBOR stores as one block of bytes.
 
     Args:
         typecode: The typecode of Python's `array`.
         values: The numbers.
     """
+    import cbor2  # noqa: PLC0415 - few clients want CBOR
 
-    def __init__(self, typecode: str, values: Any) -> None:
-        self.tag = _TAGS[typecode]
-        numbers = array.array(typecode, values)
-        if sys.byteorder == "big":
-            numbers.byteswap()
-        self.block = numbers.tobytes()
+    numbers = array.array(typecode, values)
+    if sys.byteorder == "big":
+        numbers.byteswap()
+    return cbor2.CBORTag(_TAGS[typecode], numbers.tobytes())
 
 
 def cbor_value(message: Any) -> dict[str, Any]:
@@ -54,7 +48,7 @@ def _field_value(value: Any, kind: FieldType) -> Any:
     if kind.typecode == "B":
         return value.tobytes() if hasattr(value, "tobytes") else bytes(value)
     if kind.typecode:
-        return TypedArray(kind.typecode, value)
+        return typed_array(kind.typecode, value)
     return [_scalar(one) for one in value]
 
 
@@ -65,51 +59,7 @@ def _scalar(value: Any) -> Any:
 
 
 def encode(value: Any) -> bytes:
-    """Return the CBOR of a value made of dictionaries, lists, scalars, bytes and `TypedArray`.
+    """Return the CBOR of a value made of dictionaries, lists, scalars, bytes and typed arrays."""
+    import cbor2  # noqa: PLC0415 - few clients want CBOR
 
-    Raises:
-        TypeError: The value contains an object of another type.
-    """
-    return b"".join(_parts(value))
-
-
-def _parts(value: Any) -> Iterator[bytes]:
-    if isinstance(value, dict):
-        yield _head(_MAP, len(value))
-        for key, item in value.items():
-            yield from _parts(key)
-            yield from _parts(item)
-    elif isinstance(value, list):
-        yield _head(_LIST, len(value))
-        for item in value:
-            yield from _parts(item)
-    elif isinstance(value, TypedArray):
-        yield _head(_TAG, value.tag) + _head(_BYTES, len(value.block))
-        yield value.block
-    else:
-        yield _scalar_part(value)
-
-
-def _scalar_part(value: Any) -> bytes:
-    if value is None or isinstance(value, bool):
-        return _SIMPLE[value]
-    if isinstance(value, int):
-        return _head(_UNSIGNED, value) if value >= 0 else _head(_NEGATIVE, -1 - value)
-    if isinstance(value, float):
-        return b"\xfb" + struct.pack(">d", value)
-    if isinstance(value, str):
-        text = value.encode()
-        return _head(_TEXT, len(text)) + text
-    if isinstance(value, bytes):
-        return _head(_BYTES, len(value)) + value
-    raise TypeError(f"CBOR has no form for {type(value).__name__}")
-
-
-def _head(major: int, number: int) -> bytes:
-    kind = major << 5
-    if number < 24:
-        return bytes([kind | number])
-    for code, layout in ((24, ">BB"), (25, ">BH"), (26, ">BI"), (27, ">BQ")):
-        if number < 1 << (8 * (struct.calcsize(layout) - 1)):
-            return struct.pack(layout, kind | code, number)
-    raise TypeError(f"CBOR has no form for the integer {number}")
+    return cbor2.dumps(value)

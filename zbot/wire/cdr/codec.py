@@ -21,7 +21,7 @@ from zbot.wire.cdr.decoder_source import HEADER_SIZE, DecoderSource
 from zbot.wire.cdr.encoder_source import EncoderSource
 from zbot.wire.errors import CodecError
 from zbot.wire.function_source import compiled
-from zbot.wire.messagepack.codec import codec_for
+from zbot.wire.messagepack.codec import messagepack_codec_for
 from zbot.wire.messagepack.packing import BIG_ENDIAN
 from zbot.wire.payload import is_cdr
 from zbot.wire.validation import Fault
@@ -142,7 +142,7 @@ class CdrCodec(Generic[MessageT]):
         if isinstance(error, Fault):
             raise CodecError("encode", self.type_name, error.path, error.reason) from error
         # The MessagePack codec checks each value. Its error contains the name of the wrong field.
-        codec_for(self._class).encode(message)
+        messagepack_codec_for(self._class).encode(message)
         raise CodecError("encode", self.type_name, "", str(error)) from error
 
     def _explain_decoding(self, error: Exception) -> NoReturn:

@@ -18,12 +18,12 @@ from zbot.wire.messagepack.walker import Walker
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-__all__ = ["Codec", "codec_for"]
+__all__ = ["MessagePackCodec", "messagepack_codec_for"]
 
 MessageT = TypeVar("MessageT")
 
 
-class Codec(Generic[MessageT]):
+class MessagePackCodec(Generic[MessageT]):
     """Encoder and decoder for messages of one type.
 
     The encoder and the decoder are each generated at first use, because most processes need only
@@ -71,10 +71,10 @@ class Codec(Generic[MessageT]):
         return careful if BIG_ENDIAN else generated_codec.decoder(self._class, careful)
 
 
-_codecs: dict[type, Codec[Any]] = {}
+_codecs: dict[type, MessagePackCodec[Any]] = {}
 
 
-def codec_for(message_class: type[MessageT]) -> Codec[MessageT]:
+def messagepack_codec_for(message_class: type[MessageT]) -> MessagePackCodec[MessageT]:
     """Return the codec of a message class. It is made at the first call and then reused.
 
     Raises:
@@ -82,5 +82,5 @@ def codec_for(message_class: type[MessageT]) -> Codec[MessageT]:
     """
     codec = _codecs.get(message_class)
     if codec is None:
-        codec = _codecs[message_class] = Codec(message_class)
+        codec = _codecs[message_class] = MessagePackCodec(message_class)
     return codec

@@ -16,7 +16,7 @@ from zbot.wire import validation
 from zbot.wire.cdr import values as cdr_values
 from zbot.wire.cdr.codec import cdr_codec_for
 from zbot.wire.function_source import compiled
-from zbot.wire.messagepack.codec import codec_for
+from zbot.wire.messagepack.codec import messagepack_codec_for
 from zbot.wire.messagepack.packing import bin_header, ext_header, pack
 from zbot.wire.transcoder import values as map_values
 from zbot.wire.transcoder.source import MapReaderSource, MapWriterSource
@@ -53,7 +53,10 @@ def to_messagepack(message_class: type[Any]) -> Converter:
     """
     key = message_class, "messagepack"
     if key not in _converters:
-        decode, encode = cdr_codec_for(message_class).decode, codec_for(message_class).encode
+        decode, encode = (
+            cdr_codec_for(message_class).decode,
+            messagepack_codec_for(message_class).encode,
+        )
         fast = _function(message_class, MapReaderSource)
         _converters[key] = _transcoder(fast, lambda data: encode(decode(data)), b"\x00\x01")
     return _converters[key]
@@ -70,7 +73,10 @@ def to_cdr(message_class: type[Any]) -> Converter:
     """
     key = message_class, "cdr"
     if key not in _converters:
-        decode, encode = codec_for(message_class).decode, cdr_codec_for(message_class).encode
+        decode, encode = (
+            messagepack_codec_for(message_class).decode,
+            cdr_codec_for(message_class).encode,
+        )
         fast = _function(message_class, MapWriterSource)
         _converters[key] = _transcoder(fast, lambda data: encode(decode(data)))
     return _converters[key]

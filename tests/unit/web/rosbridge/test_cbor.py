@@ -5,7 +5,7 @@ from typing import Any
 
 import pytest
 
-from zbot.web.rosbridge.cbor import TypedArray, cbor_value, encode
+from zbot.web.rosbridge.cbor import cbor_value, encode, typed_array
 
 from geometry_msgs.msg import Vector3
 from sensor_msgs.msg import Image, LaserScan
@@ -26,7 +26,7 @@ from std_msgs.msg import Byte, ByteMultiArray, Int64
         (-1000, "3903e7"),
         (-(2**64), "3bffffffffffffffff"),
         (1.1, "fb3ff199999999999a"),
-        (math.inf, "fb7ff0000000000000"),
+        (math.inf, "f97c00"),
         (False, "f4"),
         (True, "f5"),
         (None, "f6"),
@@ -34,24 +34,18 @@ from std_msgs.msg import Byte, ByteMultiArray, Int64
         ("ü", "62c3bc"),
         ([1, [2, 3]], "8201820203"),
         ({"a": 1, "b": [2, 3]}, "a26161016162820203"),
-        (TypedArray("H", [1, 2]), "d8454401000200"),
-        (TypedArray("f", [1.5]), "d855440000c03f"),
+        (typed_array("H", [1, 2]), "d8454401000200"),
+        (typed_array("f", [1.5]), "d855440000c03f"),
     ],
 )
 def test_values_have_the_bytes_of_the_standard(value: Any, expected: str) -> None:
     assert encode(value).hex() == expected
 
 
-@pytest.mark.parametrize("value", [object(), 2**64, {"a": {1, 2}}])
-def test_other_values_are_refused(value: Any) -> None:
-    with pytest.raises(TypeError, match="CBOR has no form"):
-        encode(value)
-
-
 def test_octets_are_bytes_and_numbers_typed_arrays() -> None:
     assert cbor_value(Image(data=[1, 2]))["data"] == b"\x01\x02"
     assert cbor_value(ByteMultiArray(data=[b"a", b"b"]))["data"] == b"ab"
-    assert cbor_value(LaserScan(ranges=[1.5]))["ranges"].block == bytes.fromhex("0000c03f")
+    assert cbor_value(LaserScan(ranges=[1.5]))["ranges"].value == bytes.fromhex("0000c03f")
     assert cbor_value(Byte(data=b"\x07")) == {"data": 7}
     assert cbor_value(Int64(data=-5)) == {"data": -5}
     assert encode(cbor_value(Vector3(x=1.0)))[:2] == bytes.fromhex("a361")

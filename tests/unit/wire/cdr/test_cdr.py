@@ -22,7 +22,7 @@ from zbot.interfaces.registry import register_spec
 from zbot.wire import serialization
 from zbot.wire.cdr.codec import cdr_codec_for
 from zbot.wire.errors import CodecError
-from zbot.wire.messagepack.codec import codec_for
+from zbot.wire.messagepack.codec import messagepack_codec_for
 from zbot.wire.serialization import deserialize_message, is_cdr, serialize_message
 
 from example_interfaces.msg import WString
@@ -69,7 +69,7 @@ def test_any_bytes_give_a_message_or_one_error(data: bytes, message_class: type[
 @given(st.binary(max_size=100))
 def test_a_messagepack_message_is_not_detected_as_cdr(data: bytes) -> None:
     assert is_cdr(serialize_message(UInt8MultiArray(data=data)))
-    assert not is_cdr(codec_for(UInt8MultiArray).encode(UInt8MultiArray(data=data)))
+    assert not is_cdr(messagepack_codec_for(UInt8MultiArray).encode(UInt8MultiArray(data=data)))
 
 
 def test_a_wrong_sequence_length_allocates_no_memory() -> None:

@@ -6,15 +6,15 @@ from typing import Any
 
 import msgpack  # type: ignore[import-untyped]
 
-from zbot.wire.messagepack.codec import codec_for
+from zbot.wire.messagepack.codec import messagepack_codec_for
 
 packb: Any = msgpack.packb
 
 
 def encode(value: Any) -> bytes:
-    return codec_for(type(value)).encode(value)
+    return messagepack_codec_for(type(value)).encode(value)
 
 
 def decode(message_class: Any, value: Any) -> Any:
     data = value if isinstance(value, (bytes, bytearray, memoryview)) else packb(value)
-    return codec_for(message_class).decode_strictly(data)
+    return messagepack_codec_for(message_class).decode_strictly(data)

@@ -15,7 +15,7 @@ from zbot.errors import ExternalShutdownException
 from zbot.interfaces import get_interface, get_message
 from zbot.interfaces.errors import NotAMessageTypeError
 from zbot.wire.errors import CodecError
-from zbot.wire.messagepack.codec import codec_for
+from zbot.wire.messagepack.codec import messagepack_codec_for
 
 from geometry_msgs.msg import PoseStamped, Twist, Vector3
 from nav_msgs.msg import Odometry, Path
@@ -120,7 +120,7 @@ def test_a_large_image_in_any_buffer_type_round_trips() -> None:
     image = Image(height=1000, width=300, data=array("B", bytes(range(250)) * 1200))
     data = encode(image)
     for held in (data, bytearray(data), memoryview(data)):
-        received = codec_for(Image).decode(held)
+        received = messagepack_codec_for(Image).decode(held)
         assert received == image
         assert type(received.data) is array
     assert msgpack.unpackb(data)["data"] == image.data.tobytes()
@@ -190,22 +190,22 @@ def test_a_signal_during_decoding_is_not_a_codec_error() -> None:
 
 
 def test_the_encoding_names_the_type() -> None:
-    assert codec_for(String).encoding == "application/msgpack;std_msgs/msg/String"
+    assert messagepack_codec_for(String).encoding == "application/msgpack;std_msgs/msg/String"
 
 
 def test_a_codec_is_made_once() -> None:
-    assert codec_for(String) is codec_for(String)
+    assert messagepack_codec_for(String) is messagepack_codec_for(String)
 
 
 def test_a_codec_has_its_generated_source() -> None:
-    assert "def encode(message):" in codec_for(Twist).source
-    assert "FLOAT32_MAX" in codec_for(Float32).source
+    assert "def encode(message):" in messagepack_codec_for(Twist).source
+    assert "FLOAT32_MAX" in messagepack_codec_for(Float32).source
 
 
 @pytest.mark.parametrize("wrong", [int, 5, get_interface("std_srvs/srv/Trigger")])
 def test_only_messages_have_codecs(wrong: Any) -> None:
     with pytest.raises(NotAMessageTypeError):
-        codec_for(wrong)
+        messagepack_codec_for(wrong)
 
 
 def test_threads_share_codecs() -> None:

@@ -13,7 +13,7 @@ from tests.unit.wire.messagepack.coded import decode, encode
 from zbot.interfaces import get_message, register_spec
 from zbot.interfaces.parser import parse_message
 from zbot.wire.errors import CodecError
-from zbot.wire.messagepack.codec import codec_for
+from zbot.wire.messagepack.codec import messagepack_codec_for
 from zbot.wire.messagepack.packing import pack
 
 from geometry_msgs.msg import Twist
@@ -155,10 +155,10 @@ def test_bounds_are_checked_on_arrival() -> None:
 def test_invalid_bytes_are_a_codec_error(data: bytes, reason: str) -> None:
     for message_class in (String, Image):
         with pytest.raises(CodecError, match=reason):
-            codec_for(message_class).decode_strictly(data)
+            messagepack_codec_for(message_class).decode_strictly(data)
         if reason != "not valid UTF-8":
             with pytest.raises(CodecError, match=reason):
-                codec_for(message_class).decode(data)
+                messagepack_codec_for(message_class).decode(data)
 
 
 @pytest.mark.parametrize(
@@ -174,13 +174,13 @@ def test_invalid_bytes_are_a_codec_error(data: bytes, reason: str) -> None:
 def test_values_that_are_not_valid_are_read_as_in_rclpy(
     message_class: type[Any], data: bytes, value: object
 ) -> None:
-    assert codec_for(message_class).decode(data).data == value
+    assert messagepack_codec_for(message_class).decode(data).data == value
     with pytest.raises(CodecError):
-        codec_for(message_class).decode_strictly(data)
+        messagepack_codec_for(message_class).decode_strictly(data)
 
 
 def test_values_of_inner_messages_that_are_not_valid_are_read_too() -> None:
-    found = codec_for(MultiNested).decode(
+    found = messagepack_codec_for(MultiNested).decode(
         b"\x81\xafarray_of_arrays\x93"
         b"\x80"
         b"\x82\xadstring_values\x93\xa1\xe9\xa1b\xa1c\xabbool_values\x93\x02\x00\xc3"
@@ -192,7 +192,7 @@ def test_values_of_inner_messages_that_are_not_valid_are_read_too() -> None:
 
 def test_a_payload_that_is_not_bytes_is_a_codec_error() -> None:
     with pytest.raises(CodecError):
-        codec_for(String).decode("text")  # type: ignore[arg-type]  # pyright: ignore[reportArgumentType]
+        messagepack_codec_for(String).decode("text")  # type: ignore[arg-type]  # pyright: ignore[reportArgumentType]
 
 
 @pytest.mark.parametrize(
@@ -234,7 +234,7 @@ def test_an_invalid_message_is_not_sent(
 
 def test_an_object_of_another_class_is_not_sent() -> None:
     with pytest.raises(CodecError, match="expected a std_msgs/msg/String, not int 5"):
-        codec_for(String).encode(5)  # type: ignore[arg-type]
+        messagepack_codec_for(String).encode(5)  # type: ignore[arg-type]
 
 
 def test_a_message_without_its_attributes_is_not_sent() -> None:
@@ -262,13 +262,16 @@ def test_messages_that_leave_out_everything_cannot_fill_the_memory() -> None:
     sparse = pack({"markers": [{}] * 1_000_000})
     begin = time.process_time()
     with pytest.raises(CodecError, match="leave out too many values") as caught:
-        codec_for(MarkerArray).decode(sparse)
+        messagepack_codec_for(MarkerArray).decode(sparse)
     assert caught.value.field == "markers"
     assert time.process_time() - begin < 5
-    assert len(codec_for(MarkerArray).decode(pack({"markers": [{}] * 2_000})).markers) == 2_000
+    assert (
+        len(messagepack_codec_for(MarkerArray).decode(pack({"markers": [{}] * 2_000})).markers)
+        == 2_000
+    )
 
 
 def test_a_long_list_of_full_messages_is_decoded() -> None:
-    codec = codec_for(MarkerArray)
+    codec = messagepack_codec_for(MarkerArray)
     full = MarkerArray(markers=[Marker()] * 20_000)
     assert codec.decode(codec.encode(full)) == full

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from tests.unit.wire.random_message import random_message, shipped_messages
 from zbot.interfaces import get_interface, get_message
 from zbot.wire.errors import CodecError
-from zbot.wire.messagepack.codec import codec_for
+from zbot.wire.messagepack.codec import messagepack_codec_for
 
 packb: Any = msgpack.packb
 
@@ -20,7 +20,7 @@ def test_every_shipped_type_round_trips_with_random_values() -> None:
     assert len(names) > 300
     for name in names:
         message = random_message(get_interface(name), Random(name))
-        codec = codec_for(type(message))
+        codec = messagepack_codec_for(type(message))
         data = codec.encode(message)
         assert codec.decode(data) == message, name
         assert codec.encode(codec.decode(memoryview(data))) == data, name
@@ -29,14 +29,14 @@ def test_every_shipped_type_round_trips_with_random_values() -> None:
 def test_a_message_of_defaults_equals_an_empty_map() -> None:
     for name in shipped_messages():
         message_class = get_interface(name)
-        assert codec_for(message_class).decode(b"\x80") == message_class(), name
+        assert messagepack_codec_for(message_class).decode(b"\x80") == message_class(), name
 
 
 # Values of possible types for any field: most of the maps below are nearly valid.
 FIELDS = ["data", "header", "stamp", "sec", "frame_id", "ranges", "name", "position", "pose", "x"]
 FIELDS += ["covariance", "poses", "layout", "dim", "level", "values", "orientation"]
 SUBJECTS = [
-    codec_for(get_message(name))
+    messagepack_codec_for(get_message(name))
     for name in (
         "std_msgs/msg/String",
         "sensor_msgs/msg/Image",
@@ -114,7 +114,7 @@ def test_damaged_large_arrays_are_messages_or_codec_errors(
 ) -> None:
     image = get_message("sensor_msgs/msg/Image")()
     image.data = bytes(70_000)  # type: ignore[attr-defined]  # pyright: ignore[reportAttributeAccessIssue]
-    data = bytearray(codec_for(type(image)).encode(image))
+    data = bytearray(messagepack_codec_for(type(image)).encode(image))
     for where, byte in edits:
         data[where] = byte
     assert_message_or_codec_error(bytes(data[: len(data) - cut]))

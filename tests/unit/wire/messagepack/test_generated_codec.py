@@ -21,7 +21,7 @@ from zbot.interfaces import get_interface, get_message, message_spec_of, registe
 from zbot.interfaces.parser import parse_message
 from zbot.wire.errors import CodecError
 from zbot.wire.messagepack import generated_codec
-from zbot.wire.messagepack.codec import codec_for
+from zbot.wire.messagepack.codec import messagepack_codec_for
 from zbot.wire.messagepack.walker import Walker
 
 from builtin_interfaces.msg import Time
@@ -141,7 +141,7 @@ def test_usual_messages_need_no_walker(message: Any) -> None:
     ],
 )
 def test_bytes_of_others_are_read_by_the_walker(message_class: Any, value: Any) -> None:
-    codec, data = codec_for(message_class), packb(value)
+    codec, data = messagepack_codec_for(message_class), packb(value)
     assert outcome(codec.decode, data) == outcome(Walker(message_class).decode, data)
 
 
@@ -156,7 +156,9 @@ def test_a_dataclass_has_the_bytes_and_errors_of_the_walker() -> None:
         ("pairs", [Pair(1), None]), ("count", 2**63),
     ):  # fmt: skip
         message = Reading(**(usual | {field: value}))
-        assert sent(codec_for(Reading).encode, message) == sent(Walker(Reading).encode, message)
+        assert sent(messagepack_codec_for(Reading).encode, message) == sent(
+            Walker(Reading).encode, message
+        )
 
 
 def made(name: str, text: str) -> Any:
@@ -181,9 +183,9 @@ def test_a_text_or_list_above_its_bound_is_refused() -> None:
         message, wrong = bounds(), loose(**(usual | {field: value}))
         setattr(message, f"_{field}", getattr(wrong, field))
         with pytest.raises(CodecError, match=field):
-            codec_for(bounds).encode(message)
+            messagepack_codec_for(bounds).encode(message)
         with pytest.raises(CodecError, match=field):
-            codec_for(bounds).decode(codec_for(loose).encode(wrong))
+            messagepack_codec_for(bounds).decode(messagepack_codec_for(loose).encode(wrong))
 
 
 def test_values_that_were_not_checked_are_refused() -> None:
@@ -199,7 +201,7 @@ def test_values_that_were_not_checked_are_refused() -> None:
     ):
         setattr(message, slot, value)
         with pytest.raises(CodecError, match=slot[1:]):
-            codec_for(type(message)).encode(message)
+            messagepack_codec_for(type(message)).encode(message)
 
 
 class Shout(String):
@@ -208,7 +210,7 @@ class Shout(String):
 
 
 def test_a_subclass_is_decoded_as_itself() -> None:
-    codec = codec_for(Shout)
+    codec = messagepack_codec_for(Shout)
     assert codec.decode(codec.encode(Shout(data="hi"))).loud() == "HI"
 
 
@@ -216,7 +218,7 @@ def test_dataclasses_inside_messages_keep_their_values() -> None:
     name = message_spec_of(Pair).name
     register_spec(parse_message("codec_tests/msg/HoldsPair", f"{name} pair\n"))
     holder: Any = get_message("codec_tests/msg/HoldsPair")
-    codec = codec_for(holder)
+    codec = messagepack_codec_for(holder)
     assert codec.decode(codec.encode(holder(pair=Pair(41)))).pair == Pair(41)
 
 
@@ -229,7 +231,7 @@ def test_a_list_that_another_thread_changes_is_encoded_whole() -> None:
             message.transforms.pop()
 
     thread, interval = threading.Thread(target=change), sys.getswitchinterval()
-    codec = codec_for(TFMessage)
+    codec = messagepack_codec_for(TFMessage)
     sys.setswitchinterval(1e-6)
     thread.start()
     try:
@@ -251,7 +253,7 @@ def test_damaged_messages_have_the_outcome_of_the_walker(
     name: str, seed: int, edits: list[tuple[float, int]], cut: float
 ) -> None:
     message = random_message(get_interface(name), Random(seed))
-    codec = codec_for(type(message))
+    codec = messagepack_codec_for(type(message))
     data = bytearray(codec.encode(message))
     for where, byte in edits:
         data[int(where * (len(data) - 1))] = byte

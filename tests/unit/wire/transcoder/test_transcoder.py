@@ -20,7 +20,7 @@ from tests.unit.wire.random_message import random_message, shipped_messages
 from zbot.interfaces import get_interface, get_message
 from zbot.wire.cdr.codec import cdr_codec_for
 from zbot.wire.errors import CodecError
-from zbot.wire.messagepack.codec import codec_for
+from zbot.wire.messagepack.codec import messagepack_codec_for
 from zbot.wire.transcoder.transcoder import to_cdr, to_messagepack
 
 packb: Any = msgpack.packb
@@ -34,7 +34,7 @@ def test_bytes_are_those_of_the_codecs(part: int) -> None:
         for message in [cls(), *(random_message(cls, chance) for _ in range(3))]:
             cdr = cdr_codec_for(cls).encode(message)
             # A default such as 0.3 is not exact in a float32. MessagePack would keep it as it is.
-            packed = codec_for(cls).encode(cdr_codec_for(cls).decode(cdr))
+            packed = messagepack_codec_for(cls).encode(cdr_codec_for(cls).decode(cdr))
             assert to_cdr(cls)(packed) == cdr, name
             assert to_messagepack(cls)(cdr) == packed, name
 
@@ -42,14 +42,14 @@ def test_bytes_are_those_of_the_codecs(part: int) -> None:
 @pytest.mark.parametrize("vector", VECTORS, ids=[vector["name"] for vector in VECTORS])
 def test_bytes_of_fast_cdr_are_read(vector: dict[str, Any]) -> None:
     cls, data = get_message(vector["type"]), bytes.fromhex(vector["cdr"])
-    packed = codec_for(cls).encode(cdr_codec_for(cls).decode(data))
+    packed = messagepack_codec_for(cls).encode(cdr_codec_for(cls).decode(data))
     assert to_messagepack(cls)(data) == packed
     assert data.startswith(to_cdr(cls)(packed))
 
 
 def test_no_message_object_is_made(monkeypatch: pytest.MonkeyPatch) -> None:
     imu = get_message("sensor_msgs/msg/Imu")
-    packed, cdr = codec_for(imu).encode(imu()), cdr_codec_for(imu).encode(imu())
+    packed, cdr = messagepack_codec_for(imu).encode(imu()), cdr_codec_for(imu).encode(imu())
     there, back = to_cdr(imu), to_messagepack(imu)
     # A slot is restored afterwards. A class would keep the `__new__` that it did not have before.
     refusing = property(fset=lambda *_: pytest.fail("a message object was made"))
@@ -84,7 +84,7 @@ class Spider:
 
 def test_dataclasses_are_converted_and_bytes_after_the_message_are_ignored() -> None:
     spider = Spider(True, "tegenaria", [Leg([0.5, 1.0]), Leg()], [1.5, 2.5])
-    packed, cdr = codec_for(Spider).encode(spider), cdr_codec_for(Spider).encode(spider)
+    packed, cdr = messagepack_codec_for(Spider).encode(spider), cdr_codec_for(Spider).encode(spider)
     assert to_cdr(Spider)(packed) == cdr
     assert to_messagepack(Spider)(cdr + b"more") == packed
 
@@ -92,7 +92,7 @@ def test_dataclasses_are_converted_and_bytes_after_the_message_are_ignored() -> 
 def test_big_endian_is_read() -> None:
     cls: Any = get_message("std_msgs/msg/Float64MultiArray")
     data = b"\0\0\0\0" + struct.pack(">IIIId", 0, 0, 1, 0, 1.5)
-    assert codec_for(cls).decode(to_messagepack(cls)(data)).data == array("d", [1.5])
+    assert messagepack_codec_for(cls).decode(to_messagepack(cls)(data)).data == array("d", [1.5])
 
 
 @pytest.mark.parametrize(
@@ -125,7 +125,7 @@ def test_any_bytes_give_what_the_codecs_give(data: bytes, name: str) -> None:
     cls = get_message(name)
     for convert, decode, prefix in (
         (to_messagepack(cls), cdr_codec_for(cls).decode, b"\0\1\0\0"),
-        (to_cdr(cls), codec_for(cls).decode, b""),
+        (to_cdr(cls), messagepack_codec_for(cls).decode, b""),
     ):
         try:
             converted = convert(prefix + data)

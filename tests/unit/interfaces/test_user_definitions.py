@@ -6,11 +6,11 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from zbot.interfaces import added
-from zbot.interfaces.added import NotAddedError, StoreError
+from zbot.interfaces import user_definitions
 from zbot.interfaces.collection import FoundPackage
 from zbot.interfaces.errors import InterfaceSyntaxError
 from zbot.interfaces.location import core_packages, definition_file, known_packages
+from zbot.interfaces.user_definitions import NotAddedError, StoreError
 from zbot.package.user_folders import definitions_folder, settings_folder
 
 if TYPE_CHECKING:
@@ -27,20 +27,20 @@ def text_of(name: str, short: str) -> str:
 
 
 def test_an_added_package_is_found_until_it_is_removed() -> None:
-    added.store(package("box_msgs", Box="int32 a\n", Lid="int32 b\n"))
-    assert added.added_packages() == ["box_msgs"]
+    user_definitions.store(package("box_msgs", Box="int32 a\n", Lid="int32 b\n"))
+    assert user_definitions.added_packages() == ["box_msgs"]
     assert "box_msgs" in known_packages()
     assert text_of("box_msgs", "Box") == "int32 a\n"
-    added.store(package("box_msgs", Box="int64 a\n"))
+    user_definitions.store(package("box_msgs", Box="int64 a\n"))
     assert text_of("box_msgs", "Box") == "int64 a\n"
     assert text_of("box_msgs", "Lid") == ""
-    added.remove("box_msgs")
+    user_definitions.remove("box_msgs")
     assert text_of("box_msgs", "Box") == ""
     assert "box_msgs" not in known_packages()
     with pytest.raises(NotAddedError, match="'box_msgs' was not added"):
-        added.remove("box_msgs")
+        user_definitions.remove("box_msgs")
     with pytest.raises(NotAddedError):
-        added.remove("..")
+        user_definitions.remove("..")
     folder = definitions_folder()
     assert folder is not None
     assert list(folder.iterdir()) == []
@@ -51,7 +51,7 @@ def test_the_workspace_then_the_added_then_zbots_own_is_used(
 ) -> None:
     own = text_of("control_msgs", "PidState")
     assert own
-    added.store(package("control_msgs", PidState="int32 added\n"))
+    user_definitions.store(package("control_msgs", PidState="int32 added\n"))
     assert text_of("control_msgs", "PidState") == "int32 added\n"
     folder = tmp_path / "src" / "control_msgs" / "msg"
     folder.mkdir(parents=True)
@@ -62,7 +62,7 @@ def test_the_workspace_then_the_added_then_zbots_own_is_used(
 
 
 def test_packages_of_ros_itself_are_not_replaced() -> None:
-    added.store(package("std_msgs", String="int32 wrong\n"))
+    user_definitions.store(package("std_msgs", String="int32 wrong\n"))
     assert "wrong" not in text_of("std_msgs", "String")
     assert {"std_msgs", "rcl_interfaces", "sensor_msgs"} <= set(core_packages())
     assert "control_msgs" not in core_packages()
@@ -70,16 +70,16 @@ def test_packages_of_ros_itself_are_not_replaced() -> None:
 
 def test_a_wrong_definition_is_an_error_with_its_line() -> None:
     with pytest.raises(InterfaceSyntaxError, match=r"x/msg/Box\.msg:2: .*"):
-        added.check(package("box_msgs", Box="int32 a\nint b\n"))
+        user_definitions.check(package("box_msgs", Box="int32 a\nint b\n"))
 
 
 def test_packages_that_the_types_use_and_that_are_missing_are_returned() -> None:
     box = package("box_msgs", Box="std_msgs/Header a\nant_msgs/Leaf b\nLid lid\n", Lid="int32 a\n")
-    assert added.check(box) == {"ant_msgs"}
+    assert user_definitions.check(box) == {"ant_msgs"}
 
 
 def test_a_folder_that_cannot_be_written_is_reported() -> None:
     settings_folder().mkdir(parents=True)
     (settings_folder() / "interfaces").write_text("a file")
     with pytest.raises(StoreError, match="cannot store the definitions of box_msgs: "):
-        added.store(package("box_msgs", Box="int32 a\n"))
+        user_definitions.store(package("box_msgs", Box="int32 a\n"))

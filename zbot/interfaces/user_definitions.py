@@ -51,7 +51,8 @@ def check(package: FoundPackage) -> set[str]:
         name = f"{package.name}/{path.rpartition('.')[0]}"
         spec = parse(name, text, f"{package.place}/{path}")
         for message in _messages(spec):
-            used |= {one.type.base.split("/")[0] for one in message.fields if one.type.is_message}
+            kinds = [field.type for field in message.fields]
+            used |= {kind.base.split("/")[0] for kind in kinds if kind.is_message}
     return {name for name in used - {package.name} if package_folder(name) is None}
 
 
