@@ -73,6 +73,10 @@ def lesson(request: pytest.FixtureRequest) -> Iterator[Class]:
         yield opened
 
 
+#: For what does not depend on the access rules of a class, which are more with a PIN.
+with_pin = pytest.mark.parametrize("lesson", ["with a PIN"], indirect=True)
+
+
 def greeter(machine: Machine, topic: str, *rules: str, **env: str) -> Program:
     """Start a greeter; return it when it talks."""
     words = ("--ros-args", "-r", f"chatter:={topic}", *rules)
@@ -90,6 +94,7 @@ def echoing(topic: str, timeout_s: float) -> tuple[str, ...]:
     return ("zbot", "topic", "echo", topic, "--once", "--timeout", str(timeout_s))
 
 
+@with_pin
 def test_the_teacher_looks_into_a_students_domain_by_name(lesson: Class) -> None:
     with lesson.talking(lesson.ana, "/chatter", "ana"):
         echoed, topics, nodes, info, value = lesson.teacher.run_all(
@@ -106,6 +111,7 @@ def test_the_teacher_looks_into_a_students_domain_by_name(lesson: Class) -> None
     assert "False" in value.out
 
 
+@with_pin
 def test_the_teacher_can_publish_in_a_students_domain(lesson: Class) -> None:
     listener = lesson.ana.start("zbot", "topic", "echo", "/orders", "std_msgs/String")
     sent = ("topic", "pub", "--once", f"/{ANA}/orders", "std_msgs/String", "data: come here")
@@ -131,6 +137,7 @@ with zbot.init():
 """
 
 
+@with_pin
 def test_messages_of_several_topics_at_once_all_arrive(lesson: Class) -> None:
     program = lesson.ana.home / "bursts.py"
     program.write_text(BURSTS)
@@ -165,6 +172,7 @@ def test_everybody_sees_what_the_teacher_shares(lesson: Class) -> None:
             assert "/class/news" in machine.run("zbot", "topic", "list").out
 
 
+@with_pin
 def test_a_laptop_without_programs_asks_its_hub(lesson: Class) -> None:
     for talker, listener, topic, shown in (
         (lesson.teacher, lesson.ana, "/class/news", ("/class/news",)),
@@ -220,6 +228,7 @@ def has_messages(bag: Path) -> bool:
     return file.exists() and file.stat().st_size > 2000
 
 
+@with_pin
 def test_a_whole_class_is_recorded_and_its_bags_are_checked(lesson: Class) -> None:
     folder = lesson.teacher.home / f"recorded{next(lesson.numbers)}"
     bags = folder / f"{ANA}_Ana", folder / f"{BEN}_Ben"
@@ -240,6 +249,7 @@ def test_a_whole_class_is_recorded_and_its_bags_are_checked(lesson: Class) -> No
     assert "nobody in the class has the number 99" in refused.err
 
 
+@with_pin
 def test_a_whole_class_is_checked(lesson: Class) -> None:
     check = ("zbot", "class", "check", "publishes std_msgs/String on /student_id at >= 5 Hz")
     with lesson.talking(lesson.ana, "/student_id"), lesson.talking(lesson.ben, "/student_ID"):

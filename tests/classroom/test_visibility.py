@@ -48,18 +48,18 @@ class Lesson:
         assert joined.code == 0, joined.err
 
 
-@pytest.fixture(params=["with a PIN", "without a PIN"])
-def lesson(request: pytest.FixtureRequest) -> Iterator[Lesson]:
-    skip_without_namespaces()
-    with LanTestbed(1) as testbed:
-        yield Lesson(testbed, *(["--pin"] if request.param == "with a PIN" else []))
-
-
 @pytest.fixture
-def lesson_with_pin() -> Iterator[Lesson]:
+def lesson() -> Iterator[Lesson]:
     skip_without_namespaces()
     with LanTestbed(1) as testbed:
         yield Lesson(testbed, "--pin")
+
+
+@pytest.fixture(params=["with a PIN", "without a PIN"])
+def lesson_of_each_kind(request: pytest.FixtureRequest) -> Iterator[Lesson]:
+    skip_without_namespaces()
+    with LanTestbed(1) as testbed:
+        yield Lesson(testbed, *(["--pin"] if request.param == "with a PIN" else []))
 
 
 def failed(machine: Machine) -> str:
@@ -85,8 +85,7 @@ def test_doctor_compares_membership_nodes_and_hub(lesson: Lesson) -> None:
     assert wait_until(lambda: counts in lesson.ana.run("zbot", "doctor").out)
 
 
-def test_a_pulled_cable_is_told_and_ends(lesson_with_pin: Lesson) -> None:
-    lesson = lesson_with_pin
+def test_a_pulled_cable_is_told_and_ends(lesson: Lesson) -> None:
     lesson.ana.unplug()
     lesson.watch.until(lambda nodes: (ANA, "/work") not in nodes)
     assert wait_until(lambda: "no machine answers" in failed(lesson.ana))
@@ -96,8 +95,7 @@ def test_a_pulled_cable_is_told_and_ends(lesson_with_pin: Lesson) -> None:
     assert is_healthy(lesson.ana), failed(lesson.ana)
 
 
-def test_after_sleep_the_class_sees_the_nodes_again(lesson_with_pin: Lesson) -> None:
-    lesson = lesson_with_pin
+def test_after_sleep_the_class_sees_the_nodes_again(lesson: Lesson) -> None:
     lesson.ana.sleep()
     lesson.watch.until(lambda nodes: (ANA, "/work") not in nodes)
     lesson.ana.wake_up()
@@ -112,15 +110,15 @@ def test_students_read_that_the_class_was_closed(lesson: Lesson) -> None:
     assert wait_until(lambda: "the teacher has closed the class" in failed(lesson.ana))
 
 
-def test_a_laptop_that_slept_while_the_class_closed_is_told_too(lesson_with_pin: Lesson) -> None:
-    lesson = lesson_with_pin
+def test_a_laptop_that_slept_while_the_class_closed_is_told_too(lesson: Lesson) -> None:
     lesson.ana.sleep()
     lesson.teacher.run("zbot", "class", "stop")
     lesson.ana.wake_up()
     assert wait_until(lambda: "no class and no hub is open" in status(lesson.ana))
 
 
-def test_a_class_that_was_started_anew_is_told(lesson: Lesson) -> None:
+def test_a_class_that_was_started_anew_is_told(lesson_of_each_kind: Lesson) -> None:
+    lesson = lesson_of_each_kind
     lesson.teacher.run("zbot", "class", "stop")
     lesson.start()
     assert wait_until(lambda: "the class does not accept this laptop" in failed(lesson.ana))
@@ -151,21 +149,21 @@ def test_a_number_that_was_freed_is_told(lesson: Lesson) -> None:
     ],
 )
 def test_a_hub_that_ended_or_hangs_is_told(
-    lesson_with_pin: Lesson, number: signal.Signals, sentence: str
+    lesson: Lesson, number: signal.Signals, sentence: str
 ) -> None:
-    for machine in (lesson_with_pin.ana, lesson_with_pin.teacher):
+    for machine in (lesson.ana, lesson.teacher):
         os.kill(hub_pid(machine), number)
         assert wait_until(lambda machine=machine: sentence in failed(machine))  # type: ignore[misc]
         assert wait_until(lambda machine=machine: sentence in status(machine))  # type: ignore[misc]
 
 
-def test_the_new_address_of_the_teacher_is_told(lesson_with_pin: Lesson) -> None:
-    teacher = lesson_with_pin.teacher
+def test_the_new_address_of_the_teacher_is_told(lesson: Lesson) -> None:
+    teacher = lesson.teacher
     teacher.run("ip", "addr", "del", f"{teacher.address}/16", "dev", "eth0")
     teacher.run("ip", "addr", "add", "10.77.200.200/16", "dev", "eth0")
     assert wait_until(lambda: "students must join again at 10.77.200.200" in failed(teacher))
     assert wait_until(lambda: "students who have joined must join again" in status(teacher))
-    assert wait_until(lambda: "no machine answers" in failed(lesson_with_pin.ana))
+    assert wait_until(lambda: "no machine answers" in failed(lesson.ana))
 
 
 def test_a_teacher_is_told_who_can_end_a_students_node(lesson: Lesson) -> None:

@@ -43,23 +43,20 @@ def test_test_cases_run_beside_and_after_a_launch(start: Start) -> None:
     assert program.output.count("Ran 2 tests") == 2
 
 
-@pytest.mark.parametrize(
-    "line",
-    [
+def test_a_description_need_not_be_a_def(start: Start, tmp_path: Path) -> None:
+    lines = (
         "generate_test_description = functools.partial(describe, 1)",
         "from canal_description import (\n    describe as generate_test_description,\n)",
-    ],
-    ids=["assigned", "imported"],
-)
-def test_a_description_need_not_be_a_def(start: Start, tmp_path: Path, line: str) -> None:
+    )
     text = GATE.format(ready="launch_testing.actions.ReadyToTest()")
     text = text.replace("generate_test_description()", "describe(number=1)")
     (tmp_path / "canal_description.py").write_text(text.partition("class")[0], encoding="utf-8")
-    path = tmp_path / "canal_launch.py"
-    path.write_text(f"import functools\n{text}\n{line}\n", encoding="utf-8")
-    program = start("zbot", "test", str(path))
+    paths = [tmp_path / "assigned_launch.py", tmp_path / "imported_launch.py"]
+    for path, line in zip(paths, lines, strict=True):
+        path.write_text(f"import functools\n{text}\n{line}\n", encoding="utf-8")
+    program = start("zbot", "test", *map(str, paths))
     assert program.wait(TIMEOUT_S) == 0, program.output
-    assert "Ran 1 test" in program.output
+    assert program.output.count("Ran 1 test") == 2
 
 
 @pytest.mark.parametrize(("file", "passed"), [("mill_launch.py", 2), ("kiln_pytest.py", 16)])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import functools
 import os
 from pathlib import Path
 
@@ -14,7 +15,7 @@ from tests.torture.fuzzer import failures, problem_with
 from tests.torture.reader import Reader
 from tests.torture.readers import EXCEPTIONS, READERS
 
-INPUTS = int(os.environ.get("ZBOT_TORTURE_INPUTS", "150"))
+INPUTS = int(os.environ.get("ZBOT_TORTURE_INPUTS", "50"))
 EXAMPLES = max(15, INPUTS // 10)
 SEED = os.environ.get("ZBOT_TORTURE_SEED", "zbot")
 ROOT = Path(__file__).parents[2]
@@ -97,6 +98,7 @@ def parsers_in(source: str) -> set[str]:
     return found
 
 
+@functools.cache
 def modules_with_parsers() -> dict[str, set[str]]:
     found = {}
     for folder, start in SOURCES.items():

@@ -51,7 +51,7 @@ def test_a_message_of_any_type_that_is_cut_is_refused(order: str) -> None:
     for name in NAMES if order == "<" else NAMES[::5]:
         message = random_message(get_interface(name), Random(name))
         data = reference_cdr(message, order)
-        for end in {*range(min(len(data), 300)), *range(0, len(data), 1 + len(data) // 300)}:
+        for end in {*range(min(len(data), 40)), *range(0, len(data), 1 + len(data) // 40)}:
             with pytest.raises(CodecError, match="cannot decode"):
                 cdr_codec_for(type(message)).decode(data[:end])
 
@@ -79,7 +79,8 @@ def test_damaged_bytes_give_a_message_or_one_error(
 
 @pytest.mark.parametrize("order", ["<", ">"])
 def test_a_large_count_in_any_place_takes_little_memory(order: str) -> None:
-    messages = [random_message(get_interface(name), Random(name)) for name in NAMES[::5]]
+    names = NAMES[:: 8 if order == "<" else 40]
+    messages = [random_message(get_interface(name), Random(name)) for name in names]
     for message in messages:
         codec = cdr_codec_for(type(message))
         data = reference_cdr(message, order)
