@@ -63,7 +63,10 @@ def nearest(name: str, known: Iterable[str]) -> str | None:
 
 def _by_lower(name: str, known: Iterable[str]) -> dict[str, str]:
     pattern = _NUMBERS.sub("0", name)
-    return {one.lower(): one for one in known if _NUMBERS.sub("0", one) != pattern}
+    names = [one for one in known if _NUMBERS.sub("0", one) != pattern]
+    # `Nod` means `Node` and not `node`, if both exist.
+    names.sort(key=lambda one: one[:1].isupper() == name[:1].isupper())
+    return {one.lower(): one for one in names}
 
 
 def _typos(name: str, known: Iterable[str]) -> list[str]:

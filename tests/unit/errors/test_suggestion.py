@@ -59,3 +59,9 @@ def test_the_question_quotes_each_suggestion() -> None:
     assert question([], "; ") == ""
     assert did_you_mean("talkr", ["talker", "walker"]) == "did you mean 'talker'?"
     assert did_you_mean("sensor", ["talker"], before="; ") == ""
+
+
+@pytest.mark.parametrize("known", [("Node", "node"), ("node", "Node")])
+def test_a_class_is_suggested_for_a_class_and_a_module_for_a_module(known: tuple[str, ...]) -> None:
+    assert similar_names("Nod", known) == ("Node",)
+    assert similar_names("nod", known) == ("node",)

@@ -14,9 +14,9 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
 SOURCE = """
-print("ready")
-print("steady")
 try:
+    print("ready")
+    print("steady")
     input()
 except KeyboardInterrupt:
     print("stopped")
