@@ -36,7 +36,7 @@ if TYPE_CHECKING:
 
 _ANSWER_TIMEOUT_S = 5.0
 _WORD = re.compile("[0-9A-Za-z_-]{0,128}")
-_RELEASE_TIMEOUT_S = 3.0  # the number of a laptop that gives up too soon stays taken
+_RELEASE_TIMEOUT_S = 10.0  # the number of a laptop that gives up too soon stays taken
 _MEMBER_TIMEOUT_S = 1.0
 _LONGEST_WAIT_S = 30.0  # after too many wrong PINs in the class, every laptop must wait
 _REOPENING_S = 5.0  # longest time for which a hub is closed while it is opened again
