@@ -8,8 +8,7 @@ import pytest
 
 from tests.cli.command import zbot
 from zbot.interfaces.location import definition_file
-from zbot.package import package_share
-from zbot.package.python_finder import WorkspaceFinder
+from zbot.package import package_share, python_finder
 from zbot.package.workspace import build_roots, packages_by_name
 from zbot_cli.packages.launch_file import in_package
 
@@ -87,8 +86,8 @@ def test_the_nearest_copy_is_used(
     assert found.out == f"{inside}/bot/hi.py\n"
     assert found.err.startswith("note: package 'bot' is also in ")
     assert f"; this is the one in {inside}" in found.err
-    monkeypatch.setattr(WorkspaceFinder, "searches_always", True)
-    spec = WorkspaceFinder.find_spec("bot")
+    monkeypatch.setattr(python_finder, "_searches_always", True)
+    spec = python_finder.find_package("bot")
     assert spec is not None
     assert spec.origin == f"{inside}/bot/__init__.py"
 

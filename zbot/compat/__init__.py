@@ -3,7 +3,8 @@
 `zbot run` and `zbot launch` import this package before they run the program. In other programs, the
 module `zbot_ros2_names` imports this package at the first import of one of ROS 2's names. Each
 folder in `packages/` is a package with one of these names, and only imports classes and functions
-of zbot. If a real package of ROS 2 is installed, Python imports the real package instead.
+of zbot. `table.py` says where these are. If a real package of ROS 2 is installed, Python imports
+the real package instead.
 
 The sources of such a package in a workspace are not imported, because most of them have parts in
 C++ that zbot cannot build: `tf2_ros` imports the C++ of `tf2_py`.
@@ -16,7 +17,8 @@ from importlib.machinery import ModuleSpec, PathFinder
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from zbot.compat import missing_name
+from zbot import import_finder
+from zbot.compat.missing_name import explain_missing_name
 from zbot.package import python_finder
 
 if TYPE_CHECKING:
@@ -27,32 +29,20 @@ _PACKAGES = str(Path(__file__).parent / "packages")
 _preferred: set[str] = set()
 
 
-class _NameFinder:
-    """Finder that searches `packages/` for ROS 2's packages that are not installed."""
-
-    @staticmethod
-    def find_spec(
-        fullname: str, path: Sequence[str] | None = None, target: ModuleType | None = None
-    ) -> ModuleSpec | None:
-        """Return the spec of a top-level package. Python itself finds the package's submodules."""
-        if path is not None:
-            return None
-        own = PathFinder.find_spec(fullname, [_PACKAGES], target)
-        if own is None or (fullname not in _preferred and _is_installed(fullname)):
-            return None
-        return own
+def _find_package(
+    fullname: str, path: Sequence[str] | None, target: ModuleType | None
+) -> ModuleSpec | None:
+    """Return the spec of a top-level package. Python itself finds the package's submodules."""
+    if path is not None:
+        return None
+    own = PathFinder.find_spec(fullname, [_PACKAGES], target)
+    if own is None or (fullname not in _preferred and _is_installed(fullname)):
+        return None
+    return own
 
 
 def _is_installed(name: str) -> bool:
-    """Return whether a real package is installed. A folder without `__init__.py` is no package."""
-    for finder in sys.meta_path:
-        if finder is _NameFinder or finder is python_finder.WorkspaceFinder:
-            continue
-        path = python_finder.paths_outside_workspace() if finder is PathFinder else None
-        spec = finder.find_spec(name, path)
-        if spec is not None and spec.origin is not None:
-            return True
-    return False
+    return import_finder.is_installed(name, among=python_finder.paths_outside_workspace())
 
 
 def install_names(preferred: Iterable[str] = ()) -> None:
@@ -62,11 +52,9 @@ def install_names(preferred: Iterable[str] = ()) -> None:
         preferred: Names that import zbot even if the real packages are installed.
     """
     _preferred.update(preferred)
-    if _NameFinder not in sys.meta_path:
-        # This finder must be the first: Python's own finder accepts any folder named `rclpy`.
-        sys.meta_path.insert(0, _NameFinder)
+    import_finder.add("ROS 2's names", _find_package)
     python_finder.install()
-    missing_name.install()
+    import_finder.explain(explain_missing_name)
     started = sys.modules.get("zbot_ros2_names")
     if started is not None:
         started.remove()

@@ -1,19 +1,15 @@
-"""Finder that explains wrong imports from ROS 2's packages, such as `from rclpy import Node`."""
+"""Errors for wrong imports from ROS 2's packages, such as `from rclpy import Node`."""
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from zbot.compat.table import modules
 from zbot.errors import ZbotError
 from zbot.errors.suggestion import question, similar_names
-from zbot.interfaces.finder import is_import_statement
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
-    from types import ModuleType
 
 _PACKAGES = Path(__file__).parent / "packages"
 
@@ -27,27 +23,19 @@ class WrongImportError(ZbotError, ModuleNotFoundError):
         self.name = package
 
 
-class WrongImportFinder:
-    """The last finder. It finds nothing, and raises the error for a name of zbot's packages."""
-
-    @staticmethod
-    def find_spec(
-        fullname: str, path: Sequence[str] | None, target: ModuleType | None = None
-    ) -> None:
-        """Raise an error that says what to write.
-
-        Raises:
-            WrongImportError: The module does not exist in a package that zbot has.
-        """
-        del target
-        package, _, name = fullname.rpartition(".")
-        if path is None or not any(str(one).startswith(str(_PACKAGES)) for one in path):
-            return
-        if not name.startswith("_") and is_import_statement():
-            raise WrongImportError(package, name, _advice(package.partition(".")[0], name))
+def explain_missing_name(fullname: str, path: Sequence[str] | None) -> WrongImportError | None:
+    """Return the error for a module that does not exist in a package that zbot has."""
+    package, _, name = fullname.rpartition(".")
+    if path is None or not any(str(one).startswith(str(_PACKAGES)) for one in path):
+        return None
+    if name.startswith("_"):
+        return None
+    return WrongImportError(package, name, _advice(package.partition(".")[0], name))
 
 
 def _advice(package: str, name: str) -> str:
+    from zbot.compat.table import modules  # noqa: PLC0415 - needed only after an error
+
     known = {
         module: entry.names
         for module, entry in modules().items()
@@ -64,9 +52,3 @@ def _advice(package: str, name: str) -> str:
     # `rclpy.duration` comes before `rclpy.qos`, and `launch.actions` before `launch.events`.
     best = last_part.get(name.lower()) or min(holders, key=lambda one: ("event" in one, len(one)))
     return f": write from {best} import {name}"
-
-
-def install() -> None:
-    """Put the finder after all others. A second call does nothing."""
-    if WrongImportFinder not in sys.meta_path:
-        sys.meta_path.append(WrongImportFinder)

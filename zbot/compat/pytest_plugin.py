@@ -10,13 +10,14 @@ If a linter is not installed, this plugin skips the linter's test, so that the o
 from __future__ import annotations
 
 import io
-import sys
 import unittest
 from collections import defaultdict
 from contextlib import redirect_stderr
-from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import pytest
+
+from zbot import import_finder
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -33,11 +34,12 @@ _LINTERS = {
     "ament_flake8", "ament_lint", "ament_lint_cmake", "ament_mypy", "ament_pclint", "ament_pep257",
     "ament_pycodestyle", "ament_uncrustify", "ament_xmllint",
 }  # fmt: skip
+_skipped_linters: set[str] = set()
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Register the marks and the finder of linters."""
-    sys.meta_path.append(_LinterFinder)
+    """Register the marks, and skip the tests of linters from now on."""
+    import_finder.explain(_skip_linter)
     for line in (
         "launch_test: the function describes the launch for the test cases of its file",
         "rostest: older name of launch_test",
@@ -47,32 +49,27 @@ def pytest_configure(config: pytest.Config) -> None:
 
 
 def pytest_unconfigure() -> None:
-    """Remove the finder of linters."""
-    if _LinterFinder in sys.meta_path:
-        sys.meta_path.remove(_LinterFinder)
+    """Do not skip the tests of linters any longer."""
+    import_finder.stop_explaining(_skip_linter)
 
 
 @pytest.hookimpl(trylast=True)
 def pytest_sessionfinish(session: pytest.Session, exitstatus: int) -> None:
     """Set exit code 0 if pytest has no tests only because it skipped the tests of linters."""
-    if exitstatus == pytest.ExitCode.NO_TESTS_COLLECTED and _LinterFinder.skipped:
+    if exitstatus == pytest.ExitCode.NO_TESTS_COLLECTED and _skipped_linters:
         session.exitstatus = pytest.ExitCode.OK
 
 
-class _LinterFinder:
-    """Finder that skips a test file if the file imports a linter of ROS 2 that is not installed."""
+def _skip_linter(fullname: str, path: object) -> BaseException | None:
+    """Return the exception that skips a test file, if the file imports a linter of ROS 2.
 
-    skipped: ClassVar[set[str]] = set()
-
-    @classmethod
-    def find_spec(cls, fullname: str, path: object = None, _: object = None) -> None:
-        """Skip the file if the name belongs to a linter.
-
-        Python calls this finder last. So no other finder has found the linter.
-        """
-        if path is None and fullname in _LINTERS:
-            cls.skipped.add(fullname)
-            pytest.skip(f"{fullname} is a linter of ROS 2: zbot lacks it", allow_module_level=True)
+    This function is asked only if the linter is not installed.
+    """
+    if path is not None or fullname not in _LINTERS:
+        return None
+    _skipped_linters.add(fullname)
+    text = f"{fullname} is a linter of ROS 2: zbot lacks it"
+    return pytest.skip.Exception(text, allow_module_level=True)
 
 
 def pytest_pycollect_makemodule(

@@ -1,4 +1,4 @@
-"""Finder of the Python packages in the workspace, for programs whose workspace was sourced.
+"""Source of the Python packages in the workspace, for programs whose workspace was sourced.
 
 `source install/setup.bash`, `zbot run`, `zbot launch` and `zbot test` set ZBOT_WORKSPACE. With this
 variable, programs and their child processes can import the Python packages of the workspace from
@@ -15,6 +15,7 @@ from importlib.machinery import ModuleSpec, PathFinder
 from importlib.util import spec_from_file_location
 from typing import TYPE_CHECKING
 
+from zbot import import_finder
 from zbot.package.errors import SetupFileError
 from zbot.package.workspace import VARIABLE, Roots, package_folders, read_text, search_roots
 
@@ -27,30 +28,12 @@ if TYPE_CHECKING:
 _NOT_INSTALLED = {"setup", "conftest"}
 
 
-class WorkspaceFinder:
-    """Finder of top-level Python packages and modules in the workspace's packages."""
-
-    #: Whether to search the workspace of the current folder if ZBOT_WORKSPACE is not set.
-    searches_always = False
-
-    @classmethod
-    def find_spec(
-        cls, fullname: str, path: Sequence[str] | None = None, target: ModuleType | None = None
-    ) -> ModuleSpec | None:
-        """Return the spec of a top-level module in the workspace. Python finds its submodules."""
-        if path is not None or not (cls.searches_always or os.environ.get(VARIABLE)):
-            return None
-        if fullname in _NOT_INSTALLED or fullname in sys.stdlib_module_names:
-            return None
-        roots = search_roots()
-        spec = _declared(fullname, roots) or PathFinder.find_spec(fullname, _paths(roots), target)
-        if not _is_module(spec) or _is_module(PathFinder.find_spec(fullname, None, target)):
-            return None
-        return spec
+#: Whether to search the workspace of the current folder if ZBOT_WORKSPACE is not set.
+_searches_always = False
 
 
 def install(*, searches_always: bool = False) -> None:
-    """Put the finder before Python's own. A second call does not add a second finder.
+    """Let Python import the packages of the workspace. A second call has no effect.
 
     The folder of a ROS 2 package and the Python package in it usually have the same name. If a
     program runs in the parent of this folder, Python's own finder would import the folder as a
@@ -60,15 +43,23 @@ def install(*, searches_always: bool = False) -> None:
         searches_always: Whether to search the workspace of the current folder from now on, even if
             no workspace was sourced.
     """
-    WorkspaceFinder.searches_always |= searches_always
-    if WorkspaceFinder not in sys.meta_path:
-        place = sys.meta_path.index(PathFinder) if PathFinder in sys.meta_path else 0
-        sys.meta_path.insert(place, WorkspaceFinder)
+    global _searches_always  # noqa: PLW0603 - all programs of the process share the finder
+    _searches_always |= searches_always
+    import_finder.add("workspace", find_package)
 
 
-def _is_module(spec: ModuleSpec | None) -> bool:
-    # A folder without `__init__.py`, such as `launch`, is no Python package.
-    return spec is not None and spec.origin is not None
+def find_package(
+    fullname: str, path: Sequence[str] | None = None, target: ModuleType | None = None
+) -> ModuleSpec | None:
+    """Return the spec of a top-level module in the workspace. Python finds its submodules."""
+    if path is not None or not (_searches_always or os.environ.get(VARIABLE)):
+        return None
+    if fullname in _NOT_INSTALLED or fullname in sys.stdlib_module_names:
+        return None
+    roots = search_roots()
+    spec = _declared(fullname, roots) or PathFinder.find_spec(fullname, _paths(roots), target)
+    is_installed = import_finder.is_real(PathFinder.find_spec(fullname, None, target))
+    return spec if import_finder.is_real(spec) and not is_installed else None
 
 
 def import_paths(folder: Path) -> list[str]:

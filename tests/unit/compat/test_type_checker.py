@@ -1,0 +1,29 @@
+"""Type checkers and editors find ROS 2's names, and report wrong ones."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[3]
+PROGRAMS = ROOT / "tests" / "programs" / "ros2_names"
+
+
+def test_pyright_reports_the_wrong_names_and_no_others(tmp_path: Path) -> None:
+    pytest.importorskip("pyright")
+    folders = (ROOT, ROOT / "zbot" / "stubs", ROOT / "zbot" / "compat" / "packages")
+    config = {"include": [str(PROGRAMS)], "extraPaths": [str(folder) for folder in folders]}
+    (tmp_path / "pyrightconfig.json").write_text(json.dumps(config))
+    command = (sys.executable, "-m", "pyright", "--project", str(tmp_path), "--outputjson")
+    result = subprocess.run(command, capture_output=True, text=True, check=False)
+    found = {
+        (Path(one["file"]).name, one["range"]["start"]["line"])
+        for one in json.loads(result.stdout)["generalDiagnostics"]
+        if one["severity"] == "error"
+    }
+    lines = (PROGRAMS / "wrong.py").read_text(encoding="utf-8").split("\n")
+    assert found == {("wrong.py", at) for at, line in enumerate(lines) if line.endswith("# wrong")}
