@@ -164,7 +164,8 @@ class _MapReader:
             fields[field.name] = value
         if layout.keywords:
             return message_class(**fields)
-        message = message_class.__new__(message_class)
+        new: Any = message_class.__new__
+        message = new(message_class)
         for name, value in fields.items():
             setattr(message, layout.prefix + name, value)
         return message
