@@ -7,7 +7,6 @@ another order. For any bytes, the decoder either returns a valid message or rais
 
 from __future__ import annotations
 
-import functools
 from typing import TYPE_CHECKING, Any, Generic, NoReturn, TypeVar
 
 from zbot.errors import ExternalShutdownException
@@ -101,9 +100,15 @@ class Walker(Generic[MessageT]):
         raise CodecError("encode", self._type_name, path, reason) from error
 
 
-@functools.cache
+_members: dict[type, tuple[ClassLayout, tuple[Field, ...]]] = {}
+
+
 def _layout_and_fields(message_class: type[Any]) -> tuple[ClassLayout, tuple[Field, ...]]:
-    return layout_of(message_class), message_spec_of(message_class).fields
+    found = _members.get(message_class)
+    if found is None:
+        fields = message_spec_of(message_class).fields
+        found = _members[message_class] = layout_of(message_class), fields
+    return found
 
 
 def _map_of(message_class: type[Any], message: Any) -> dict[str, Any]:
@@ -164,7 +169,8 @@ class _MapReader:
             fields[field.name] = value
         if layout.keywords:
             return message_class(**fields)
-        message = message_class.__new__(message_class)
+        new: Any = message_class.__new__
+        message = new(message_class)
         for name, value in fields.items():
             setattr(message, layout.prefix + name, value)
         return message

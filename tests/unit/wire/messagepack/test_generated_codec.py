@@ -146,6 +146,7 @@ def test_bytes_of_others_are_read_by_the_walker(message_class: Any, value: Any) 
 
 
 def test_a_dataclass_has_the_bytes_and_errors_of_the_walker() -> None:
+    reading: Any = Reading
     usual: dict[str, Any] = {
         "name": "a", "count": 2, "ratio": 0.5, "is_valid": True, "blob": b"", "values": [1.0],
         "counts": [1], "texts": ["x"], "pairs": [],
@@ -155,7 +156,7 @@ def test_a_dataclass_has_the_bytes_and_errors_of_the_walker() -> None:
         ("values", [True]), ("counts", [2**63]), ("counts", [1.0]), ("texts", ["a", 1]),
         ("pairs", [Pair(1), None]), ("count", 2**63),
     ):  # fmt: skip
-        message = Reading(**(usual | {field: value}))
+        message = reading(**(usual | {field: value}))
         assert sent(messagepack_codec_for(Reading).encode, message) == sent(
             Walker(Reading).encode, message
         )
