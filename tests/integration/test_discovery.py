@@ -359,9 +359,8 @@ def test_range_off_finds_no_peers_and_opens_no_port(
     make_context: MakeContext, monkeypatch: pytest.MonkeyPatch, domain: int
 ) -> None:
     zbot.Node("public", context=make_context())
-    monkeypatch.setattr(
-        "zbot.context.domain_session._DISCOVERY_TIMEOUT_S", 0.5
-    )  # nobody answers a hermit
+    # Nobody answers a hermit.
+    monkeypatch.setattr("zbot.context.domain_session._DISCOVERY_TIMEOUT_S", 0.5)
     monkeypatch.setenv("ZBOT_DISCOVERY_RANGE", "OFF")
     hermit = zbot.Node("hermit", context=make_context())
     assert hermit.get_node_names() == ["hermit"]

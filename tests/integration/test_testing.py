@@ -15,6 +15,7 @@ from std_msgs.msg import Float32, String
 from std_srvs.srv import Trigger
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
     from pathlib import Path
 
     from zbot.testing import Call, NodeFactory, Received, SpinUntil
@@ -144,6 +145,31 @@ def test_a_server_that_does_not_answer_is_reported(call: Call) -> None:
     server.create_service(Trigger, "slow", lambda _, response: response)
     with pytest.raises(AssertionError, match=r"/slow did not answer within 0\.2 s"):
         call("slow", Trigger, timeout=0.2)
+
+
+class TestWithThreads:
+    """Tests whose nodes run in several threads."""
+
+    @pytest.fixture
+    def executor(self, executor: zbot.Executor) -> Iterator[zbot.Executor]:
+        assert executor.context.ok()
+        with zbot.MultiThreadedExecutor(num_threads=2) as threads:
+            yield threads
+
+    def test_a_callback_waits_for_a_service(self, node: NodeFactory, spin_until: SpinUntil) -> None:
+        node(Echo)
+        sums: list[int] = []
+        caller = node("caller")
+        group = zbot.ReentrantCallbackGroup()
+        client = caller.create_client(AddTwoInts, "add", callback_group=group)
+
+        def ask() -> None:
+            timer.cancel()
+            sums.append(client.call(AddTwoInts.Request(a=2, b=3), timeout_sec=5).sum)
+
+        timer = caller.create_timer(0.01, ask, callback_group=zbot.MutuallyExclusiveCallbackGroup())
+        spin_until(lambda: sums)
+        assert sums == [5]
 
 
 USERS_TEST = """

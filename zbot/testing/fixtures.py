@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from typing import TYPE_CHECKING, Any, NoReturn, TypeVar, overload
 
 from zbot.interfaces.python_class import type_name
@@ -10,6 +9,7 @@ from zbot.node.node import Node
 from zbot.qos import DurabilityPolicy, QoSProfile
 from zbot.testing import report
 from zbot.testing.program import Program
+from zbot.threads.deadline import Deadline
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
@@ -91,12 +91,11 @@ class SpinUntil:
 
     def comes(self, condition: Callable[[], object], timeout: float) -> bool:
         """Spin until `condition()` is true, at most `timeout` seconds. Return whether it is."""
-        deadline = time.monotonic() + timeout
+        deadline = Deadline(timeout)
         while not condition():
-            left = deadline - time.monotonic()
-            if left <= 0:
+            if deadline.is_over:
                 return False
-            self._executor.spin_once(timeout_sec=min(left, _LOOK_S))
+            self._executor.spin_once(timeout_sec=min(deadline.left_s, _LOOK_S))
         return True
 
     def fail(self, *lines: str) -> NoReturn:

@@ -7,10 +7,10 @@ import signal
 import subprocess
 import sys
 import threading
-import time
 from typing import TYPE_CHECKING
 
 from zbot.package.zbot_command import zbot_command
+from zbot.threads.deadline import Deadline
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -80,17 +80,16 @@ class Program:
             AssertionError: The line did not come in time, or the program ended before.
         """
         __tracebackhide__ = True
-        deadline = time.monotonic() + timeout
+        deadline = Deadline(timeout)
         with self._changed:
             while True:
                 while self._next < len(self.lines):
                     self._next += 1
                     if text in self.lines[self._next - 1]:
                         return self.lines[self._next - 1]
-                left = deadline - time.monotonic()
-                if self._is_over or left <= 0:
+                if self._is_over or deadline.is_over:
                     raise AssertionError(self._missing(text, timeout))
-                self._changed.wait(left)
+                self._changed.wait(deadline.left_s)
 
     def _missing(self, text: str, timeout: float) -> str:
         if self._is_over:

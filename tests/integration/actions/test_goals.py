@@ -351,24 +351,23 @@ def test_fifty_goals_with_cancels_each_get_their_own_result(pair: Pair) -> None:
         cancel_callback=stop,
         result_timeout=timeout_s,
     )
-    for turn in range(2):
-        heard: set[int] = set()
-        futures = [
-            pair.client.send_goal_async(Fibonacci.Goal(order=order), partial(_note, heard))
-            for order in range(50)
-        ]
-        handles = [done(future, 10) for future in futures]
-        results = [handle.get_result_async() for handle in handles]
-        canceled = [handle.cancel_goal_async() for handle in handles[1::2]]
-        assert all(len(done(one, 10).goals_canceling) == 1 for one in canceled), turn
-        for order, result in enumerate(results):
-            response = done(result, 10)
-            assert list(response.result.sequence) == [order]
-            expected = GoalState.CANCELED if order % 2 else GoalState.SUCCEEDED
-            assert status_of(response) is expected
-        assert heard == set(range(50))
-        # The client keeps nothing of them, and the server nothing after their results expired.
-        assert wait_until(lambda: not pair.client._goals)
-        assert wait_until(lambda: not pair.server._goal_handles, timeout_s + 5)
+    heard: set[int] = set()
+    futures = [
+        pair.client.send_goal_async(Fibonacci.Goal(order=order), partial(_note, heard))
+        for order in range(50)
+    ]
+    handles = [done(future, 10) for future in futures]
+    results = [handle.get_result_async() for handle in handles]
+    canceled = [handle.cancel_goal_async() for handle in handles[1::2]]
+    assert all(len(done(one, 10).goals_canceling) == 1 for one in canceled)
+    for order, result in enumerate(results):
+        response = done(result, 10)
+        assert list(response.result.sequence) == [order]
+        expected = GoalState.CANCELED if order % 2 else GoalState.SUCCEEDED
+        assert status_of(response) is expected
+    assert heard == set(range(50))
+    # The client keeps nothing of them, and the server nothing after their results expired.
+    assert wait_until(lambda: not pair.client._goals)
+    assert wait_until(lambda: not pair.server._goal_handles, timeout_s + 5)
     assert not pair.server._ended
     assert not pair.server._services[1]._waiting
