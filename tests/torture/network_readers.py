@@ -24,6 +24,7 @@ from zbot.json_reader import JsonError, read_json, read_json_object
 from zbot.libraries.image_array import CvBridge, CvBridgeError
 from zbot.libraries.point_cloud import read_points
 from zbot.names import validate_full_topic_name
+from zbot.observer.value_text import brief
 from zbot.parameters.errors import ParameterAnswerError
 from zbot.parameters.parameter import UnknownParameterTypeError
 from zbot.remote.parameters import RemoteParameters
@@ -32,7 +33,6 @@ from zbot.web.image_encoder import ImageError, encode_jpeg, media_type
 from zbot.web.page_discovery import address_in
 from zbot.web.remote_parameter import load
 from zbot.web.topic_picture import points_of, ring
-from zbot.web.value_text import brief
 from zbot.wire import attachment
 from zbot.wire.cdr.codec import cdr_codec_for
 from zbot.wire.error_reply import unpack_error

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     import socket
     from collections.abc import Callable
 
-    from zbot.web.system import System
+    from zbot.observer.system import System
 
 # If a browser does not reconnect within this time, the server deletes its page.
 _RECONNECT_S = 3.0

@@ -19,8 +19,8 @@ from zbot.bag.play_options import PlayOptions
 from zbot.bag.reader import Reader
 from zbot.bag.selection import Selection
 from zbot.errors import ZbotError
+from zbot.observer.system import ReadOnlyError, System
 from zbot.time import S_TO_NS
-from zbot.web.system import ReadOnlyError, System
 
 if TYPE_CHECKING:
     from collections.abc import Collection

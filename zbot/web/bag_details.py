@@ -9,10 +9,10 @@ from nicegui import ui
 from zbot.bag.columns import fields_of, topic_columns
 from zbot.bag.player import PlayerStatus
 from zbot.errors import ZbotError
+from zbot.observer.curve import thinned
 from zbot.time import S_TO_NS
 from zbot.web.bag_export import IMAGE_TYPES, export_csv, export_video
 from zbot.web.command_line import command_line
-from zbot.web.curve import thinned
 from zbot.web.service_call import run_in_thread, with_errors_shown
 
 if TYPE_CHECKING:

@@ -5,12 +5,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from zbot.graph.topics import BoxKind
-from zbot.web.value_text import amount
+from zbot.observer.value_text import amount
 
 if TYPE_CHECKING:
     from zbot.graph.view import Edge, GraphView
+    from zbot.observer.watch import Watch
     from zbot.web.panel import Section
-    from zbot.web.watch import Watch
 
 #: The largest number of topics with a rate, because each of them needs a subscription. Users can
 #: choose topics with a filter.

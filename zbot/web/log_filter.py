@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from zbot.web.log_ring import LogLine
+    from zbot.observer.log_ring import LogLine
 
 #: Levels of rcl_interfaces/msg/Log, with their names.
 LEVELS = {10: "Debug", 20: "Info", 30: "Warn", 40: "Error", 50: "Fatal"}

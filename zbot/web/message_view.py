@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING, Any
 
 from nicegui import ui
 
+from zbot.observer.value_text import tree
 from zbot.web.table import Cell, Column, Table
-from zbot.web.value_text import tree
 
 if TYPE_CHECKING:
     from zbot.web.panel import Section

@@ -16,8 +16,8 @@ from zbot.web.panels import PANELS
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from zbot.observer.system import System
     from zbot.web.panel import Panel
-    from zbot.web.system import System
 
 _STATIC = Path(__file__).parent / "static"
 _ADDRESS = f"/_zbot/{__version__}"

@@ -19,8 +19,8 @@ if TYPE_CHECKING:
 
     from nicegui import Client
 
-    from zbot.web.system import System
-    from zbot.web.watch import Watch
+    from zbot.observer.system import System
+    from zbot.observer.watch import Watch
 
 
 @dataclass(frozen=True, slots=True)

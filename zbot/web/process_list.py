@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from zbot.graph.snapshot import Process, Snapshot
-    from zbot.web.system import System
+    from zbot.observer.system import System
 
 #: Tolerance between the start of a process and the start that its session reports.
 _SLACK_S = 2.0

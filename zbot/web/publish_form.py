@@ -11,9 +11,9 @@ from zbot.errors import ZbotError
 from zbot.web.form_view import FormView
 
 if TYPE_CHECKING:
+    from zbot.observer.repeated_publishing import RepeatedPublishing
+    from zbot.observer.watch import Watch
     from zbot.web.panel import Section
-    from zbot.web.repeated_publishing import RepeatedPublishing
-    from zbot.web.watch import Watch
 
 _FASTEST_HZ = 1000.0
 

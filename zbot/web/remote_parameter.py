@@ -11,8 +11,8 @@ from zbot.parameters.parameter import Parameter
 from zbot.web.form_value import Entry, EntryError, read, show
 
 if TYPE_CHECKING:
+    from zbot.observer.system import System
     from zbot.remote.parameters import RemoteParameters
-    from zbot.web.system import System
 
 _TYPES = {
     Parameter.Type.BOOL: FieldType("bool"),

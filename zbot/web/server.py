@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.classroom.hub.address import own_addresses
 from zbot.errors import ZbotError
+from zbot.observer.system import System
 from zbot.web.browser import open_page
 from zbot.web.page_address import address, is_loopback, origin_of
 from zbot.web.page_discovery import announce
-from zbot.web.system import System
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING, Any, TypeVar
 from nicegui import run, ui
 
 from zbot.errors import ZbotError
+from zbot.observer.system import PATIENCE_S, await_future
 from zbot.remote.service_calls import NoAnswerError
-from zbot.web.system import PATIENCE_S, await_future
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine
 
-    from zbot.web.system import System
+    from zbot.observer.system import System
 
 T = TypeVar("T")
 

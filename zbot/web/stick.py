@@ -10,7 +10,7 @@ from zbot.interfaces import get_message
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from zbot.web.system import System
+    from zbot.observer.system import System
 
 TYPE = "sensor_msgs/msg/Joy"
 RATE_HZ = 20.0

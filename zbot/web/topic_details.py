@@ -7,19 +7,19 @@ from urllib.parse import urlencode
 
 from nicegui import ui
 
+from zbot.observer.value_text import amount, tree
 from zbot.web.message_view import TREE_COLUMNS
 from zbot.web.publish_form import add_publish_form
 from zbot.web.table import Cell, Table
 from zbot.web.topic_picture import add_picture
 from zbot.web.topic_rows import topic_rows
-from zbot.web.value_text import amount, tree
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
+    from zbot.observer.value_text import TreeRow
+    from zbot.observer.watch import Watch
     from zbot.web.panel import Section
-    from zbot.web.value_text import TreeRow
-    from zbot.web.watch import Watch
 
 _TREE_HZ = 10.0
 

@@ -13,8 +13,8 @@ from zbot.web.image_encoder import ImageError, encode_jpeg, media_type
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from zbot.observer.watch import Watch
     from zbot.web.panel import Section
-    from zbot.web.watch import Watch
 
 _IMAGE = "sensor_msgs/msg/Image"
 _COMPRESSED = "sensor_msgs/msg/CompressedImage"

@@ -10,19 +10,19 @@ from zbot.graph.snapshot import full_names
 from zbot.interfaces import get_action, get_message, get_service
 from zbot.names import fully_qualified
 from zbot.node.node import Node
+from zbot.observer.system import ReadOnlyError, await_future
 from zbot.parameters.parameter import Parameter
 from zbot.web.command_line import command_line
 from zbot.web.form import Form
 from zbot.web.service_call import call, run_in_thread
-from zbot.web.system import ReadOnlyError, await_future
 
 if TYPE_CHECKING:
     from zbot.action import ActionClient
     from zbot.executor.task import Future
     from zbot.graph.snapshot import Snapshot
     from zbot.node.publisher import Publisher
+    from zbot.observer.shared_entities import EntityReference
     from zbot.web.panel import Page
-    from zbot.web.shared_entities import EntityReference
 
 SCENE_TYPE = "zbot_msgs/srv/TurtleScene"
 _SCENE = "/_scene"

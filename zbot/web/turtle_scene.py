@@ -12,8 +12,8 @@ from zbot.web.turtle_control import SCENE_TYPE
 if TYPE_CHECKING:
     from zbot.executor.task import Future
     from zbot.node.client import Client
+    from zbot.observer.shared_entities import EntityReference
     from zbot.web.panel import Page
-    from zbot.web.shared_entities import EntityReference
     from zbot.web.turtle_control import Simulator
 
 #: Seconds between a failed request and the next request.

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
+from zbot.observer.log_ring import LogLine
 from zbot.web.log_filter import LogFilter, counts, level_of, newest
-from zbot.web.log_ring import LogLine
 
 
 def line(level: int = 20, name: str = "robot.arm", text: str = "Moves on") -> LogLine:

@@ -8,6 +8,7 @@ from nicegui import ui
 
 from zbot.action.goal_state import GoalState
 from zbot.errors import ZbotError
+from zbot.observer.system import await_future
 from zbot.web.command_line import command_line
 from zbot.web.form_view import FormView
 from zbot.web.list_panel import ListPanel
@@ -15,14 +16,13 @@ from zbot.web.message_view import MessageView
 from zbot.web.panel import Page, Panel
 from zbot.web.served_details import ServedDetails, served_columns, served_row
 from zbot.web.service_call import show_error
-from zbot.web.system import await_future
 from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:
     from zbot.action import ActionClient
     from zbot.graph.snapshot import Snapshot
+    from zbot.observer.shared_entities import EntityReference
     from zbot.web.panel import Section
-    from zbot.web.shared_entities import EntityReference
     from zbot.web.table import Cell
 
 _FEEDBACK_HZ = 15.0

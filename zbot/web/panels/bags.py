@@ -11,6 +11,7 @@ from nicegui import background_tasks, ui
 from zbot.bag.packages import import_mcap
 from zbot.errors import ZbotError
 from zbot.names import is_hidden
+from zbot.observer.value_text import amount
 from zbot.time import S_TO_NS
 from zbot.web.bag_control import FoundBag, control_of
 from zbot.web.bag_details import BagDetails
@@ -19,7 +20,6 @@ from zbot.web.list_panel import ListPanel
 from zbot.web.panel import Page, Panel
 from zbot.web.service_call import run_in_thread, with_errors_shown
 from zbot.web.table import Cell, Column
-from zbot.web.value_text import amount
 
 if TYPE_CHECKING:
     from zbot.graph.snapshot import Snapshot

@@ -13,7 +13,7 @@ from zbot.web.log_filter import LEVELS, LogFilter, counts, level_of, newest
 from zbot.web.panel import Page, Panel
 
 if TYPE_CHECKING:
-    from zbot.web.log_ring import LogLine
+    from zbot.observer.log_ring import LogLine
 
 _HZ = 10.0
 #: The largest number of lines in a page, and in one update.

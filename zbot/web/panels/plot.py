@@ -11,13 +11,13 @@ from nicegui import ui
 
 from zbot.errors import ZbotError
 from zbot.interfaces import get_message
-from zbot.web.curve import Curves, numeric_fields, split_curve
+from zbot.observer.curve import Curves, numeric_fields, split_curve
+from zbot.observer.value_text import number
 from zbot.web.curve_tree import curve_tree
 from zbot.web.panel import Page, Panel
-from zbot.web.value_text import number
 
 if TYPE_CHECKING:
-    from zbot.web.watch import Watch
+    from zbot.observer.watch import Watch
 
 _WINDOWS_S = {5: "5 s", 10: "10 s", 30: "30 s", 60: "1 min", 300: "5 min"}
 _DEFAULT_WINDOW_S = 10

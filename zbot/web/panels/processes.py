@@ -7,14 +7,14 @@ from typing import TYPE_CHECKING
 
 from nicegui import background_tasks, ui
 
+from zbot.observer.system import ReadOnlyError
+from zbot.observer.value_text import amount
 from zbot.web.command_line import command_line
 from zbot.web.list_panel import ListPanel
 from zbot.web.panel import Page, Panel
 from zbot.web.process_list import ProcessList, RunningProcess, stop
 from zbot.web.service_call import run_in_thread, with_errors_shown
-from zbot.web.system import ReadOnlyError
 from zbot.web.table import Cell, Column
-from zbot.web.value_text import amount
 
 if TYPE_CHECKING:
     from zbot.graph.snapshot import Snapshot

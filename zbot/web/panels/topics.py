@@ -9,17 +9,17 @@ from nicegui import ui
 
 from zbot.errors.suggestion import question
 from zbot.names import is_hidden
+from zbot.observer.value_text import amount, brief
 from zbot.web.folded_names import FoldedRow, folded
 from zbot.web.panel import Page, Panel
 from zbot.web.table import Cell, Column, Table
 from zbot.web.topic_details import show_topic
 from zbot.web.topic_rows import topic_rows
-from zbot.web.value_text import amount, brief
 
 if TYPE_CHECKING:
+    from zbot.observer.watch import Watch
     from zbot.web.panel import Section
     from zbot.web.topic_rows import TopicRow
-    from zbot.web.watch import Watch
 
 #: The page subscribes to at most this number of the list's topics. A filter shortens the list.
 _MOST_WATCHED = 300

@@ -16,16 +16,16 @@ from zbot.interfaces import get_interface
 from zbot.log import LoggingSeverity, get_logger, set_logger_level
 from zbot.names import ROSOUT_TOPIC
 from zbot.node.node import Node
+from zbot.observer.log_ring import LogRing
+from zbot.observer.payload_subscription import QUEUE_DEPTH, subscribe_to_payloads
+from zbot.observer.repeated_publishing import RepeatedPublishing
+from zbot.observer.shared_entities import SharedEntities
+from zbot.observer.watch import Feed, Watch
 from zbot.qos import qos_profile_rosout_default
 from zbot.remote.parameters import RemoteParameters
 from zbot.remote.profiles import profile_to_show
 from zbot.remote.service_calls import ServiceCalls
 from zbot.remote.types import interface
-from zbot.web.log_ring import LogRing
-from zbot.web.payload_subscription import QUEUE_DEPTH, subscribe_to_payloads
-from zbot.web.repeated_publishing import RepeatedPublishing
-from zbot.web.shared_entities import SharedEntities
-from zbot.web.watch import Feed, Watch
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -36,8 +36,8 @@ if TYPE_CHECKING:
     from zbot.graph.snapshot import Snapshot, Token
     from zbot.node.client import Client
     from zbot.node.publisher import Publisher
+    from zbot.observer.shared_entities import EntityReference
     from zbot.parameters.parameter import Parameter
-    from zbot.web.shared_entities import EntityReference
 
 T = TypeVar("T")
 

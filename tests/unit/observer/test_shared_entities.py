@@ -1,6 +1,6 @@
 from __future__ import annotations
 
-from zbot.web.shared_entities import SharedEntities
+from zbot.observer.shared_entities import SharedEntities
 
 
 def test_last_release_destroys_the_entity() -> None:

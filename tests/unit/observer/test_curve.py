@@ -7,15 +7,15 @@ import pytest
 
 import zbot  # noqa: F401 - makes the message packages importable
 from zbot.interfaces.field_path import FieldPath, FieldPathError
-from zbot.web.curve import CurveError, Curves, numeric_fields, split_curve, value_at
-from zbot.web.watch import Record
+from zbot.observer.curve import CurveError, Curves, numeric_fields, split_curve, value_at
+from zbot.observer.watch import Record
 
 from geometry_msgs.msg import Twist
 from sensor_msgs.msg import LaserScan
 from std_msgs.msg import Bool, String
 
 if TYPE_CHECKING:
-    from zbot.web.watch import Watch
+    from zbot.observer.watch import Watch
 
 TOPICS = ["/turtle1", "/turtle1/pose", "/scan"]
 

@@ -1,6 +1,6 @@
 from __future__ import annotations
 
-from zbot.web.log_ring import LogRing
+from zbot.observer.log_ring import LogRing
 
 from rcl_interfaces.msg import Log
 

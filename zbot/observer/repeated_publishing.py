@@ -10,7 +10,7 @@ if TYPE_CHECKING:
     from zbot.executor.timer import Timer
     from zbot.node.node import Node
     from zbot.node.publisher import Publisher
-    from zbot.web.shared_entities import EntityReference
+    from zbot.observer.shared_entities import EntityReference
 
 
 class RepeatedPublishing:

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 import zbot  # noqa: F401 - makes the message packages importable
-from zbot.web.value_text import MOST_ELEMENTS, MOST_ROWS, amount, brief, tree
+from zbot.observer.value_text import MOST_ELEMENTS, MOST_ROWS, amount, brief, tree
 
 from geometry_msgs.msg import Point32, Polygon, PoseStamped, Twist
 from sensor_msgs.msg import Image, LaserScan

@@ -10,7 +10,7 @@ import time
 from collections import deque
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from zbot.web.rate_meter import RateMeter
+from zbot.observer.rate_meter import RateMeter
 from zbot.wire.errors import CodecError
 
 if TYPE_CHECKING:

@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from zbot.web.rate_meter import RateMeter
+from zbot.observer.rate_meter import RateMeter
 
 MS = 10**6
 

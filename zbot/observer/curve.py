@@ -6,12 +6,12 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 from zbot.errors import ZbotError
 from zbot.interfaces.field_path import FieldPath, FieldPathError
-from zbot.web.value_text import tree
+from zbot.observer.value_text import tree
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
-    from zbot.web.watch import Watch
+    from zbot.observer.watch import Watch
 
 #: Number of messages that are kept while the page is in the background, e.g. 20 s of a topic with
 #: 1000 Hz.
