@@ -10,7 +10,7 @@ import zbot
 from tests.conftest import wait_until
 from tests.web.conftest import command
 from zbot.observer.system import System
-from zbot.web.stick import Stick
+from zbot.web.panels.stick.stick import Stick
 
 from sensor_msgs.msg import Joy
 
