@@ -23,7 +23,7 @@ import sys
 EXTRA = "nicegui", "fastapi", "starlette", "uvicorn", "psutil", "PIL", "ifaddr"
 import zbot, zbot.compat, zbot_cli.main
 import zbot_cli.commands.web, zbot_cli.commands.plot, zbot_cli.commands.graph
-import zbot.web.system, zbot.web.server, zbot.web.curve, zbot.web.form
+import zbot.observer.system, zbot.web.server.server, zbot.observer.curve, zbot.web.forms.form
 print("imported:", sorted({*EXTRA} & sys.modules.keys()))
 """
 

@@ -20,9 +20,9 @@ from websockets.sync.client import connect
 
 import zbot
 from tests.conftest import allowed, wait_until
+from zbot.observer.system import System
 from zbot.web.foxglove.channels import Channels
 from zbot.web.foxglove.server import _sdk_server
-from zbot.web.system import System
 from zbot.wire.serialization import deserialize_message, serialize_message
 
 from example_interfaces.srv import AddTwoInts

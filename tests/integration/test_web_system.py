@@ -10,8 +10,8 @@ import pytest
 import zbot
 from tests.conftest import wait_until
 from zbot.node.errors import ServiceError
+from zbot.observer.system import ReadOnlyError, System, await_future
 from zbot.remote.types import UnknownTypeError
-from zbot.web.system import ReadOnlyError, System, await_future
 
 from std_msgs.msg import Float64, String
 from std_srvs.srv import SetBool

@@ -24,15 +24,15 @@ from zbot.json_reader import JsonError, read_json, read_json_object
 from zbot.libraries.image_array import CvBridge, CvBridgeError
 from zbot.libraries.point_cloud import read_points
 from zbot.names import validate_full_topic_name
+from zbot.observer.value_text import brief
 from zbot.parameters.errors import ParameterAnswerError
 from zbot.parameters.parameter import UnknownParameterTypeError
 from zbot.remote.parameters import RemoteParameters
 from zbot.transport.admin_query import router_facts
-from zbot.web.image_encoder import ImageError, encode_jpeg, media_type
-from zbot.web.page_discovery import address_in
-from zbot.web.remote_parameter import load
-from zbot.web.topic_picture import points_of, ring
-from zbot.web.value_text import brief
+from zbot.web.page.image_encoder import ImageError, encode_jpeg, media_type
+from zbot.web.panels.parameters.described_parameter import load
+from zbot.web.panels.topics.topic_picture import points_of, ring
+from zbot.web.server.page_discovery import address_in
 from zbot.wire import attachment
 from zbot.wire.cdr.codec import cdr_codec_for
 from zbot.wire.error_reply import unpack_error
@@ -361,7 +361,11 @@ NETWORK_READERS = (
     ),
     Reader(
         "parameter_answers",
-        ("zbot.web.remote_parameter", "zbot.remote.parameters", "zbot.parameters.parameter"),
+        (
+            "zbot.web.panels.parameters.described_parameter",
+            "zbot.remote.parameters",
+            "zbot.parameters.parameter",
+        ),
         _parameters,
         (CodecError, ParameterAnswerError, UnknownParameterTypeError),
         (
@@ -388,7 +392,7 @@ NETWORK_READERS = (
     ),
     Reader(
         "image",
-        ("zbot.libraries.image_array", "zbot.web.image_encoder"),
+        ("zbot.libraries.image_array", "zbot.web.page.image_encoder"),
         _image,
         (CodecError, ImageError, CvBridgeError),
         (
@@ -398,14 +402,14 @@ NETWORK_READERS = (
     ),
     Reader(
         "compressed_image",
-        ("zbot.web.image_encoder",),
+        ("zbot.web.page.image_encoder",),
         lambda data: media_type(bytes(_decoded(CompressedImage, data).data)),
         (CodecError, ImageError),
         (_encoded(CompressedImage(format="jpeg", data=b"\xff\xd8\xff")),),
     ),
     Reader(
         "laser_scan",
-        ("zbot.web.topic_picture",),
+        ("zbot.web.panels.topics.topic_picture",),
         _scan,
         (CodecError,),
         (_encoded(LaserScan(ranges=[0.5, 2.0], range_max=9.0, angle_increment=0.1)),),
@@ -430,7 +434,7 @@ NETWORK_READERS = (
     ),
     Reader(
         "page_announcement",
-        ("zbot.web.page_discovery",),
+        ("zbot.web.server.page_discovery",),
         lambda data: address_in(_text(data)),
         (),
         (b'{"host": "desk", "address": "http://127.0.0.1:8080"}', b'{"host": 5}'),

@@ -31,7 +31,7 @@ EXCEPTIONS = {
     "zbot.transport.config": "it reads the settings that Zenoh has checked",
     "zbot.transport.environment": "it reads the settings that Zenoh has checked",
     "zbot.transport.running_programs": "it reads the files that this user's programs write",
-    "zbot.web.request_check": "the standard library's parsers of addresses raise only ValueError",
+    "zbot.web.server.request_check": "the library's parsers of addresses raise only ValueError",
     "zbot.web.rosbridge.frame": "it makes a picture of the text that this process has written",
     "zbot_cli.commands.run.script": "it reads the program that the user runs anyway",
     "zbot_cli.commands.test": "it reads the tests that the user runs anyway",

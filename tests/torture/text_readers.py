@@ -41,7 +41,7 @@ from zbot.libraries.camera_calibration import CameraInfoError, read_calibration
 from zbot.parameters.errors import ArgumentsError, ParametersFileError, ParameterValueError
 from zbot.parameters.file import parse_value, sections
 from zbot.parameters.ros_args import Arguments
-from zbot.web.form_value import DURATION, EntryError, read
+from zbot.web.forms.form_value import DURATION, EntryError, read
 from zbot.yaml_reader import YamlError, compose_yaml, construct_yaml, read_yaml
 from zbot_cli.errors import CommandError
 from zbot_cli.input.filter import Filter
@@ -230,7 +230,7 @@ TEXT_READERS = (
     ),
     Reader(
         "form_entry",
-        ("zbot.web.form_value",),
+        ("zbot.web.forms.form_value",),
         _form,
         (EntryError,),
         (

@@ -18,7 +18,7 @@ from zbot.launch.frontend.errors import (
 from zbot.launch.typed_value import coerce_to_type
 from zbot.parameters.errors import ParametersFileError, ParameterValueError
 from zbot.parameters.file import parse_value, sections
-from zbot.web.form_value import DURATION, EntryError, read
+from zbot.web.forms.form_value import DURATION, EntryError, read
 from zbot.yaml_reader import (
     YamlError,
     compose_untagged,

@@ -9,8 +9,8 @@ import pytest
 import zbot
 from tests.conftest import wait_until
 from tests.web.conftest import command
-from zbot.web.stick import Stick
-from zbot.web.system import System
+from zbot.observer.system import System
+from zbot.web.panels.stick.stick import Stick
 
 from sensor_msgs.msg import Joy
 

@@ -63,7 +63,7 @@ class ServiceCalls:
         answer_timeout_s: float | None = ANSWER_TIMEOUT_S,
         server_timeout_s: float = 0.0,
     ) -> None:
-        self.node = node
+        self._node = node
         self._answer_timeout_s = answer_timeout_s
         self._server_timeout_s = server_timeout_s
 
@@ -116,7 +116,7 @@ class ServiceCalls:
 
     @contextlib.contextmanager
     def _client(self, name: str, srv_type: type[Any]) -> Iterator[Client[Any, Any]]:
-        client = self.node.create_client(srv_type, name)
+        client = self._node.create_client(srv_type, name)
         try:
             is_expected = self._server_timeout_s > 0 or self._is_offered(client.service_name)
             limit_s = self._server_timeout_s or self._answer_timeout_s
@@ -124,7 +124,7 @@ class ServiceCalls:
                 raise NoServiceError(name)
             yield client
         finally:
-            self.node.destroy_client(client)
+            self._node.destroy_client(client)
 
     def _is_offered(self, name: str) -> bool:
-        return any(name == known for known, _ in self.node.context.graph.snapshot().services())
+        return any(name == known for known, _ in self._node.context.graph.snapshot().services())

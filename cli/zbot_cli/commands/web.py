@@ -63,8 +63,8 @@ def serve_page(
     from zbot.process.signals import SignalHandlerOptions, install  # noqa: PLC0415 - not needed by `--help`
 
     check_extra()
-    from zbot.web.browser import has_desktop  # noqa: PLC0415 - as above
-    from zbot.web.server import serve  # noqa: PLC0415 - as above
+    from zbot.web.server.browser import has_desktop  # noqa: PLC0415 - as above
+    from zbot.web.server.server import serve  # noqa: PLC0415 - as above
 
     install(SignalHandlerOptions.ALL)
     serve(

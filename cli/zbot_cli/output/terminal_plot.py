@@ -14,9 +14,9 @@ from zbot.terminal.text import escape_control_characters, write_styled
 from zbot_cli.output.braille import Curve, draw
 
 if TYPE_CHECKING:
-    from zbot.web.curve import Curves
-    from zbot.web.system import System
-    from zbot.web.watch import Watch
+    from zbot.observer.curve import Curves
+    from zbot.observer.system import System
+    from zbot.observer.watch import Watch
 
 _FRAME_S = 0.1
 #: Seconds between two pictures if the output is a file or a pipe, which keeps all pictures.
@@ -53,7 +53,7 @@ class TerminalPlot:
         window_s: float,
         duration_s: float | None,
     ) -> None:
-        from zbot.web.curve import Curves  # noqa: PLC0415 - not needed by `zbot plot --help`
+        from zbot.observer.curve import Curves  # noqa: PLC0415 - not needed by `zbot plot --help`
 
         self._curves: Curves = Curves(_Watcher(system))
         for topic, field in names:

@@ -7,9 +7,9 @@ import sys
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
-from zbot.web.browser import has_desktop, open_page
-from zbot.web.page_discovery import running_page
-from zbot.web.page_process import PageProcess, is_installed
+from zbot.web.server.browser import has_desktop, open_page
+from zbot.web.server.page_discovery import running_page
+from zbot.web.server.page_process import PageProcess, is_installed
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

@@ -8,8 +8,8 @@ import pytest
 
 import zbot
 from tests.integration.rosbridge.web_program import WebProgram
+from zbot.observer.system import System
 from zbot.web.rosbridge.bridge import Bridge
-from zbot.web.system import System
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator

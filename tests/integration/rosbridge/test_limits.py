@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING
 
 from tests.conftest import wait_until
 from tests.integration.rosbridge.web_program import WebProgram, repeat_until_sent
+from zbot.observer.system import System
 from zbot.web.rosbridge import service_operations, topic_operations
 from zbot.web.rosbridge.bridge import Bridge
-from zbot.web.system import System
 
 from example_interfaces.srv import AddTwoInts
 from std_msgs.msg import String

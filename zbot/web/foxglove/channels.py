@@ -14,7 +14,7 @@ from zbot.remote.profiles import profile_to_show
 if TYPE_CHECKING:
     from zbot.graph.snapshot import Snapshot
     from zbot.node.subscription import Subscription
-    from zbot.web.system import System
+    from zbot.observer.system import System
 
 _DEPTH = 100
 

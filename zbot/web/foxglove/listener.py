@@ -12,9 +12,9 @@ from zbot.log import get_logger
 from zbot.wire.serialization import deserialize_message
 
 if TYPE_CHECKING:
+    from zbot.observer.system import System
     from zbot.web.foxglove.channels import Channels
     from zbot.web.foxglove.parameters import Parameters
-    from zbot.web.system import System
 
 
 class Listener:

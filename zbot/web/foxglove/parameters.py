@@ -12,8 +12,8 @@ from zbot.remote.service_calls import ServiceCalls
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
+    from zbot.observer.system import System
     from zbot.parameters.parameter import Parameter
-    from zbot.web.system import System
 
 _PATIENCE_S = 3.0
 

@@ -12,6 +12,7 @@ from urllib.parse import urlencode
 from zbot.errors import ZbotError
 from zbot.log import get_logger
 from zbot.names import fully_qualified, is_hidden
+from zbot.observer.system import System
 from zbot.threads.background_thread import background_thread
 from zbot.web.foxglove.channels import Channels
 from zbot.web.foxglove.guard import FOXGLOVE_ORIGIN, Guard, free_loopback_address
@@ -19,7 +20,6 @@ from zbot.web.foxglove.listener import Listener
 from zbot.web.foxglove.parameters import Parameters
 from zbot.web.foxglove.services import Services
 from zbot.web.page_address import address, is_loopback, origin_of
-from zbot.web.system import System
 from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:

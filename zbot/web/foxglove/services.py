@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
 
     from zbot.graph.snapshot import Snapshot
-    from zbot.web.system import System
+    from zbot.observer.system import System
 
 _OF_EVERY_NODE = ("rcl_interfaces/", "type_description_interfaces/")
 _PATIENCE_S = 10.0

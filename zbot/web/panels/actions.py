@@ -8,22 +8,22 @@ from nicegui import ui
 
 from zbot.action.goal_state import GoalState
 from zbot.errors import ZbotError
-from zbot.web.command_line import command_line
-from zbot.web.form_view import FormView
-from zbot.web.list_panel import ListPanel
-from zbot.web.message_view import MessageView
-from zbot.web.panel import Page, Panel
-from zbot.web.served_details import ServedDetails, served_columns, served_row
-from zbot.web.service_call import show_error
-from zbot.web.system import await_future
+from zbot.observer.system import await_future
+from zbot.web.forms.form_view import FormView
+from zbot.web.page.command_line import command_line
+from zbot.web.page.list_panel import ListPanel
+from zbot.web.page.message_view import MessageView
+from zbot.web.page.panel import Page, Panel
+from zbot.web.page.service_call import show_error
+from zbot.web.panels.services.served_details import ServedDetails, served_columns, served_row
 from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:
     from zbot.action import ActionClient
     from zbot.graph.snapshot import Snapshot
-    from zbot.web.panel import Section
-    from zbot.web.shared_entities import EntityReference
-    from zbot.web.table import Cell
+    from zbot.observer.shared_entities import EntityReference
+    from zbot.web.page.panel import Section
+    from zbot.web.page.table import Cell
 
 _FEEDBACK_HZ = 15.0
 _COLOURS = {

@@ -16,9 +16,9 @@ from zbot.web.rosbridge.json_message import message_from_json
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from zbot.observer.shared_entities import EntityReference
     from zbot.web.rosbridge.client_message import ClientMessage
     from zbot.web.rosbridge.session import Session
-    from zbot.web.shared_entities import EntityReference
 
 #: The largest number of unfinished goals that a client may send. Each action that the client serves
 #: has the same limit of goals that are executed at the same time.

@@ -10,16 +10,16 @@ from zbot.errors import ZbotError
 from zbot.executor.spin_thread import SpinThread
 from zbot.log import get_logger
 from zbot.node.node import Node
+from zbot.observer.shared_entities import SharedEntities
 from zbot.web.rosbridge.client_message import RosbridgeError
 from zbot.web.rosbridge.service_operations import ClientFailedError
 from zbot.web.rosbridge.session import Session
-from zbot.web.shared_entities import SharedEntities
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from zbot.graph.snapshot import Snapshot
-    from zbot.web.system import System
+    from zbot.observer.system import System
 
 NODE_NAME = "rosbridge_websocket"
 #: Maximum number of clients at the same time.

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.interfaces import type_name
 from zbot.interfaces.plain_value import json_value
+from zbot.observer.payload_subscription import QUEUE_DEPTH, subscribe_to_payloads
 from zbot.qos import DurabilityPolicy, QoSProfile
 from zbot.remote.profiles import profile_to_show
-from zbot.web.payload_subscription import QUEUE_DEPTH, subscribe_to_payloads
 from zbot.web.rosbridge.cbor import cbor_value
 from zbot.web.rosbridge.client_message import RosbridgeError
 from zbot.web.rosbridge.frame import COMPRESSIONS, dump, frames
@@ -22,10 +22,10 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from zbot.node.message_info import MessageInfo
+    from zbot.observer.shared_entities import EntityReference
     from zbot.web.rosbridge.client_message import ClientMessage
     from zbot.web.rosbridge.frame import Frame
     from zbot.web.rosbridge.session import Session
-    from zbot.web.shared_entities import EntityReference
 
 #: The largest number of topics that one client may publish on. Subscriptions have the same limit.
 MAX_TOPICS = 200

@@ -1,0 +1,181 @@
+"""Tests of forms of message types: inputs, entries and their errors."""
+
+from __future__ import annotations
+
+import pytest
+
+import zbot  # noqa: F401 - makes the message packages importable
+from zbot.interfaces import FieldType
+from zbot.web.forms.form import Entry, EntryError, Form, Group, InputKind
+from zbot.web.forms.form_value import read, show
+
+from builtin_interfaces.msg import Duration, Time
+from example_interfaces.action import Fibonacci
+from geometry_msgs.msg import Polygon, PoseStamped, PoseWithCovariance, Twist
+from sensor_msgs.msg import JointState, LaserScan
+from std_msgs.msg import Bool, Byte, ByteMultiArray, Empty, Header, Int8, String, UInt8MultiArray
+from turtlesim.srv import SetPen, Spawn
+
+_NO_FIELD = "geometry_msgs/msg/Point32 has no such field; its fields are x, y, z"
+_POINT_WANTED = "write the fields of geometry_msgs/msg/Point32: {x: ..., y: ..., z: ...}"
+NOW_NS = 1_700_000_000_123_456_789
+
+
+def now_ns() -> int:
+    return NOW_NS
+
+
+def test_every_field_has_an_input_in_the_order_of_the_definition() -> None:
+    form = Form(Spawn.Request)
+    assert [(one.path, one.kind, one.default) for one in form.inputs] == [
+        ("x", InputKind.NUMBER, "0.0"),
+        ("y", InputKind.NUMBER, "0.0"),
+        ("theta", InputKind.NUMBER, "0.0"),
+        ("name", InputKind.TEXT, ""),
+    ]
+
+
+def test_fields_that_are_messages_are_groups() -> None:
+    linear, angular = Form(Twist).members
+    assert isinstance(linear, Group)
+    assert (linear.path, linear.type_name) == ("linear", "geometry_msgs/msg/Vector3")
+    assert [one.path for one in linear.members] == ["linear.x", "linear.y", "linear.z"]
+    assert [one.name for one in linear.members] == ["x", "y", "z"]
+    assert angular.name == "angular"
+
+
+def test_integer_inputs_have_bounds() -> None:
+    bounds = {one.path: one.bounds for one in Form(SetPen.Request).inputs}
+    assert bounds == dict.fromkeys(["r", "g", "b", "width", "off"], (0, 255))
+    assert Form(Int8).inputs[0].bounds == (-128, 127)
+    assert Form(Twist).inputs[0].bounds is None
+
+
+def test_entries_become_the_message() -> None:
+    entries: dict[str, Entry] = {"x": "2", "y": 3.5, "theta": "-.5", "name": "eve"}
+    assert Form(Spawn.Request).message(entries) == Spawn.Request(
+        x=2.0, y=3.5, theta=-0.5, name="eve"
+    )
+    moved = Form(Twist).message({"linear.x": "2.0", "angular.z": "1.8"})
+    assert (moved.linear.x, moved.linear.y, moved.angular.z) == (2.0, 0.0, 1.8)
+
+
+def test_missing_entries_keep_defaults() -> None:
+    assert Form(Twist).message({}) == Twist()
+    assert Form(PoseWithCovariance).message({}).pose.orientation.w == 1.0
+    assert Form(Empty).message({}) == Empty()
+    assert Form(Fibonacci.Goal).message({"order": 5}) == Fibonacci.Goal(order=5)
+
+
+@pytest.mark.parametrize(
+    ("message_type", "entry", "value"),
+    [
+        (Bool, True, True),
+        (Bool, "no", False),
+        (Byte, "7", b"\x07"),
+        (Int8, 5.0, 5),
+        (Int8, "0x1f", 31),
+        (String, " as it is ", " as it is "),
+        (String, None, ""),
+        (UInt8MultiArray, "[1, 2]", [1, 2]),
+        (UInt8MultiArray, "1, 2", [1, 2]),
+        (ByteMultiArray, "1, 2", [b"\x01", b"\x02"]),
+    ],
+)
+def test_an_entry_is_converted_to_the_type_of_its_field(
+    message_type: type, entry: Entry, value: object
+) -> None:
+    made = Form(message_type).message({"data": entry}).data
+    assert (list(made) if isinstance(value, list) else made) == value
+
+
+def test_lists_of_texts_and_of_messages() -> None:
+    made = Form(JointState).message({"name": "[no, '2', a b]", "position": "1, .nan"})
+    assert made.name == ["no", "2", "a b"]
+    assert made.position[0] == 1.0
+    points = Form(Polygon).message({"points": "[{x: 1, y: 2.5}, {z: 3}]"}).points
+    assert [(point.x, point.y, point.z) for point in points] == [(1.0, 2.5, 0.0), (0.0, 0.0, 3.0)]
+
+
+@pytest.mark.parametrize(
+    ("message_type", "path", "entry", "sentence"),
+    [
+        (Twist, "linear.x", "fast", "write a number, not 'fast'"),
+        (Twist, "linear.x", "2,5", "write 2.5 with a point, not '2,5'"),
+        (Twist, "linear.x", "", "it is empty: write a number"),
+        (SetPen.Request, "r", "256", "write a number from 0 to 255 (uint8), not 256"),
+        (SetPen.Request, "r", "2.5", "write a whole number, not 2.5"),
+        (Spawn.Request, "x", "1e40", "1e40 is too large for a float32"),
+        (Bool, "data", "maybe", "write true or false, not 'maybe'"),
+        (PoseWithCovariance, "covariance", "[1, 2]", "write 36 elements, not 2"),
+        (LaserScan, "ranges", "[1, x]", "write a number, not 'x'"),
+        (LaserScan, "ranges", "[1, [2]]", "write a float32, not ['2']"),
+        (LaserScan, "ranges", "{a: [}", "write a list: [1, 2, 3]"),
+        (Polygon, "points", "[{w: 1}]", _NO_FIELD),
+        (Polygon, "points", "[5]", _POINT_WANTED),
+        (Header, "stamp", "soon", "write a number, not 'soon'"),
+        (Header, "stamp", "1e10", "1e10 s does not fit into builtin_interfaces/msg/Time"),
+        (Header, "stamp", "inf", "write seconds, not 'inf'"),
+    ],
+)  # fmt: skip
+def test_a_wrong_entry_raises_a_sentence(
+    message_type: type, path: str, entry: str, sentence: str
+) -> None:
+    form = Form(message_type)
+    assert form.problems({path: entry}) == {path: sentence}
+    with pytest.raises(EntryError, match=path.replace(".", "\\.")) as caught:
+        form.message({path: entry})
+    assert caught.value.reason == sentence
+
+
+def test_a_stamp_is_now_by_default() -> None:
+    form = Form(PoseStamped)
+    stamp = form.message({}, now_ns).header.stamp
+    assert (stamp.sec, stamp.nanosec) == divmod(NOW_NS, 10**9)
+    assert form.yaml({}) == "{header: {stamp: now}}"
+    assert form.message({"header.stamp": "12.5"}).header.stamp == Time(sec=12, nanosec=500_000_000)
+    assert form.yaml({"header.stamp": "12.5"}) == "{header: {stamp: {sec: 12, nanosec: 500000000}}}"
+
+
+def test_times_are_exact_to_the_nanosecond() -> None:
+    form = Form(Header)
+    shown = form.entries(Header(stamp=Time(sec=1_700_000_000, nanosec=1)))
+    assert shown["stamp"] == "1700000000.000000001"
+    assert form.message(shown).stamp == Time(sec=1_700_000_000, nanosec=1)
+
+
+@pytest.mark.parametrize(
+    "message",
+    [
+        Spawn.Request(x=1.5, name="yes"),
+        JointState(header=Header(stamp=Time(sec=3)), name=["a: b", "no"], position=[1.0, -2.5e-7]),
+        PoseWithCovariance(covariance=[float(n) for n in range(36)]),
+        ByteMultiArray(data=[b"\x00", b"\xff"]),
+        Polygon(),
+    ],
+)
+def test_a_message_can_be_shown_and_read_back(message: object) -> None:
+    form = Form(type(message))
+    assert repr(form.message(form.entries(message))) == repr(message)
+
+
+def test_a_long_array_of_zeros_is_left_empty() -> None:
+    covariance = next(one for one in Form(PoseWithCovariance).inputs if "cov" in one.path)
+    assert covariance.default == ""
+    assert covariance.max_length == 36
+
+
+def test_yaml_has_only_changed_fields() -> None:
+    assert Form(Twist).yaml({"linear.x": "2", "angular.z": 1.8}) == (
+        "{linear: {x: 2.0}, angular: {z: 1.8}}"
+    )
+    assert Form(Twist).yaml({}) == "{}"
+    assert Form(Spawn.Request).yaml({"name": "yes"}) == "{name: 'yes'}"
+    assert Form(LaserScan).yaml({"header.stamp": "0", "ranges": "1, 2"}) == "{ranges: [1.0, 2.0]}"
+
+
+def test_durations_may_be_negative() -> None:
+    kind = FieldType("builtin_interfaces/msg/Duration")
+    half = Duration(sec=-1, nanosec=500_000_000)
+    assert show(kind, half) == "-0.5"
+    assert read(kind, "-0.5", "rest", now_ns) == half

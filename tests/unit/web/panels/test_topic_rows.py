@@ -1,0 +1,58 @@
+from __future__ import annotations
+
+from tests.unit.tokens import STRING, endpoint_token
+from zbot.graph.snapshot import Snapshot
+from zbot.web.panels.topics.topic_rows import topic_rows
+from zbot.wire.tokens import EndpointToken, EntityKind
+
+FLOAT = "std_msgs/msg/Float32"
+OWN = "/_zbot_web_1"
+
+
+def end(node: str, topic: str, type_name: str = STRING, *, publishes: bool = True) -> EndpointToken:
+    namespace, _, name = node.rpartition("/")
+    kind = EntityKind.PUBLISHER if publishes else EntityKind.SUBSCRIPTION
+    return endpoint_token(
+        topic, kind=kind, namespace=namespace or "/", node=name, type_name=type_name
+    )
+
+
+def test_topics_are_listed_with_their_nodes_in_natural_order() -> None:
+    graph = Snapshot(
+        (
+            end("/b", "/robot10/x"),
+            end("/a", "/robot2/x"),
+            end("/c", "/robot2/x", publishes=False),
+            end("/space/d", "/robot2/x", publishes=False),
+        )
+    )
+    first, second = topic_rows(graph, OWN)
+    assert (first.name, second.name) == ("/robot2/x", "/robot10/x")
+    assert (first.publishers, first.subscriptions) == (("/a",), ("/c", "/space/d"))
+    assert first.types == (STRING,)
+
+
+def test_endpoints_of_the_page_are_left_out_and_those_of_commands_are_listed() -> None:
+    graph = Snapshot(
+        (
+            end("/_zbot_cli_pub_7", "/x"),
+            end(OWN, "/x", publishes=False),
+            end(OWN, "/only_mine", publishes=False),
+        )
+    )
+    (row,) = topic_rows(graph, OWN)
+    assert (row.name, row.publishers, row.subscriptions) == ("/x", ("/_zbot_cli_pub_7",), ())
+
+
+def test_rows_have_type_clashes_and_guesses() -> None:
+    graph = Snapshot(
+        (
+            end("/a", "/chatter"),
+            end("/b", "/chatter", FLOAT, publishes=False),
+            end("/c", "/chater", publishes=False),
+        )
+    )
+    typo, clash = topic_rows(graph, OWN)
+    assert (typo.guess, typo.has_clash) == ("/chatter", False)
+    assert (clash.guess, clash.has_clash) == (None, True)
+    assert clash.types == (FLOAT, STRING)

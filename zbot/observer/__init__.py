@@ -1,0 +1,1 @@
+"""Hidden node that watches a domain for a viewer: topics, rates, log lines and requests."""

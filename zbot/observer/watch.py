@@ -1,0 +1,260 @@
+"""Watches of topics, which provide the newest message, the rates, and older messages.
+
+Messages are kept as bytes. A message is decoded when a page reads it, at most 30 times a second.
+"""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections import deque
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from zbot.observer.rate_meter import RateMeter
+from zbot.wire.errors import CodecError
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from typing_extensions import Self
+
+    from zbot.node.message_info import MessageInfo
+
+#: A page is drawn at most 30 times a second. Between two drawings, the last decoded message is used
+#: again.
+_DECODE_PERIOD_NS = 10**9 // 30
+_MOST_HISTORY_BYTES = 32_000_000
+
+
+class Record(NamedTuple):
+    """Received message before decoding."""
+
+    number: int  #: starts at 1 for each topic
+    stamp_ns: int  #: time of publishing, nanoseconds since the epoch; 0 if unknown
+    received_ns: int  #: time of arrival, nanoseconds since the epoch
+    payload: bytes
+
+    @property
+    def time_ns(self) -> int:
+        """Time of publishing. For messages of plain Zenoh programs it is the time of arrival."""
+        return self.stamp_ns or self.received_ns
+
+
+class Feed:
+    """Messages of one topic, which all its watches share.
+
+    Args:
+        topic: Full name.
+        type_name: Full name of its type. None means the type in the graph.
+        subscribe: Called with the feed at each change of a watch if at least one watch is active.
+        unsubscribe: Called with the feed at each change of a watch if no watch is active.
+    """
+
+    def __init__(
+        self,
+        topic: str,
+        type_name: str | None,
+        subscribe: Callable[[Feed], None],
+        unsubscribe: Callable[[Feed], None],
+    ) -> None:
+        self.topic = topic
+        self.asked_type = type_name
+        self.type_name = type_name
+        self.problem = ""  #: a sentence about why there are no messages
+        self.subscription: Any = None
+        self.decode: Callable[[bytes], Any] | None = None
+        self.meter = RateMeter()
+        self.newest: Record | None = None
+        self.count = 0
+        self._lost_before = 0
+        self._subscribe, self._unsubscribe = subscribe, unsubscribe
+        self._watches: set[Watch] = set()
+        self._lock = threading.Lock()
+        self._decode_lock = threading.Lock()
+        self._decoded: tuple[int, Any] = (0, None)
+        self._decoded_ns = 0
+        self._history: deque[Record] = deque(maxlen=0)
+        self._history_bytes = 0
+
+    @property
+    def is_wanted(self) -> bool:
+        """Whether a watch is active."""
+        # `tuple` makes an atomic copy. It is needed, because other threads change the set.
+        return any(watch.is_active for watch in tuple(self._watches))
+
+    @property
+    def is_abandoned(self) -> bool:
+        """Whether the feed has no watches."""
+        return not self._watches
+
+    def update(self, watch: Watch, *, is_held: bool) -> None:
+        """Add, change or remove a watch. Subscribe or unsubscribe if necessary."""
+        with self._lock:
+            (self._watches.add if is_held else self._watches.discard)(watch)
+            keep = max((one.keep for one in self._watches), default=0)
+            if keep != self._history.maxlen:
+                self._history = deque(self._history, maxlen=keep)
+                self._history_bytes = sum(len(one.payload) for one in self._history)
+            wanted = self.is_wanted
+        (self._subscribe if wanted else self._unsubscribe)(self)
+
+    def take(self, payload: bytes, info: MessageInfo) -> None:
+        """Keep a message. This method is the callback of the subscription."""
+        received_ns = info["received_timestamp"]
+        self.count += 1
+        record = Record(self.count, info["source_timestamp"], received_ns, payload)
+        self.newest = record
+        # The clock of `received_ns` may jump, e.g. when the laptop sets its time.
+        self.meter.add(time.monotonic_ns(), len(payload))
+        if self._history.maxlen:
+            self._remember(record)
+
+    def _remember(self, record: Record) -> None:
+        with self._lock:
+            history = self._history
+            if history and len(history) == history.maxlen:
+                self._history_bytes -= len(history[0].payload)
+            history.append(record)
+            self._history_bytes += len(record.payload)
+            while self._history_bytes > _MOST_HISTORY_BYTES and len(history) > 1:
+                self._history_bytes -= len(history.popleft().payload)
+
+    @property
+    def lost(self) -> int:
+        """The number of messages that were lost because they came too fast."""
+        subscription = self.subscription
+        return self._lost_before + (subscription.lost_count if subscription is not None else 0)
+
+    def forget_subscription(self) -> Any:
+        """Forget the subscription and return it. The caller must destroy it."""
+        self._lost_before = self.lost
+        subscription, self.subscription = self.subscription, None
+        return subscription
+
+    def latest(self) -> Any:
+        """Return the newest message, or None. Messages are decoded at most 30 times a second."""
+        newest = self.newest
+        if newest is None:
+            return None
+        with self._decode_lock:
+            now_ns = time.monotonic_ns()
+            is_due = now_ns - self._decoded_ns >= _DECODE_PERIOD_NS
+            if self._decoded[0] != newest.number and (is_due or self._decoded[1] is None):
+                self._decoded = (newest.number, self.read(newest))
+                self._decoded_ns = now_ns
+            return self._decoded[1]
+
+    def read(self, record: Record) -> Any:
+        """Decode and return a kept message. If decoding fails, set `problem` and return None."""
+        if self.decode is None:
+            return None
+        try:
+            return self.decode(record.payload)
+        except CodecError as error:
+            self.problem = f"a message cannot be decoded: {error}"
+            return None
+
+    def since(self, number: int) -> Sequence[Record]:
+        """Return the kept messages after a number. The oldest message is the first."""
+        with self._lock:
+            return [record for record in self._history if record.number > number]
+
+
+class Watch:
+    """Watch of a topic for one page or curve. Any thread may call any method.
+
+    Args:
+        feed: The topic's messages, which all its watches share.
+        keep: The number of messages that `since` can return.
+        is_active: Whether the watch receives messages at first, without a call of `resume`.
+        forget: Called with the feed after the release of the watch.
+    """
+
+    def __init__(
+        self, feed: Feed, *, keep: int, is_active: bool, forget: Callable[[Feed], None]
+    ) -> None:
+        self.keep = keep
+        self.is_active = is_active
+        self._feed = feed
+        self._forget = forget
+        self._is_held = True
+        feed.update(self, is_held=True)
+
+    @property
+    def topic(self) -> str:
+        """The topic's full name."""
+        return self._feed.topic
+
+    @property
+    def type_name(self) -> str | None:
+        """The type's full name. It is None until a node uses the topic."""
+        return self._feed.type_name
+
+    @property
+    def problem(self) -> str:
+        """A sentence if messages do not come or cannot be decoded. Otherwise it is empty."""
+        return self._feed.problem
+
+    @property
+    def latest(self) -> Any:
+        """The newest message, or None. Messages are decoded at most 30 times a second."""
+        return self._feed.latest()
+
+    @property
+    def newest(self) -> Record | None:
+        """The newest message before decoding."""
+        return self._feed.newest
+
+    @property
+    def count(self) -> int:
+        """The number of messages since the topic's first watch."""
+        return self._feed.count
+
+    @property
+    def lost(self) -> int:
+        """The number of messages that were lost because they came too fast."""
+        return self._feed.lost
+
+    @property
+    def rate_hz(self) -> float:
+        """Messages a second, over the last 5 s."""
+        return self._feed.meter.rates(time.monotonic_ns())[0]
+
+    @property
+    def bytes_per_second(self) -> float:
+        """Bytes of payload a second, over the last 5 s."""
+        return self._feed.meter.rates(time.monotonic_ns())[1]
+
+    def since(self, number: int) -> Sequence[Record]:
+        """Return the kept messages after a number (0: all). The oldest message is the first."""
+        return self._feed.since(number)
+
+    def read(self, record: Record) -> Any:
+        """Decode and return a kept message. If decoding fails, set `problem` and return None."""
+        return self._feed.read(record)
+
+    def pause(self) -> None:
+        """Receive no messages until `resume`. Kept messages stay."""
+        self._set(is_active=False)
+
+    def resume(self) -> None:
+        """Receive messages again."""
+        self._set(is_active=True)
+
+    def _set(self, *, is_active: bool) -> None:
+        if self._is_held and is_active != self.is_active:
+            self.is_active = is_active
+            self._feed.update(self, is_held=True)
+
+    def release(self) -> None:
+        """End the watch. A second call does nothing."""
+        if self._is_held:
+            self._is_held = self.is_active = False
+            self._feed.update(self, is_held=False)
+            self._forget(self._feed)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.release()

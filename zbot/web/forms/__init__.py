@@ -1,0 +1,1 @@
+"""Forms for the fields of a message."""

@@ -1,0 +1,83 @@
+"""Service calls of a page, and the display of their errors."""
+
+from __future__ import annotations
+
+import asyncio
+import functools
+from typing import TYPE_CHECKING, Any, TypeVar
+
+from nicegui import run, ui
+
+from zbot.errors import ZbotError
+from zbot.observer.system import PATIENCE_S, await_future
+from zbot.remote.service_calls import NoAnswerError
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Coroutine
+
+    from zbot.observer.system import System
+
+T = TypeVar("T")
+
+
+async def call(
+    system: System,
+    name: str,
+    type_name: str,
+    request: Any,
+    *,
+    changes: bool = True,
+    timeout_s: float = PATIENCE_S,
+) -> Any:
+    """Call a service from NiceGUI's loop and return the response.
+
+    Args:
+        system: The running system.
+        name: The service's full name.
+        type_name: The full name of the service's type.
+        request: The request.
+        changes: Whether the call changes something. If so, a read-only page refuses the call.
+        timeout_s: The longest wait, in seconds.
+
+    Raises:
+        ReadOnlyError: The page is read-only, and `changes` is true.
+        NoAnswerError: The server did not answer in time.
+        ServiceError: There is no server, its callback raised an error, or the server ended.
+        UnknownTypeError: No definition of the type was found.
+    """
+    connect = system.client if changes else system.reader
+    # This runs in a thread, because the type's definition may have to come from another machine.
+    reference = await run_in_thread(connect, name, type_name)
+    with reference:
+        try:
+            return await await_future(reference.entity.call_server_async(request), timeout_s)
+        except asyncio.TimeoutError:
+            raise NoAnswerError(name, timeout_s) from None
+
+
+async def run_in_thread(function: Callable[..., T], *arguments: Any) -> T:
+    """Run a slow function in a thread and return its result. NiceGUI's loop is not blocked."""
+    made = await run.io_bound(function, *arguments)
+    if made is None:
+        raise asyncio.CancelledError  # NiceGUI returns None while the server shuts down
+    return made
+
+
+def show_error(error: Exception) -> None:
+    """Show an error's message in the page."""
+    ui.notify(str(error), type="negative", multi_line=True, classes="zb-complaint")
+
+
+def with_errors_shown(
+    action: Callable[..., Coroutine[Any, Any, None]],
+) -> Callable[..., Coroutine[Any, Any, None]]:
+    """Return an event handler that shows errors in the page."""
+
+    @functools.wraps(action)  # NiceGUI inspects the parameters of a handler
+    async def handler(*arguments: Any) -> None:
+        try:
+            await action(*arguments)
+        except ZbotError as error:
+            show_error(error)
+
+    return handler

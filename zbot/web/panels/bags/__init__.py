@@ -1,0 +1,1 @@
+"""Panel Bags of the live page."""

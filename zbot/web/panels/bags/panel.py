@@ -1,0 +1,180 @@
+"""Panel of bags: it records topics, lists recordings, and plays, plots and exports them."""
+
+from __future__ import annotations
+
+import time
+from datetime import datetime
+from typing import TYPE_CHECKING, Any
+
+from nicegui import background_tasks, ui
+
+from zbot.bag.packages import import_mcap
+from zbot.errors import ZbotError
+from zbot.names import is_hidden
+from zbot.observer.value_text import amount
+from zbot.time import S_TO_NS
+from zbot.web.page.command_line import command_line
+from zbot.web.page.list_panel import ListPanel
+from zbot.web.page.panel import Page, Panel
+from zbot.web.page.service_call import run_in_thread, with_errors_shown
+from zbot.web.page.table import Cell, Column
+from zbot.web.panels.bags.bag_control import FoundBag, control_of
+from zbot.web.panels.bags.bag_details import BagDetails
+
+if TYPE_CHECKING:
+    from zbot.graph.snapshot import Snapshot
+
+_HZ = 1.0
+_STATE_HZ = 4.0
+_COLUMNS = (
+    Column("Bag", "zb-mono zb-cut"),
+    Column("Start", "zb-cut zb-spare zb-wide", "170px"),
+    Column("Duration", "zb-number zb-wide", "90px"),
+    Column("Messages", "zb-number", "92px"),
+    Column("Size", "zb-number zb-wide", "88px"),
+)
+
+
+class _Bags:
+    def __init__(self, page: Page) -> None:
+        self.page = page
+        self.control = control_of(page.system)
+        self.found: dict[str, FoundBag] = {}
+        self.number = 0  # how many times the list of bags has changed
+        self.is_looking = False
+        with ui.element("div").classes("zb-fill zb-bags"):
+            self.state = ui.element("div").classes("zb-row zb-card zb-recording")
+            with self.state:
+                ui.icon("fiber_manual_record").classes("zb-bad")
+                self.state_text = ui.label().classes("zb-grow")
+                stop = ui.button("Stop", icon="stop", on_click=with_errors_shown(self.stop))
+                stop.props("unelevated dense")
+            self.state.set_visibility(False)
+            with ui.element("div").classes("zb-grow zb-bags-list"):
+                ListPanel(
+                    page,
+                    columns=_COLUMNS,
+                    rows=self.rows,
+                    details=lambda section, key: BagDetails(section, self.control, key),
+                    key="bag",
+                    command="zbot bag info",
+                    empty=f"No bag in {self.control.folder.name} yet: press Record",
+                    hidden="Damaged bags",
+                    version=lambda: self.number,
+                )
+        with page.toolbar:
+            self.button = ui.button("Record", icon="fiber_manual_record", on_click=self.ask)
+            self.button.props("unelevated dense")
+            self.button.set_visibility(not page.read_only)
+        page.live(self.look, _HZ)
+        page.live(self.show_state, _STATE_HZ)
+
+    def look(self) -> None:
+        """Start to list the bags in the background, because files may have to be read."""
+        if not self.is_looking:
+            self.is_looking = True
+            background_tasks.create(self.look_at_all(), name="zbot bags")
+
+    async def look_at_all(self) -> None:
+        """List the bags."""
+        try:
+            found = await run_in_thread(self.control.bags)
+            if found != self.found:
+                self.found = found
+                self.number += 1
+        finally:
+            self.is_looking = False
+
+    def rows(self, _graph: Snapshot, hidden: bool) -> dict[str, list[str | Cell]]:
+        return {
+            name: _row(one)
+            for name, one in self.found.items()
+            if one.metadata is not None or hidden
+        }
+
+    def show_state(self) -> None:
+        """Show how large the recording is, and how much room the disk has."""
+        recording = self.control.recording
+        is_running = recording is not None and recording.is_running
+        self.state.set_visibility(is_running)
+        self.button.set_enabled(not is_running)
+        if recording is None or not is_running:
+            return
+        seconds = time.monotonic() - recording.started_s
+        text = (
+            f"{recording.path.name}: {seconds:.0f} s, {amount(recording.bytes, 'B') or '0 B'}, "
+            f"{amount(self.control.free_bytes(), 'B')} free on the disk"
+        )
+        losses = recording.recorder.losses.list() if recording.recorder is not None else ""
+        self.state_text.set_text(f"{text}; lost: {losses}" if losses else text)
+
+    def ask(self) -> None:
+        """Ask for the name of the bag and the topics."""
+        topics = [name for name, _ in self.page.system.snapshot().topics() if not is_hidden(name)]
+        with ui.dialog() as dialog, ui.card().classes("zb-dialog"):
+            ui.label("Record topics").classes("zb-heading")
+            name = ui.input("Name", value=f"{datetime.now():bag_%Y_%m_%d-%H_%M_%S}")
+            name.props('dense outlined aria-label="Name of the bag"').classes("zb-grow")
+            every = ui.checkbox("All topics, also later ones", value=True).props("dense")
+            with ui.element("div").classes("zb-col zb-topic-choice") as choice:
+                boxes = {one: ui.checkbox(one, value=True).props("dense") for one in topics}
+            choice.bind_visibility_from(every, "value", lambda value: not value)
+
+            async def begin() -> None:
+                chosen = None if every.value else [one for one, box in boxes.items() if box.value]
+                await self.record(name.value or "", chosen)
+                dialog.close()
+
+            with ui.element("div").classes("zb-row"):
+                ui.button("Start", on_click=with_errors_shown(begin)).props("unelevated dense")
+                ui.button("Cancel", on_click=dialog.close).props("outline dense")
+        dialog.open()
+
+    async def record(self, name: str, topics: list[str] | None) -> None:
+        words = ["-a"] if topics is None else ["--topics", *topics]
+        self.page.show_command(command_line("bag", "record", "-o", name, *words))
+        await run_in_thread(_no_result(self.control.record), name, topics)
+
+    async def stop(self) -> None:
+        await run_in_thread(_no_result(self.control.stop_recording))
+        recording = self.control.recording
+        if recording is not None and recording.error:
+            ui.notify(recording.error, type="negative")
+
+
+def _no_result(function: Any) -> Any:
+    """Return a function that calls `function` and returns True.
+
+    `run_in_thread` needs a result, because it takes None for a shutdown of the server.
+    """
+
+    def call(*arguments: Any) -> bool:
+        function(*arguments)
+        return True
+
+    return call
+
+
+def _row(one: FoundBag) -> list[str | Cell]:
+    if one.metadata is None:
+        return [one.name, Cell(one.problem, "zb-warn", hint=one.problem), "", "", ""]
+    start = datetime.fromtimestamp(one.metadata.start_ns / 1e9).astimezone()
+    return [
+        Cell(one.name, hint=one.problem or one.name),
+        f"{start:%Y-%m-%d %H:%M:%S}" if one.metadata.message_count else "",
+        f"{one.metadata.duration_ns / S_TO_NS:.1f} s",
+        str(one.metadata.message_count),
+        amount(one.metadata.bag_size, "B"),
+    ]
+
+
+def _build(page: Page) -> None:
+    try:
+        import_mcap()
+    except ZbotError as error:
+        ui.label(str(error)).classes("zb-empty")
+        return
+    _Bags(page)
+
+
+PANEL = Panel("/bags", "Bags", "inventory_2", _build)

@@ -1,0 +1,1 @@
+"""Panel Class of the live page."""

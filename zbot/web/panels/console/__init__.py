@@ -1,0 +1,1 @@
+"""Panel Console of the live page."""

@@ -1,0 +1,1 @@
+"""Panel Graph of the live page."""

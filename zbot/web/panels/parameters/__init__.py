@@ -1,0 +1,1 @@
+"""Panel Parameters of the live page."""

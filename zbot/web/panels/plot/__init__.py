@@ -1,0 +1,1 @@
+"""Panel Plot of the live page."""

@@ -1,0 +1,1 @@
+"""Panel Processes of the live page."""

@@ -1,0 +1,1 @@
+"""Panel Services of the live page."""

@@ -1,0 +1,1 @@
+"""Panel Stick of the live page."""

@@ -1,0 +1,1 @@
+"""Panel Topics of the live page."""

@@ -1,0 +1,1 @@
+"""Panel Turtle of the live page."""
