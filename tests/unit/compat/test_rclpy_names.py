@@ -5,7 +5,6 @@ from __future__ import annotations
 import importlib
 import subprocess
 import sys
-from pathlib import Path
 
 import pytest
 
@@ -18,11 +17,6 @@ from example_interfaces.action import Fibonacci
 from std_msgs.msg import String
 from std_srvs.srv import SetBool
 
-PACKAGES = Path(zbot.compat.__file__).parent / "packages"
-MODULES = sorted(
-    ".".join(path.relative_to(PACKAGES).with_suffix("").parts).removesuffix(".__init__")
-    for path in PACKAGES.rglob("*.py")
-)
 #: Names that most programs import, counted in public repositories.
 USED = """
 rclpy: ok Parameter Future
@@ -119,11 +113,6 @@ rclpy.type_support: MsgT
 rclpy.impl.implementation_singleton: rclpy_implementation
 rclpy._rclpy_pybind11: RCLError InvalidHandle rmw_qos_profile_t
 """
-
-
-@pytest.mark.parametrize("module", MODULES)
-def test_every_module_can_be_imported(module: str) -> None:
-    importlib.import_module(module)
 
 
 @pytest.mark.parametrize("line", USED.split("\n")[1:-1])
