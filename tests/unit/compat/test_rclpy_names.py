@@ -9,7 +9,6 @@ import sys
 import pytest
 
 import zbot
-import zbot.compat
 from zbot import lifecycle
 from zbot.lifecycle import LifecycleState
 
