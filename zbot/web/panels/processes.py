@@ -12,7 +12,7 @@ from zbot.web.list_panel import ListPanel
 from zbot.web.panel import Page, Panel
 from zbot.web.process_list import ProcessList, RunningProcess, stop
 from zbot.web.service_call import run_in_thread, with_errors_shown
-from zbot.web.system import ReadOnlyError
+from zbot.web.system import read_only_error
 from zbot.web.table import Cell, Column
 from zbot.web.value_text import amount
 
@@ -135,11 +135,10 @@ class _Details:
         """Stop the process.
 
         Raises:
-            ReadOnlyError: The page is read-only.
-            StopError: The process cannot be stopped from this machine.
+            WebError: The page is read-only, or the process cannot be stopped from this machine.
         """
         if self.section.page.read_only:
-            raise ReadOnlyError("stopping processes")
+            raise read_only_error("stopping processes")
         if self.one is not None:
             words = ["node", "kill", *(["--force"] if force else []), self.one.nodes[0]]
             self.section.page.show_command(command_line(*words))
