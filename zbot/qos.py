@@ -13,8 +13,8 @@ from typing import Any, Generic, TypeVar, overload
 from zbot.errors import (
     ArgumentTypeError,
     InvalidQoSProfileError,
-    QoSArgumentError,
     UnknownQoSKeyError,
+    qos_argument_error,
 )
 from zbot.time import Duration
 
@@ -349,13 +349,13 @@ def as_profile(qos_or_depth: QoSProfile | int) -> QoSProfile:
     """Return the given profile, or the default profile with the given depth.
 
     Raises:
-        QoSArgumentError: The value is neither a profile nor an integer.
+        WrongTypeError: The value is neither a profile nor an integer.
         InvalidQoSProfileError: The depth is negative.
     """
     if isinstance(qos_or_depth, QoSProfile):
         return qos_or_depth
     if not isinstance(qos_or_depth, int) or isinstance(qos_or_depth, bool):
-        raise QoSArgumentError(qos_or_depth)
+        raise qos_argument_error(qos_or_depth)
     return QoSProfile(depth=qos_or_depth)
 
 

@@ -60,9 +60,9 @@ def init(
             context, and no signals for another context.
 
     Raises:
-        ContextInitializedError: The context is already initialised.
+        WrongStateError: The context is already initialised.
         ArgumentsError: The `--ros-args` are malformed.
-        DomainIdError: The domain is out of range.
+        SettingError: The domain is out of range.
     """
     default = context is None
     context = get_default_context(initialising=True) if context is None else context

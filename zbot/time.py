@@ -7,12 +7,7 @@ import numbers
 from enum import Enum
 from typing import Any, overload
 
-from zbot.errors import (
-    ArgumentTypeError,
-    ClockMismatchError,
-    NegativeTimeError,
-    TimeOverflowError,
-)
+from zbot.errors import ArgumentTypeError, TimeOverflowError, WrongTypeError, negative_time_error
 
 __all__ = ["S_TO_NS", "ClockType", "Duration", "Infinite", "Time"]
 
@@ -133,14 +128,14 @@ class Time:
 
         Raises:
             ArgumentTypeError: An argument is not a number, or `clock_type` is not a `ClockType`.
-            NegativeTimeError: An argument is below zero.
+            WrongValueError: An argument is below zero.
             TimeOverflowError: The sum does not fit in 64 bits (292 years), or is not finite.
         """
         if not isinstance(clock_type, ClockType):
             raise ArgumentTypeError("clock_type", "a ClockType", clock_type)
         self._nanoseconds = _total("time", seconds, nanoseconds)
         if seconds < 0 or nanoseconds < 0:
-            raise NegativeTimeError(seconds if seconds < 0 else nanoseconds)
+            raise negative_time_error(seconds if seconds < 0 else nanoseconds)
         self._clock_type = clock_type
 
     @classmethod
@@ -149,7 +144,7 @@ class Time:
 
         Raises:
             ArgumentTypeError: The message has no `sec` and `nanosec`.
-            NegativeTimeError: The message's time is before the clock's zero.
+            WrongValueError: The message's time is before the clock's zero.
         """
         nanoseconds = _from_message("builtin_interfaces/msg/Time", msg)
         return cls(nanoseconds=nanoseconds, clock_type=clock_type)
@@ -226,7 +221,11 @@ class Time:
 
     def _same_clock(self, other: Time) -> int:
         if self._clock_type is not other._clock_type:
-            raise ClockMismatchError(self._clock_type.name, other._clock_type.name)
+            raise WrongTypeError(
+                "cannot compare or subtract times of different clock types "
+                f"({self._clock_type.name} and {other._clock_type.name}): "
+                "take both from the same clock"
+            )
         return other._nanoseconds
 
 

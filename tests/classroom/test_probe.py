@@ -8,7 +8,7 @@ import pytest
 
 from tests.classroom.talk import free_port
 from tests.conftest import allowed
-from zbot.classroom.errors import AddressError, ClosedPortError
+from zbot.classroom.errors import ClassValueError, ClosedPortError
 from zbot.classroom.hub import probe
 from zbot.classroom.hub.address import Address
 from zbot.classroom.hub.probe import first_reachable
@@ -55,7 +55,7 @@ def test_an_unknown_name_is_reported(monkeypatch: pytest.MonkeyPatch) -> None:
         raise socket.gaierror("Name or service not known")
 
     monkeypatch.setattr(socket, "getaddrinfo", unknown)
-    with pytest.raises(AddressError, match="no machine of that name"):
+    with pytest.raises(ClassValueError, match="no machine of that name"):
         first_reachable([Address("teecher.local")])
 
 
@@ -68,7 +68,7 @@ def test_an_unreachable_name_server_is_not_waited_for(monkeypatch: pytest.Monkey
 
     monkeypatch.setattr(socket, "getaddrinfo", hang)
     begun = time.monotonic()
-    with pytest.raises(AddressError, match="no name server answers"):
+    with pytest.raises(ClassValueError, match="no name server answers"):
         first_reachable([Address("teacher.local")], timeout_s=0.2)
     assert time.monotonic() - begun < 15
     over.set()

@@ -15,7 +15,6 @@ from tests.conftest import wait_until
 from zbot.action import ActionServer
 from zbot.compat.command_node import CommandNode, add_arguments
 from zbot.compat.graph_listing import (
-    SeveralTypesError,
     TopicInfo,
     get_absolute_node_name,
     get_action_names,
@@ -31,7 +30,6 @@ from zbot.compat.graph_listing import (
     parse_node_name,
 )
 from zbot.compat.parameter_calls import (
-    NoParameterServiceError,
     call_describe_parameters,
     call_get_parameters,
     call_list_parameters,
@@ -40,6 +38,7 @@ from zbot.compat.parameter_calls import (
     get_parameter_value,
     get_value,
 )
+from zbot.errors import WrongStateError
 
 from example_interfaces.action import Fibonacci
 from std_msgs.msg import Int32, String
@@ -115,7 +114,7 @@ def test_the_class_of_a_topic_can_be_waited_for(robot: zbot.Node, asking: zbot.N
 def test_several_types_are_refused(robot: zbot.Node, asking: zbot.Node) -> None:
     robot.create_publisher(Int32, "state", 10)
     assert wait_until(lambda: len(dict(asking.get_topic_names_and_types())["/robot/state"]) == 2)
-    with pytest.raises(SeveralTypesError, match=r"/robot/state.*std_msgs/msg/Int32"):
+    with pytest.raises(WrongStateError, match=r"/robot/state.*std_msgs/msg/Int32"):
         get_msg_class(asking, "/robot/state")
 
 
@@ -140,7 +139,7 @@ def test_parameters_of_an_unknown_node_are_an_error(
     asking: zbot.Node, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("zbot.compat.parameter_calls.ANSWER_TIMEOUT_S", 0.01)
-    with pytest.raises(NoParameterServiceError, match="/nobody offered no parameter services"):
+    with pytest.raises(WrongStateError, match="/nobody offered no parameter services"):
         call_get_parameters(node=asking, node_name="/nobody", parameter_names=["limit"])
 
 

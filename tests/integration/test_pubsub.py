@@ -13,8 +13,7 @@ import pytest
 import zbot
 from tests.conftest import wait_until
 from tests.integration.conftest import KEEP_ALL, await_match, packed
-from zbot.executor.errors import NotCallableError
-from zbot.node.errors import MessageTypeError
+from zbot.errors import WrongTypeError
 from zbot.testing.domain import reserved_domain
 from zbot.wire.serialization import deserialize_message, serialize_message
 
@@ -166,7 +165,7 @@ def test_a_refused_subscription_is_not_in_the_graph(talker: zbot.Node) -> None:
 
 @pytest.mark.parametrize("callback", [None, 5, "hear"])
 def test_a_callback_that_is_not_callable_is_refused(listener: zbot.Node, callback: Any) -> None:
-    with pytest.raises(NotCallableError, match="create_subscription was given"):
+    with pytest.raises(WrongTypeError, match="create_subscription was given"):
         listener.create_subscription(String, "news", callback, 1)
 
 
@@ -199,7 +198,7 @@ def test_bytes_are_published_unchanged(talker: zbot.Node, listener: zbot.Node, s
 @pytest.mark.parametrize("wrong", [Float32(data=1.0), "text", None, String, 1, {"data": "x"}])
 def test_publishing_another_type_names_both(talker: zbot.Node, wrong: Any) -> None:
     publisher = talker.create_publisher(String, "chatter", 10)
-    with pytest.raises(MessageTypeError) as raised:
+    with pytest.raises(WrongTypeError) as raised:
         publisher.publish(wrong)
     assert "/chatter carries std_msgs/msg/String" in str(raised.value)
     assert isinstance(raised.value, TypeError)

@@ -10,18 +10,18 @@ from typing import Any
 import zenoh
 
 from tests.torture.reader import FOLDER, Reader, file_with, json_bytes, text_of
-from zbot.classroom.errors import AddressError, CodeError
+from zbot.classroom.errors import ClassValueError
 from zbot.classroom.hub.address import Address, parse_address
 from zbot.classroom.hub.queries import document_of
 from zbot.classroom.join_code import decode
 from zbot.classroom.student.lobby import membership_from
 from zbot.classroom.teacher import class_record
-from zbot.classroom.teacher.class_record import ClassRecord, RecordError, load_record
-from zbot.classroom.teacher.expectation import ExpectationError, parse_expectations
+from zbot.classroom.teacher.class_record import ClassRecord, load_record
+from zbot.classroom.teacher.expectation import parse_expectations
 from zbot.classroom.teacher.join_service import JoinService
 from zbot.classroom.teacher.laptops import Laptops
 from zbot.classroom.teacher.robots import driver_in
-from zbot.classroom.teacher.roster import RosterError, read_roster
+from zbot.classroom.teacher.roster import read_roster
 from zbot.classroom.teacher.student_list import StudentList
 from zbot.json_reader import JsonError, read_json_object
 from zbot.log.teacher_notice import notice_text
@@ -186,21 +186,21 @@ CLASS_READERS = (
         "join_code",
         ("zbot.classroom.join_code",),
         lambda data: decode(text_of(data), ["10.0.0.5"]),
-        (CodeError,),
+        (ClassValueError,),
         (b"0A1B", b"0A1B-2C3D", b"oil1"),
     ),
     Reader(
         "hub_address",
         ("zbot.classroom.hub.address",),
         lambda data: parse_address(text_of(data)),
-        (AddressError,),
+        (ClassValueError,),
         (b"192.168.1.10:7447", b"[fe80::1]:7447", b"teacher.local"),
     ),
     Reader(
         "expectation",
         ("zbot.classroom.teacher.expectation",),
         lambda data: parse_expectations(text_of(data)),
-        (ExpectationError,),
+        (ClassValueError,),
         (
             b"publishes std_msgs/String on /a at >= 1.5 Hz and runs /b",
             b"serves example_interfaces/AddTwoInts on add; subscribes std_msgs/msg/String on b",
@@ -210,7 +210,7 @@ CLASS_READERS = (
         "roster",
         ("zbot.classroom.teacher.roster",),
         lambda data: read_roster(text_of(data)),
-        (RosterError,),
+        (ClassValueError,),
         (b'number,name\n1,Ana\n2,"B"\n', b"5;Eve\n"),
     ),
     Reader(
@@ -224,7 +224,7 @@ CLASS_READERS = (
         "class_file",
         ("zbot.classroom.teacher.class_record",),
         _saved(class_record.record_path().name, load_record),
-        (RecordError,),
+        (ClassValueError,),
         (_record(), b"{}"),
     ),
     Reader(

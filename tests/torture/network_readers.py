@@ -8,7 +8,7 @@ from typing import Any
 
 import zbot  # noqa: F401 - makes the messages importable
 from tests.torture.reader import Reader, json_bytes
-from zbot.errors import InvalidNameError
+from zbot.errors import InvalidNameError, WrongValueError
 from zbot.graph.endpoint_info import TypeHash
 from zbot.graph.snapshot import Snapshot, full_names, process_of
 from zbot.interfaces import get_interface, get_message, type_description
@@ -25,7 +25,6 @@ from zbot.libraries.image_array import CvBridge, CvBridgeError
 from zbot.libraries.point_cloud import read_points
 from zbot.names import validate_full_topic_name
 from zbot.observer.value_text import brief
-from zbot.parameters.errors import ParameterAnswerError
 from zbot.parameters.parameter import UnknownParameterTypeError
 from zbot.remote.parameters import RemoteParameters
 from zbot.transport.admin_query import router_facts
@@ -367,7 +366,7 @@ NETWORK_READERS = (
             "zbot.parameters.parameter",
         ),
         _parameters,
-        (CodecError, ParameterAnswerError, UnknownParameterTypeError),
+        (CodecError, WrongValueError, UnknownParameterTypeError),
         (
             pack({"values": [{"type": 2, "integer_value": 5}]})
             + b"====="

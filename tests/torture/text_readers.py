@@ -14,6 +14,7 @@ from typing import Any
 import zbot  # noqa: F401 - makes the messages importable
 from tests.torture.package_readers import MANIFEST
 from tests.torture.reader import Reader, file_with, text_of
+from zbot.errors import WrongValueError
 from zbot.interfaces.collection import DefinitionSourceError, collect
 from zbot.interfaces.content_filter import ContentFilter, ContentFilterError
 from zbot.interfaces.errors import FieldTypeError, FieldValueError, InterfaceSyntaxError
@@ -49,7 +50,7 @@ from zbot_cli.input.message_values import PopulateError, Template, ValuesError
 from zbot_nodes.control.hardware import read_components
 from zbot_nodes.description.urdf import read_urdf
 from zbot_nodes.description.xml_text import DescriptionError
-from zbot_nodes.frames.frame_tree import FrameTree, FrameTreeError
+from zbot_nodes.frames.frame_tree import FrameTree
 from zbot_nodes.images.image_codec import ImageCodecError, decompress
 from zbot_nodes.navigation.map_file import MapFileError, read_settings
 from zbot_nodes.navigation.map_image import MapImageError, read_image
@@ -400,7 +401,7 @@ TEXT_READERS = (
         "frame_tree",
         ("zbot_nodes.frames.frame_tree",),
         lambda data: FrameTree.of(text_of(data), 0.0).to_svg(),
-        (FrameTreeError,),
+        (WrongValueError,),
         (
             (
                 b"a: \n  parent: 'b'\n  broadcaster: 'c'\n  rate: 1.5\n"

@@ -9,8 +9,8 @@ from zbot import qos
 from zbot.errors import (
     ArgumentTypeError,
     InvalidQoSProfileError,
-    QoSArgumentError,
     UnknownQoSKeyError,
+    WrongTypeError,
 )
 from zbot.qos import (
     DurabilityPolicy,
@@ -238,5 +238,5 @@ def test_policy_kinds_have_names() -> None:
 def test_a_number_in_place_of_a_profile_is_its_depth() -> None:
     assert as_profile(3) == QoSProfile(depth=3)
     assert as_profile(qos_profile_sensor_data) is qos_profile_sensor_data
-    with pytest.raises(QoSArgumentError, match="Expected QoSProfile or int, the depth of a queue"):
+    with pytest.raises(WrongTypeError, match="Expected QoSProfile or int, the depth of a queue"):
         as_profile("10")  # type: ignore[arg-type]  # pyright: ignore[reportArgumentType]

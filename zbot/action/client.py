@@ -237,8 +237,8 @@ class ActionClient(ActionEndpoint[GoalT, ResultT, FeedbackT]):
 
         Raises:
             ActionMessageError: `goal` is not of the action's `Goal` class.
-            NotCallableError: The feedback callback is not callable.
-            CallbackSignatureError: The feedback callback does not take one argument.
+            WrongTypeError: The feedback callback is not callable.
+            WrongStateError: The feedback callback does not take one argument.
         """
         check_callback(
             "send_goal_async",

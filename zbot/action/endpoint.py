@@ -25,7 +25,7 @@ def check_arguments(call: str, node: Any, action_type: Any, *arguments: tuple[An
     """Check the arguments of a client or server.
 
     Raises:
-        ArgumentOrderError: The arguments are in the wrong order.
+        WrongTypeError: The arguments are in the wrong order.
         NodeArgumentError: The first argument is not a node.
         NotAnActionTypeError: The second argument is not an action class.
     """

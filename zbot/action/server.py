@@ -105,8 +105,8 @@ class ActionServer(ActionEndpoint[GoalT, ResultT, FeedbackT]):
 
     Raises:
         NotAnActionTypeError: The class is not an action type.
-        NotCallableError: A callback is not callable, or the execute callback is missing.
-        CallbackSignatureError: A callback does not take one argument.
+        WrongTypeError: A callback is not callable, or the execute callback is missing.
+        WrongStateError: A callback does not take one argument.
         InvalidServiceNameError: The name breaks ROS 2's grammar.
         InvalidHandleError: The node was destroyed.
     """
@@ -203,8 +203,8 @@ class ActionServer(ActionEndpoint[GoalT, ResultT, FeedbackT]):
         """Replace the callback that executes goals.
 
         Raises:
-            NotCallableError: The callback is not callable.
-            CallbackSignatureError: The callback does not take one argument.
+            WrongTypeError: The callback is not callable.
+            WrongStateError: The callback does not take one argument.
         """
         self._check("execute_callback", "(goal_handle)", execute_callback)
         self._execute_callback = execute_callback

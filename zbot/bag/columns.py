@@ -7,7 +7,7 @@ import io
 from operator import attrgetter
 from typing import TYPE_CHECKING, Any
 
-from zbot.bag.errors import BagError, BagTopicError
+from zbot.bag.errors import BagError, BagValueError, bag_topic_error
 from zbot.bag.reader import Reader
 from zbot.interfaces import get_spec
 from zbot.wire.serialization import deserialize_message
@@ -21,14 +21,6 @@ if TYPE_CHECKING:
 TIME_COLUMN = "t"
 _SEPARATOR = "."
 _MOST_COLUMNS = 1000  # of one field in a CSV table, because spreadsheets cannot show more
-
-
-class ColumnError(BagError, ValueError):
-    """A field is not in the messages of a topic."""
-
-    def __init__(self, topic: str, field: str, fields: Sequence[str]) -> None:
-        self.topic, self.field = topic, field
-        super().__init__(f"topic '{topic}' has no field '{field}'; it has {', '.join(fields)}")
 
 
 class NoPandasError(BagError, ImportError):
@@ -58,9 +50,8 @@ def to_numpy(path: str | Path, topic: str, fields: Sequence[str] | None = None) 
     Raises:
         BagNotFoundError: There is nothing with this path.
         BagReadError: The path is not a bag, or a part of the bag is damaged.
-        BagTopicError: The bag does not have the topic.
+        BagValueError: The bag does not have the topic, or the messages do not have a field.
         BagTypeError: The type is not known, or is different here, or messages are not in CDR.
-        ColumnError: The messages do not have a field.
         CodecError: The bytes of a message do not fit its type.
         NoBagExtraError: The extra `bag` is not installed.
     """
@@ -218,13 +209,15 @@ class _Table:
     def __init__(self, bag: Reader, topic: str, fields: Sequence[str] | None) -> None:
         name = topic if topic in bag.topics else f"/{topic}"
         if name not in bag.topics:
-            raise BagTopicError(topic, f"it is not there; there are {', '.join(bag.topics)}")
+            raise bag_topic_error(topic, f"it is not there; there are {', '.join(bag.topics)}")
         self._class = bag.message_class(bag.topics[name])  # registers a new type
         known = fields_of(bag.topics[name].type_name)
         self.fields = known if fields is None else list(fields)
         missing = next((one for one in self.fields if one not in known), None)
         if missing is not None:
-            raise ColumnError(topic, missing, known)
+            raise BagValueError(
+                f"topic '{topic}' has no field '{missing}'; it has {', '.join(known)}"
+            )
         self._bag, self._name = bag, name
 
     def rows(self, start_ns: int, end_ns: int | None) -> Iterator[tuple[int, list[Any]]]:

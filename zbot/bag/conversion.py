@@ -6,7 +6,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from zbot.bag.errors import BagError, BagReadError, BagWriteError
+from zbot.bag.errors import BagReadError, BagValueError, BagWriteError
 from zbot.bag.mcap_options import PRESETS
 from zbot.bag.metadata import METADATA_FILE, metadata_text
 from zbot.bag.reader import Reader, merge
@@ -48,12 +48,9 @@ _WITHOUT_EFFECT = frozenset(
 )
 
 
-class OutputOptionsError(BagError, ValueError):
-    """The YAML file of `zbot bag convert` is not valid."""
-
-    def __init__(self, path: Path, reason: str) -> None:
-        self.path, self.reason = path, reason
-        super().__init__(f"cannot use the output options in '{path}': {reason}")
+def output_options_error(path: Path, reason: str) -> BagValueError:
+    """Return the error that the YAML file of `zbot bag convert` is not valid."""
+    return BagValueError(f"cannot use the output options in '{path}': {reason}")
 
 
 @dataclass(frozen=True)
@@ -71,19 +68,19 @@ def read_outputs(path: Path) -> list[Output]:
     """Return the new bags in a YAML file with rosbag2's key `output_bags`.
 
     Raises:
-        OutputOptionsError: The file cannot be read or is not valid.
+        BagValueError: The file cannot be read or is not valid.
     """
     try:
         found = read_yaml(path.read_text(encoding="utf-8"))
         outputs = list(map(_read_output, found["output_bags"]))
     except OSError as error:
-        raise OutputOptionsError(path, error.strerror or str(error)) from error
+        raise output_options_error(path, error.strerror or str(error)) from error
     except (AttributeError, KeyError, TypeError):
-        raise OutputOptionsError(path, "the key output_bags has no list of bags") from None
+        raise output_options_error(path, "the key output_bags has no list of bags") from None
     except (ZbotError, ValueError) as error:
-        raise OutputOptionsError(path, str(error)) from error
+        raise output_options_error(path, str(error)) from error
     if not outputs:
-        raise OutputOptionsError(path, "there is no bag in output_bags")
+        raise output_options_error(path, "there is no bag in output_bags")
     return outputs
 
 

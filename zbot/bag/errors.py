@@ -12,6 +12,10 @@ class BagError(ZbotError, RuntimeError):
     """Root of the errors of bags."""
 
 
+class BagValueError(BagError, ValueError):
+    """An option, a file with options, a topic or a field does not fit the bag."""
+
+
 class NoBagExtraError(BagError, ImportError):
     """A package that reads and writes bags is not installed."""
 
@@ -56,12 +60,9 @@ class BagWriteError(BagError):
         super().__init__(f"cannot write the bag '{path}': {reason}")
 
 
-class BagTopicError(BagError, ValueError):
-    """A message or a topic does not fit the bag."""
-
-    def __init__(self, topic: str, reason: str) -> None:
-        self.topic, self.reason = topic, reason
-        super().__init__(f"topic '{topic}' of the bag: {reason}")
+def bag_topic_error(topic: str, reason: str) -> BagValueError:
+    """Return the error that a message or a topic does not fit the bag."""
+    return BagValueError(f"topic '{topic}' of the bag: {reason}")
 
 
 class BagTypeError(BagError, LookupError):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
-from zbot.bag.errors import BagError
+from zbot.bag.errors import BagValueError
 from zbot.errors import ZbotError
 from zbot.yaml_reader import read_yaml
 
@@ -39,12 +39,9 @@ _NEGATIVE = {
 }
 
 
-class StorageConfigError(BagError, ValueError):
-    """A file of `--storage-config-file` is not valid."""
-
-    def __init__(self, path: Path, reason: str) -> None:
-        self.path, self.reason = path, reason
-        super().__init__(f"cannot use the storage options in '{path}': {reason}")
+def storage_config_error(path: Path, reason: str) -> BagValueError:
+    """Return the error that a file of `--storage-config-file` is not valid."""
+    return BagValueError(f"cannot use the storage options in '{path}': {reason}")
 
 
 @dataclass(frozen=True)
@@ -77,15 +74,15 @@ def read_storage_config(path: Path, preset: str) -> McapOptions:
     """Return the options of a preset, with the changes in a YAML file.
 
     Raises:
-        StorageConfigError: The file cannot be read, or has a wrong key or value.
+        BagValueError: The file cannot be read, or has a wrong key or value.
     """
     try:
         values = read_yaml(path.read_text(encoding="utf-8")) or {}
         return _changed(preset_options(preset), dict(values))
     except OSError as error:
-        raise StorageConfigError(path, error.strerror or str(error)) from error
+        raise storage_config_error(path, error.strerror or str(error)) from error
     except (ZbotError, TypeError, ValueError) as error:
-        raise StorageConfigError(path, str(error)) from error
+        raise storage_config_error(path, str(error)) from error
 
 
 def _changed(options: McapOptions, values: dict[str, Any]) -> McapOptions:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from zbot.bag.errors import BagError
+from zbot.bag.errors import BagValueError
 from zbot.errors import ZbotError
 from zbot.qos import (
     DurabilityPolicy,
@@ -32,12 +32,9 @@ _DURATIONS = ("deadline", "lifespan", "liveliness_lease_duration")
 _OLD_INFINITE_S = 2**31 - 1
 
 
-class QosOverridesError(BagError, ValueError):
-    """A file of QoS overrides is not valid."""
-
-    def __init__(self, path: Path, reason: str) -> None:
-        self.path, self.reason = path, reason
-        super().__init__(f"cannot use the QoS overrides in '{path}': {reason}")
+def qos_overrides_error(path: Path, reason: str) -> BagValueError:
+    """Return the error that a file of QoS overrides is not valid."""
+    return BagValueError(f"cannot use the QoS overrides in '{path}': {reason}")
 
 
 def profile_values(profile: QoSProfile) -> dict[str, Any]:
@@ -107,17 +104,17 @@ def read_overrides(path: Path) -> dict[str, QoSProfile]:
     """Return the profiles in a file of overrides, by topic.
 
     Raises:
-        QosOverridesError: The file cannot be read, or is not a map from topics to profiles.
+        BagValueError: The file cannot be read, or is not a map from topics to profiles.
     """
     try:
         found = read_yaml(path.read_text(encoding="utf-8"))
         return {str(topic): read_profile(values) for topic, values in (found or {}).items()}
     except OSError as error:
-        raise QosOverridesError(path, error.strerror or str(error)) from error
+        raise qos_overrides_error(path, error.strerror or str(error)) from error
     except (AttributeError, TypeError):
-        raise QosOverridesError(path, "it is not a map from topics to profiles") from None
+        raise qos_overrides_error(path, "it is not a map from topics to profiles") from None
     except (ZbotError, ValueError) as error:
-        raise QosOverridesError(path, str(error)) from error
+        raise qos_overrides_error(path, str(error)) from error
 
 
 def profile_to_publish(recorded: Sequence[QoSProfile]) -> QoSProfile:

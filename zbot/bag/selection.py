@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from zbot.bag.action_description import action_name
 from zbot.bag.description import is_service_event, service_name
-from zbot.bag.errors import BagError
+from zbot.bag.errors import BagValueError
 
 _ACTION_TOPICS = (
     "feedback",
@@ -16,14 +16,6 @@ _ACTION_TOPICS = (
     "cancel_goal/_service_event",
     "get_result/_service_event",
 )
-
-
-class BadPatternError(BagError, ValueError):
-    """A regular expression is not valid."""
-
-    def __init__(self, pattern: str, reason: str) -> None:
-        self.pattern, self.reason = pattern, reason
-        super().__init__(f"'{pattern}' is not a regular expression: {reason}")
 
 
 @dataclass(frozen=True)
@@ -36,7 +28,7 @@ class Selection:
     override the other rules.
 
     Raises:
-        BadPatternError: A regular expression is not valid.
+        BagValueError: A regular expression is not valid.
     """
 
     all_topics: bool = False
@@ -58,7 +50,7 @@ class Selection:
             try:
                 re.compile(pattern)
             except re.error as error:
-                raise BadPatternError(pattern, str(error)) from None
+                raise BagValueError(f"'{pattern}' is not a regular expression: {error!s}") from None
 
     @property
     def is_list(self) -> bool:

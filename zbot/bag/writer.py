@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from zbot.bag.definition import ENCODING, definition_text
-from zbot.bag.errors import BagExistsError, BagTopicError, BagWriteError
+from zbot.bag.errors import BagExistsError, BagWriteError, bag_topic_error
 from zbot.bag.latched_messages import LatchedMessages
 from zbot.bag.mcap_options import McapOptions, preset_options
 from zbot.bag.mcap_writer import McapWriter
@@ -136,7 +136,7 @@ class Writer:
             t_ns: Time in nanoseconds since the epoch. `None` means now.
 
         Raises:
-            BagTopicError: The topic has another type.
+            BagValueError: The topic has another type.
             CodecError: A field has a wrong value.
             BagWriteError: The bag cannot be written, e.g. because the disk is full.
         """
@@ -148,7 +148,7 @@ class Writer:
             self.create_topic(TopicMetadata(name, message_type, offered_qos_profiles=(profile,)))
         elif known[0].type_name != message_type:
             reason = f"its type is {known[0].type_name}, and the message is a {message_type}"
-            raise BagTopicError(name, reason)
+            raise bag_topic_error(name, reason)
         now = time.time_ns() if t_ns is None else t_ns
         self.write_serialized(name, serialize_message(msg), now)
 
@@ -192,14 +192,14 @@ class Writer:
         """Write a message that is CDR already. Times are nanoseconds since the epoch.
 
         Raises:
-            BagTopicError: `create_topic` was not called for the topic, or a time is below 0.
+            BagValueError: `create_topic` was not called for the topic, or a time is below 0.
             BagWriteError: The bag cannot be written, e.g. because the disk is full.
         """
         if topic not in self._topics:
-            raise BagTopicError(topic, "call create_topic() first")
+            raise bag_topic_error(topic, "call create_topic() first")
         sent_ns = log_ns if publish_ns is None else publish_ns
         if not (0 <= log_ns < 2**63 and 0 <= sent_ns < 2**63):
-            raise BagTopicError(topic, f"the time {log_ns} ns is not between 1970 and 2262")
+            raise bag_topic_error(topic, f"the time {log_ns} ns is not between 1970 and 2262")
         if self._compresses_messages:
             data = compressed_message(data)
         file = self._open_file()

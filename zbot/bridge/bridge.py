@@ -84,7 +84,7 @@ def run_dds(options: BridgeOptions) -> None:
     """Link the zbot domain of this process and DDS, until Ctrl-C or SIGTERM.
 
     Raises:
-        NoRclpyError: This Python cannot import a genuine rclpy.
+        BridgeError: This Python cannot import a genuine rclpy.
     """
     import_rclpy()  # before a session is opened
     install(SignalHandlerOptions.ALL)

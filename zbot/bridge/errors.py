@@ -11,19 +11,16 @@ class BridgeError(ZbotError):
     """The bridge cannot do what it was asked for."""
 
 
-class NoRclpyError(BridgeError):
-    """This Python cannot import a genuine rclpy."""
-
-    def __init__(self, reason: str) -> None:
-        self.reason = reason
-        if sys.platform == "linux":
-            advice = (
-                "source your ROS 2 (`source /opt/ros/<name>/setup.bash`), "
-                'or type `pip install "zbot[ros2]"`'
-            )
-        else:
-            advice = "run the bridge on a Linux machine: there are no packages for this system"
-        super().__init__(f"this Python cannot import ROS 2's rclpy ({reason}): {advice}")
+def no_rclpy_error(reason: str) -> BridgeError:
+    """Return the error that this Python cannot import a genuine rclpy."""
+    if sys.platform == "linux":
+        advice = (
+            "source your ROS 2 (`source /opt/ros/<name>/setup.bash`), "
+            'or type `pip install "zbot[ros2]"`'
+        )
+    else:
+        advice = "run the bridge on a Linux machine: there are no packages for this system"
+    return BridgeError(f"this Python cannot import ROS 2's rclpy ({reason}): {advice}")
 
 
 class PatternError(BridgeError, ValueError):

@@ -5,22 +5,22 @@ from __future__ import annotations
 import importlib
 from typing import Any
 
-from zbot.bridge.errors import NoRclpyError
+from zbot.bridge.errors import no_rclpy_error
 
 
 def import_rclpy() -> Any:
     """Return ROS 2's own module `rclpy`.
 
     Raises:
-        NoRclpyError: rclpy is not installed here, or a part of rclpy cannot be loaded.
+        BridgeError: rclpy is not installed here, or a part of rclpy cannot be loaded.
     """
     try:
         rclpy = importlib.import_module("rclpy")
         node = importlib.import_module("rclpy.node")
     except ImportError as error:
-        raise NoRclpyError(str(error)) from error
+        raise no_rclpy_error(str(error)) from error
     if node.Node.__module__.startswith("zbot."):
-        raise NoRclpyError("only zbot's own rclpy is installed")
+        raise no_rclpy_error("only zbot's own rclpy is installed")
     return rclpy
 
 

@@ -41,7 +41,7 @@ class RclpySide:
         on_error: Called with an unexpected exception, after which the side does not work.
 
     Raises:
-        NoRclpyError: This Python cannot import a genuine rclpy.
+        BridgeError: This Python cannot import a genuine rclpy.
     """
 
     label = "ROS 2"

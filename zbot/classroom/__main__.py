@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import sys
 
-from zbot.classroom.errors import NotJoinedError
+from zbot.classroom.errors import not_joined_error
 from zbot.classroom.hub import running_hub
 from zbot.classroom.student.laptop_hub import run_student
 from zbot.classroom.teacher.opening import run_teacher
@@ -21,7 +21,7 @@ def main() -> int:
     try:
         joined = membership.load()
         if joined is None:
-            raise NotJoinedError
+            raise not_joined_error()
         run = run_teacher if joined.role == "teacher" else run_student
         run(joined, running_hub.report_ready)
     except ZbotError as error:

@@ -10,20 +10,18 @@ class ClassroomError(SetupError):
     """Root of the errors of classes and hubs."""
 
 
-class AddressError(ClassroomError, ValueError):
-    """A text is not the address of a machine."""
-
-    def __init__(self, text: str, reason: str) -> None:
-        self.text, self.reason = text, reason
-        super().__init__(f"{text!r} is not an address: {reason}")
+class ClassValueError(ClassroomError, ValueError):
+    """A text or a file for a class is not valid: an address, a code, a list of students."""
 
 
-class CodeError(ClassroomError, ValueError):
-    """A join code has a typing error."""
+def address_error(text: str, reason: str) -> ClassValueError:
+    """Return the error that a text is not the address of a machine."""
+    return ClassValueError(f"{text!r} is not an address: {reason}")
 
-    def __init__(self, text: str, reason: str) -> None:
-        self.text, self.reason = text, reason
-        super().__init__(f"the code {text!r} has a typo: {reason}; compare it with the teacher's")
+
+def code_error(text: str, reason: str) -> ClassValueError:
+    """Return the error that a join code has a typing error."""
+    return ClassValueError(f"the code {text!r} has a typo: {reason}; compare it with the teacher's")
 
 
 class UnreachableHostError(ClassroomError, ConnectionError):
@@ -76,97 +74,57 @@ class NoHubError(ClassroomError, ConnectionError):
         )
 
 
-class HubPortError(ClassroomError, OSError):
-    """A hub cannot listen on its endpoint."""
-
-    def __init__(self, endpoint: str, reason: str) -> None:
-        self.endpoint, self.reason = endpoint, reason
-        super().__init__(
-            f"cannot listen on {endpoint}: {reason}; if `zbot status` shows a hub, stop it with "
-            "`zbot leave`; otherwise stop the program that listens there"
-        )
+def hub_port_error(endpoint: str, reason: str) -> ClassroomError:
+    """Return the error that a hub cannot listen on its endpoint."""
+    return ClassroomError(
+        f"cannot listen on {endpoint}: {reason}; if `zbot status` shows a hub, stop it with "
+        "`zbot leave`; otherwise stop the program that listens there"
+    )
 
 
-class HubStartError(ClassroomError, OSError):
-    """The hub in the background ended before it was ready."""
-
-    def __init__(self, log: str, last_line: str) -> None:
-        self.log, self.last_line = log, last_line
-        super().__init__(f"the hub did not start: {last_line or 'it gave no reason'} (see {log})")
+def hub_start_error(log: str, last_line: str) -> ClassroomError:
+    """Return the error that the hub in the background ended before it was ready."""
+    return ClassroomError(f"the hub did not start: {last_line or 'it gave no reason'} (see {log})")
 
 
-class AlreadyJoinedError(ClassroomError):
-    """This machine has already joined a class or hub, or already runs a hub."""
-
-    def __init__(self, what: str) -> None:
-        self.what = what
-        super().__init__(f"this machine {what}: leave first with `zbot leave`")
+def already_joined_error(what: str) -> ClassroomError:
+    """Return the error that this machine has joined a class or hub, or runs a hub."""
+    return ClassroomError(f"this machine {what}: leave first with `zbot leave`")
 
 
-class NotJoinedError(ClassroomError):
-    """This machine has not joined a class or hub."""
-
-    def __init__(self) -> None:
-        super().__init__("this machine has not joined anything: join with `zbot join CODE`")
+def not_joined_error() -> ClassroomError:
+    """Return the error that this machine has not joined a class or hub."""
+    return ClassroomError("this machine has not joined anything: join with `zbot join CODE`")
 
 
-class RobotError(ClassroomError, LookupError):
-    """The class has no such robot."""
-
-    def __init__(self, robot: str, connected: list[str]) -> None:
-        self.robot, self.connected = robot, connected
-        advice = did_you_mean(robot, connected)
-        if not connected:
-            advice = "connect one with `zbot class start --robot dds`"
-        advice = advice or f"the robots are {', '.join(connected)}"
-        super().__init__(f"no robot {robot!r} is connected; {advice}")
+def robot_error(robot: str, connected: list[str]) -> ClassroomError:
+    """Return the error that the class has no such robot."""
+    advice = did_you_mean(robot, connected)
+    if not connected:
+        advice = "connect one with `zbot class start --robot dds`"
+    advice = advice or f"the robots are {', '.join(connected)}"
+    return ClassroomError(f"no robot {robot!r} is connected; {advice}")
 
 
-class NoClassError(ClassroomError):
-    """No class is open on this machine."""
-
-    def __init__(self) -> None:
-        super().__init__("no class is open on this machine: open one with `zbot class start`")
+def no_class_error() -> ClassroomError:
+    """Return the error that no class is open on this machine."""
+    return ClassroomError("no class is open on this machine: open one with `zbot class start`")
 
 
-class OtherClassError(ClassroomError):
-    """Another class is open on this machine, or was open when the machine was switched off."""
-
-    def __init__(self, class_name: str) -> None:
-        self.class_name = class_name
-        super().__init__(
-            f'this machine has the class "{class_name}": `zbot class start` shows or continues it, '
-            "and `zbot class stop` closes it"
-        )
+def other_class_error(class_name: str) -> ClassroomError:
+    """Return the error that this machine has another class, which is open or was not ended."""
+    return ClassroomError(
+        f'this machine has the class "{class_name}": `zbot class start` shows or continues it, '
+        "and `zbot class stop` closes it"
+    )
 
 
-class OpenClassError(ClassroomError):
-    """The class on this machine has other options than the teacher wants."""
-
-    def __init__(self, class_name: str, reason: str) -> None:
-        self.class_name, self.reason = class_name, reason
-        super().__init__(
-            f'the class "{class_name}" {reason}: `zbot class start` without options shows or '
-            "continues it; to change it, close it with `zbot class stop`, and start it again"
-        )
-
-
-class ConfirmationError(ClassroomError):
-    """A command would close a class, but cannot ask the teacher to confirm this."""
-
-    def __init__(self, class_name: str) -> None:
-        self.class_name = class_name
-        super().__init__(
-            f'leaving closes the class "{class_name}" for all students: type `zbot class stop`, '
-            "or `zbot leave --yes`"
-        )
-
-
-class PinNeededError(ClassroomError, PermissionError):
-    """A class requires a PIN, and no PIN was given."""
-
-    def __init__(self) -> None:
-        super().__init__("the class requires a PIN: run `zbot join` in a terminal, or set ZBOT_PIN")
+def open_class_error(class_name: str, reason: str) -> ClassroomError:
+    """Return the error that the class on this machine has other options than the teacher wants."""
+    return ClassroomError(
+        f'the class "{class_name}" {reason}: `zbot class start` without options shows or '
+        "continues it; to change it, close it with `zbot class stop`, and start it again"
+    )
 
 
 class RefusedError(ClassroomError, PermissionError):
@@ -203,17 +161,6 @@ class SilentHubError(ClassroomError, TimeoutError):
     def __init__(self, host: str, port: int) -> None:
         self.host, self.port = host, port
         super().__init__(f"the class at {host}:{port} does not answer: try again in a moment")
-
-
-class UnlinkedError(ClassroomError, TimeoutError):
-    """A class or hub admitted this machine, but the two hubs were not linked in time."""
-
-    def __init__(self, host: str, port: int) -> None:
-        self.host, self.port = host, port
-        super().__init__(
-            f"this machine was not linked with {host}:{port} in time, so it has not joined: join "
-            "again"
-        )
 
 
 class ClassCommandError(ClassroomError):

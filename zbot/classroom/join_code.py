@@ -13,7 +13,7 @@ import ipaddress
 import re
 from typing import TYPE_CHECKING
 
-from zbot.classroom.errors import AddressError, CodeError
+from zbot.classroom.errors import address_error, code_error
 from zbot.classroom.hub.address import Address
 from zbot.transport.config import HUB_PORT
 
@@ -76,12 +76,12 @@ def decode(text: str, own_addresses: Iterable[str]) -> list[Address]:
         own_addresses: This machine's IPv4 addresses. Only a short code needs them.
 
     Raises:
-        CodeError: The length, a character or the checksum is wrong.
+        ClassValueError: The length, a character or the checksum is wrong.
     """
     typed = text.strip().upper().replace("-", "").replace(" ", "")
     invalid = next((char for char in typed if char not in _VALUES), None)
     if invalid is not None:
-        raise CodeError(text, f"codes do not contain {invalid}")
+        raise code_error(text, f"codes do not contain {invalid}")
     value = 0
     for char in typed:
         value = value << 5 | _VALUES[char]
@@ -89,13 +89,13 @@ def decode(text: str, own_addresses: Iterable[str]) -> list[Address]:
         return [_long_address(text, value)]
     if len(typed) == _SHORT:
         return _short_addresses(text, value, own_addresses)
-    raise CodeError(text, f"it has {len(typed)} characters, but codes have 4 or 8")
+    raise code_error(text, f"it has {len(typed)} characters, but codes have 4 or 8")
 
 
 def _long_address(text: str, value: int) -> Address:
     payload = value >> _CHECK_BITS
     if _check(payload, 36) != value & 0xF:
-        raise CodeError(text, "a character is wrong")
+        raise code_error(text, "a character is wrong")
     return Address(str(ipaddress.IPv4Address(payload >> 4)), PORTS[payload & 0xF])
 
 
@@ -104,7 +104,7 @@ def _short_addresses(text: str, value: int, own_addresses: Iterable[str]) -> lis
     numbers = (prefix | value >> _CHECK_BITS for prefix in prefixes)
     found = [number for number in numbers if _short_check(number) == value & 0xF]
     if not found:
-        raise CodeError(
+        raise code_error(
             text,
             "a character is wrong, or this machine is in another network than the teacher's (then "
             "use the teacher's address)",
@@ -116,7 +116,7 @@ def _number(address: Address) -> int:
     try:
         return int(ipaddress.IPv4Address(address.host))
     except ValueError as exc:
-        raise AddressError(address.host, "a code requires an IPv4 address") from exc
+        raise address_error(address.host, "a code requires an IPv4 address") from exc
 
 
 def _short_check(number: int) -> int:

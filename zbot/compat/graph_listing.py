@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from zbot.action import graph as action_graph
 from zbot.compat.rosidl.lookup import get_message, get_service
-from zbot.errors import ZbotError
+from zbot.errors import WrongStateError
 from zbot.names import fully_qualified, is_hidden
 
 if TYPE_CHECKING:
@@ -18,14 +18,6 @@ if TYPE_CHECKING:
     from zbot.node.node import Node
 
 _STEP_S = 0.5  # during a wait, the time between two checks whether the context has ended
-
-
-class SeveralTypesError(ZbotError, RuntimeError):
-    """A name in the graph has several types, so a function cannot choose a class."""
-
-    def __init__(self, name: str, types: list[str]) -> None:
-        self.name, self.types = name, types
-        super().__init__(f"'{name}' has more than one type: {', '.join(types)}")
 
 
 class NodeName(NamedTuple):
@@ -165,7 +157,7 @@ def get_msg_class(
 
     Raises:
         InvalidTopicNameError: The name does not follow ROS 2's rules.
-        SeveralTypesError: The topic has several types. The error is also a RuntimeError.
+        WrongStateError: The topic has several types. The error is also a RuntimeError.
     """
     name = node.resolve_topic_name(topic, only_expand=True)
     if is_hidden(name) and not include_hidden_topics:
@@ -200,7 +192,7 @@ def _type_in(names_and_types: NamesAndTypes, name: str) -> str | None:
     if types is None:
         return None
     if len(types) > 1:
-        raise SeveralTypesError(name, types)
+        raise WrongStateError(f"'{name}' has more than one type: {', '.join(types)}")
     return types[0]
 
 

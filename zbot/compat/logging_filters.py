@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Literal, NamedTuple, TypedDict
 
 import zbot
 from zbot.executor.clock import Clock
-from zbot.log.errors import LogOptionError, NotAClockError
+from zbot.log.errors import log_option_error, not_a_clock_error
 
 if TYPE_CHECKING:
     from types import FrameType
@@ -111,12 +111,12 @@ class LoggingFilter:
         """Add the filter's options to a call's context.
 
         Raises:
-            LogOptionError: A required option is missing.
+            WrongTypeError: A required option is missing.
         """
         for name, default in cls.params.items():
             value = kwargs.get(name, default)
             if value is None:
-                raise LogOptionError(name, f"is missing, and the filter {cls.__name__} needs it")
+                raise log_option_error(name, f"is missing, and the filter {cls.__name__} needs it")
             context[name] = value
 
     @staticmethod
@@ -156,13 +156,13 @@ class Throttle(LoggingFilter):
         """Add the filter's options to a call's context, and store that the call has not logged.
 
         Raises:
-            NotAClockError: `throttle_time_source_type` is not a clock.
+            WrongValueError: `throttle_time_source_type` is not a clock.
         """
         super().initialize_context(context, **kwargs)
         context["throttle_last_logged"] = 0
         clock = context["throttle_time_source_type"]
         if not isinstance(clock, Clock):
-            raise NotAClockError("throttle_time_source_type", clock)
+            raise not_a_clock_error("throttle_time_source_type", clock)
 
     @staticmethod
     def should_log(context: Any) -> bool:
@@ -206,17 +206,19 @@ def get_filters_from_kwargs(**kwargs: Any) -> list[SupportedFiltersKeys]:
     """Return the names of the filters that the options of a log call enable.
 
     Raises:
-        LogOptionError: An option is unknown, or a required option is missing.
+        WrongTypeError: An option is unknown, or a required option is missing.
     """
     known = [name for one in supported_filters.values() for name in one.params]
     for name in kwargs:
         if name not in known:
-            raise LogOptionError(name, f"is not one of the recognized ones: use {', '.join(known)}")
+            raise log_option_error(
+                name, f"is not one of the recognized ones: use {', '.join(known)}"
+            )
     found: list[SupportedFiltersKeys] = [
         key for key, one in supported_filters.items() if any(map(kwargs.get, one.params))
     ]
     for key in found:
         for name, default in supported_filters[key].params.items():
             if default is None and name not in kwargs:
-                raise LogOptionError(name, f"is missing, and the filter {key} needs it")
+                raise log_option_error(name, f"is missing, and the filter {key} needs it")
     return found

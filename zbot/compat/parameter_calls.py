@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import ZbotError
+from zbot.errors import WrongStateError
 from zbot.parameters import parameter
 from zbot.remote.parameters import RemoteParameters
 from zbot.remote.service_calls import ANSWER_TIMEOUT_S, NoServiceError, ServiceCalls
@@ -33,13 +33,10 @@ _TYPE_NAMES = {
 }
 
 
-class NoParameterServiceError(ZbotError, RuntimeError):
-    """A node has no parameter services, or they did not appear in time."""
-
-    def __init__(self, node_name: str) -> None:
-        self.node_name = node_name
-        timeout = f"{ANSWER_TIMEOUT_S:.0f} s"
-        super().__init__(f"{node_name} offered no parameter services within {timeout}")
+def no_parameter_service_error(node_name: str) -> WrongStateError:
+    """Return the error that a node has no parameter services, or they did not appear in time."""
+    timeout = f"{ANSWER_TIMEOUT_S:.0f} s"
+    return WrongStateError(f"{node_name} offered no parameter services within {timeout}")
 
 
 def get_value(*, parameter_value: ParameterValue) -> Any:
@@ -70,7 +67,7 @@ def call_get_parameters(
         parameter_names: Names of the parameters.
 
     Raises:
-        NoParameterServiceError: The node offers no parameter services within 5 s.
+        WrongStateError: The node offers no parameter services within 5 s.
         ServiceError: The node ended before it answered.
     """
     response: GetParameters.Response = _answer(
@@ -115,4 +112,4 @@ def _answer(node: Node, service: str, node_name: str, **fields: Any) -> Any:
     try:
         return RemoteParameters(calls).ask(node_name, service, **fields)
     except NoServiceError:
-        raise NoParameterServiceError(node_name) from None
+        raise no_parameter_service_error(node_name) from None

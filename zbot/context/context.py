@@ -92,12 +92,11 @@ class Context(ContextState):
                 means `$ZBOT_DOMAIN_ID`, else `$ROS_DOMAIN_ID`, else 0.
 
         Raises:
-            ContextInitializedError: `init` was called before.
+            WrongStateError: `init` was called before.
             ArgumentsError: The `--ros-args` are malformed.
-            UnicodeEncodeError: The `args` contain half a surrogate pair. rclpy raises this
-                error too.
-            DomainIdError: The domain is out of range.
-            RmwError: The context's middleware is not known.
+            UnicodeEncodeError: The `args` contain half a surrogate pair. rclpy raises this error
+                too.
+            SettingError: The domain is out of range, or the context's middleware is not known.
         """
         "".join(args or ()).encode()
         with self._lock:

@@ -63,8 +63,7 @@ class DomainSession:
         """Read the domain, the class that this machine has joined, and the dialect.
 
         Raises:
-            DomainIdError: The domain is out of range.
-            RmwError: The middleware is not known.
+            SettingError: The domain is out of range, or the middleware is not known.
         """
         self.domain, self._given_domain = config.domain_id(given_domain), given_domain
         joined = membership.load()

@@ -6,7 +6,7 @@ import os
 import threading
 from typing import TYPE_CHECKING, Literal
 
-from zbot.errors import ArgumentTypeError, ContextInitializedError, ForkedProcessError
+from zbot.errors import ArgumentTypeError, ForkedProcessError, WrongStateError
 from zbot.process import signals
 from zbot.threads.foreign_call import defers_signals
 
@@ -32,7 +32,9 @@ class ContextState:
 
     def _require_new(self) -> None:
         if self._state != "new":
-            raise ContextInitializedError
+            raise WrongStateError(
+                "Context.init() must only be called once: call shutdown() before another init()"
+            )
 
     def _begin(self) -> None:
         self._state, self._process = "valid", os.getpid()

@@ -52,6 +52,18 @@ class ArgumentTypeError(ZbotError, TypeError):
         super().__init__(f"{argument} must be {expected}, not {described(value)}")
 
 
+class WrongTypeError(ZbotError, TypeError):
+    """A value has the wrong Python type, or an object of the wrong class was used."""
+
+
+class WrongValueError(ZbotError, ValueError):
+    """A value of the right type is not allowed, or does not fit another value."""
+
+
+class WrongStateError(ZbotError, RuntimeError):
+    """An operation is not possible now, or not with the given objects."""
+
+
 class InvalidNameError(ZbotError, ValueError):
     """A node, namespace, topic or service name breaks the ROS 2 grammar.
 
@@ -119,23 +131,9 @@ class InvalidParameterError(ParameterError, ValueError):
         super().__init__("Invalid parameter name", parameter_name)
 
 
-class ClockMismatchError(ZbotError, TypeError):
-    """Times of two different clock types were compared or subtracted."""
-
-    def __init__(self, first: str, second: str) -> None:
-        self.first, self.second = first, second
-        super().__init__(
-            f"cannot compare or subtract times of different clock types ({first} and {second}): "
-            "take both from the same clock"
-        )
-
-
-class NegativeTimeError(ZbotError, ValueError):
-    """A point in time is negative."""
-
-    def __init__(self, value: float) -> None:
-        self.value = value
-        super().__init__(f"a time must not be negative: {value!r}")
+def negative_time_error(value: float) -> WrongValueError:
+    """Return the error that a point in time is negative."""
+    return WrongValueError(f"a time must not be negative: {value!r}")
 
 
 class TimeOverflowError(ZbotError, OverflowError, ValueError):
@@ -197,15 +195,12 @@ class InvalidQoSProfileError(ZbotError, ValueError):
         super().__init__(f"Invalid QoSProfile: {reason}")
 
 
-class QoSArgumentError(ZbotError, TypeError):
-    """A value is not a QoS profile and not the depth of a queue."""
-
-    def __init__(self, value: object) -> None:
-        self.value = value
-        super().__init__(
-            "Expected QoSProfile or int, the depth of a queue, but received "
-            f"{described(value)}; write the depth, e.g. 10"
-        )
+def qos_argument_error(value: object) -> WrongTypeError:
+    """Return the error that a value is not a QoS profile and not the depth of a queue."""
+    return WrongTypeError(
+        "Expected QoSProfile or int, the depth of a queue, but received "
+        f"{described(value)}; write the depth, e.g. 10"
+    )
 
 
 class UnknownQoSKeyError(ZbotError, KeyError):
@@ -218,15 +213,6 @@ class UnknownQoSKeyError(ZbotError, KeyError):
     def __str__(self) -> str:
         # KeyError would print the message in quotes, like a key.
         return str(self.args[0])
-
-
-class ContextInitializedError(ZbotError, RuntimeError):
-    """A context was initialised a second time."""
-
-    def __init__(self) -> None:
-        super().__init__(
-            "Context.init() must only be called once: call shutdown() before another init()"
-        )
 
 
 class ExternalShutdownException(ZbotError):  # noqa: N818 - rclpy's name

@@ -7,7 +7,8 @@ import inspect
 from types import FunctionType, MethodType
 from typing import TYPE_CHECKING, Any
 
-from zbot.executor.errors import CallbackSignatureError, MethodOfClassError, NotCallableError
+from zbot.errors import WrongTypeError
+from zbot.executor.errors import callback_signature_error, not_callable_error
 from zbot.process.call_source import argument_source
 
 if TYPE_CHECKING:
@@ -59,8 +60,8 @@ def check_callback(
             argument, or `None` if that is unknown.
 
     Raises:
-        NotCallableError: The callback is not callable, or is a method of a class without an object.
-        CallbackSignatureError: The callback does not accept any of the forms.
+        WrongTypeError: The callback is not callable, or is a method of a class without an object.
+        WrongStateError: The callback does not accept any of the forms.
     """
     if not callable(callback):
         if callback is None and may_be_none is always:
@@ -69,7 +70,7 @@ def check_callback(
         if callback is not None or not may_be_none(source):
             if inspect.iscoroutine(callback):
                 callback.close()  # Python would warn that it was never awaited
-            raise NotCallableError(call, callback, _advice(callback, source, forms))
+            raise not_callable_error(call, callback, _advice(callback, source, forms))
         return 0
     if not forms or _surely_accepts(callback, _count(forms[0])):
         return 0
@@ -119,12 +120,15 @@ def _accepted_form(call: str, callback: Any, forms: tuple[str, ...]) -> int:
     except (TypeError, ValueError):
         return 0
     if _is_method_of_class(callback, signatures[0]):
-        raise MethodOfClassError(call, callback)
+        raise WrongTypeError(
+            f"{call} was given {callback.__qualname__}, a method without its object: "
+            f"write self.{callback.__name__}"
+        )
     for signature in signatures:
         for index, form in enumerate(forms):
             if _accepts(signature, _count(form)):
                 return index
-    raise CallbackSignatureError(call, callback, signatures[0], forms)
+    raise callback_signature_error(call, callback, signatures[0], forms)
 
 
 def _accepts(signature: inspect.Signature, count: int) -> bool:

@@ -12,8 +12,8 @@ import time
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal, Protocol, overload
 
-from zbot.errors import ArgumentTypeError
-from zbot.executor.errors import ClockTypeError, InvalidJumpError
+from zbot.errors import ArgumentTypeError, WrongValueError
+from zbot.executor.errors import clock_type_error
 from zbot.process import signals
 from zbot.time import ClockType, Duration, Time
 
@@ -84,7 +84,7 @@ class JumpThreshold:
         on_clock_change: Whether a switch between system time and simulated time counts as a jump.
 
     Raises:
-        InvalidJumpError: A duration has the wrong sign, or no jump can reach the threshold.
+        WrongValueError: A duration has the wrong sign, or no jump can reach the threshold.
     """
 
     def __init__(
@@ -95,11 +95,11 @@ class JumpThreshold:
         on_clock_change: bool = True,
     ) -> None:
         if min_forward is not None and min_forward.nanoseconds <= 0:
-            raise InvalidJumpError(f"min_forward must be a positive duration, not {min_forward}")
+            raise WrongValueError(f"min_forward must be a positive duration, not {min_forward}")
         if min_backward is not None and min_backward.nanoseconds >= 0:
-            raise InvalidJumpError(f"min_backward must be a negative duration, not {min_backward}")
+            raise WrongValueError(f"min_backward must be a negative duration, not {min_backward}")
         if min_forward is None and min_backward is None and not on_clock_change:
-            raise InvalidJumpError("at least one jump threshold must be enabled")
+            raise WrongValueError("at least one jump threshold must be enabled")
         self.min_forward = min_forward
         self.min_backward = min_backward
         self.on_clock_change = on_clock_change
@@ -124,7 +124,7 @@ class JumpHandle:
         post_callback: Called with a `TimeJump` after the time changed.
 
     Raises:
-        InvalidJumpError: There is no callback, or a callback cannot be called.
+        WrongValueError: There is no callback, or a callback cannot be called.
     """
 
     def __init__(
@@ -136,7 +136,7 @@ class JumpHandle:
         post_callback: Callable[[TimeJump], Any] | None,
     ) -> None:
         if pre_callback is None and post_callback is None:
-            raise InvalidJumpError("one of pre_callback or post_callback must be given")
+            raise WrongValueError("one of pre_callback or post_callback must be given")
         _check_callable("pre_callback", pre_callback)
         _check_callable("post_callback", post_callback)
         self.threshold = threshold
@@ -251,7 +251,7 @@ class Clock:
             post_callback: Called with a `TimeJump` after the time changed.
 
         Raises:
-            InvalidJumpError: There is no callback, or a callback cannot be called.
+            WrongValueError: There is no callback, or a callback cannot be called.
         """
         return JumpHandle(
             clock=self,
@@ -283,7 +283,7 @@ class Clock:
             time was activated or deactivated, because `until` has no meaning after that.
 
         Raises:
-            ClockTypeError: `until` is of another clock type.
+            WrongValueError: `until` is of another clock type.
             NotInitializedError: The context is not initialised, or it was shut down.
             ArgumentTypeError: `until` is not a `Time`.
         """
@@ -293,7 +293,7 @@ class Clock:
         if not context.is_running:
             signals.raise_not_initialized("a clock's sleep")
         if until.clock_type is not self._clock_type:
-            raise ClockTypeError(self._clock_type.name, until.clock_type.name)
+            raise clock_type_error(self._clock_type.name, until.clock_type.name)
         return self._sleep(until.nanoseconds, context)
 
     def sleep_for(self, rel_time: Duration, context: SleepContext | None = None) -> bool:
@@ -399,7 +399,7 @@ class ROSClock(Clock):
 
 def _check_callable(argument: str, callback: object) -> None:
     if callback is not None and not callable(callback):
-        raise InvalidJumpError(f"{argument} must be callable, not {callback!r}")
+        raise WrongValueError(f"{argument} must be callable, not {callback!r}")
 
 
 def _default_context() -> SleepContext:

@@ -5,30 +5,26 @@ from __future__ import annotations
 from types import CoroutineType
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import ZbotError, described, shortened
+from zbot.errors import (
+    WrongStateError,
+    WrongTypeError,
+    WrongValueError,
+    ZbotError,
+    described,
+    shortened,
+)
 from zbot.process.signals import SignalExit
 
 if TYPE_CHECKING:
     import inspect
 
 
-class ClockTypeError(ZbotError, ValueError):
-    """A clock got a time of another clock type."""
-
-    def __init__(self, clock_type: str, given: str) -> None:
-        self.clock_type, self.given = clock_type, given
-        super().__init__(
-            f"the time's clock type does not match this clock's: it is {given}, not {clock_type}; "
-            "take the time from the same clock's now()"
-        )
-
-
-class InvalidJumpError(ZbotError, ValueError):
-    """A jump threshold can never be reached, or a jump callback is missing or cannot be called."""
-
-    def __init__(self, reason: str) -> None:
-        self.reason = reason
-        super().__init__(reason)
+def clock_type_error(clock_type: str, given: str) -> WrongValueError:
+    """Return the error that a clock got a time of another clock type."""
+    return WrongValueError(
+        f"the time's clock type does not match this clock's: it is {given}, not {clock_type}; "
+        "take the time from the same clock's now()"
+    )
 
 
 class ShutdownError(ZbotError, RuntimeError):
@@ -39,65 +35,26 @@ class ShutdownError(ZbotError, RuntimeError):
         super().__init__(f"{what} was shut down; create a new one")
 
 
-class ExecutorBusyError(ZbotError, RuntimeError):
-    """An executor is asked to spin while it is spinning."""
-
-    def __init__(self) -> None:
-        super().__init__(
-            "this executor is already spinning: another thread, or the callback that calls this, "
-            "runs in its spin(); use one executor for each thread, and `await` in a callback"
-        )
+def not_callable_error(call: str, value: object, advice: str) -> WrongTypeError:
+    """Return the error that a function was given something else in place of a callback."""
+    given = "a coroutine" if isinstance(value, CoroutineType) else shortened(value)
+    return WrongTypeError(f"{call} was given {given}, {advice}")
 
 
-class NotCallableError(ZbotError, TypeError):
-    """A function was given something that is not callable in place of a callback.
-
-    Attributes:
-        call: The function, e.g. `create_timer`.
-        value: What it was given.
-        advice: What the value is, and what to write.
-    """
-
-    def __init__(self, call: str, value: object, advice: str) -> None:
-        self.call, self.value, self.advice = call, value, advice
-        given = "a coroutine" if isinstance(value, CoroutineType) else shortened(value)
-        super().__init__(f"{call} was given {given}, {advice}")
-
-
-class MethodOfClassError(ZbotError, TypeError):
-    """A function was given a method of a class in place of a method of an object."""
-
-    def __init__(self, call: str, method: Any) -> None:
-        self.call, self.method = call, method
-        super().__init__(
-            f"{call} was given {method.__qualname__}, a method without its object: "
-            f"write self.{method.__name__}"
-        )
-
-
-class CallbackSignatureError(ZbotError, RuntimeError):
-    """A callback cannot be called with the arguments it would get.
-
-    Attributes:
-        call: The function that was given the callback, e.g. `create_subscription`.
-        callback: The callback.
-        forms: The possible arguments, e.g. `(message)` and `(message, info)`.
-    """
-
-    def __init__(
-        self, call: str, callback: Any, signature: inspect.Signature, forms: tuple[str, ...]
-    ) -> None:
-        self.call, self.callback, self.forms = call, callback, forms
-        name = getattr(callback, "__name__", type(callback).__name__)
-        bound = ["self"] if hasattr(callback, "__self__") else []
-        taken = ", ".join([*bound, *signature.parameters])
-        wanted = ", ".join([*bound, *filter(None, [forms[0][1:-1]])])
-        is_lambda = name == "<lambda>"
-        right = f"lambda {wanted}".strip() if is_lambda else f"def {name}({wanted})"
-        super().__init__(
-            f"{call} needs a callback that takes {' or '.join(forms)}, but "
-            f"{'the lambda' if is_lambda else name} takes ({taken}): write {right}:"
-        )
+def callback_signature_error(
+    call: str, callback: Any, signature: inspect.Signature, forms: tuple[str, ...]
+) -> WrongStateError:
+    """Return the error that a callback cannot be called with the arguments it would get."""
+    name = getattr(callback, "__name__", type(callback).__name__)
+    bound = ["self"] if hasattr(callback, "__self__") else []
+    taken = ", ".join([*bound, *signature.parameters])
+    wanted = ", ".join([*bound, *filter(None, [forms[0][1:-1]])])
+    is_lambda = name == "<lambda>"
+    right = f"lambda {wanted}".strip() if is_lambda else f"def {name}({wanted})"
+    return WrongStateError(
+        f"{call} needs a callback that takes {' or '.join(forms)}, but "
+        f"{'the lambda' if is_lambda else name} takes ({taken}): write {right}:"
+    )
 
 
 class NodeArgumentError(ZbotError, TypeError, AttributeError):

@@ -13,10 +13,10 @@ import threading
 import time
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import ArgumentTypeError, NotInitializedError
+from zbot.errors import ArgumentTypeError, NotInitializedError, WrongStateError
 from zbot.executor.callback_group import ReentrantCallbackGroup
 from zbot.executor.callback_stack import running_callbacks
-from zbot.executor.errors import ConditionReachedException, ExecutorBusyError, ShutdownError
+from zbot.executor.errors import ConditionReachedException, ShutdownError
 from zbot.executor.executor_nodes import ExecutorNodes
 from zbot.executor.forgotten_spin import Program
 from zbot.executor.set_by_init import set_by_init
@@ -386,10 +386,14 @@ class Executor(ExecutorNodes):
         """Begin to spin.
 
         Raises:
-            ExecutorBusyError: This executor is already spinning.
+            WrongStateError: This executor is already spinning.
         """
         if not self._try_to_spin():
-            raise ExecutorBusyError
+            raise WrongStateError(
+                "this executor is already spinning: another thread, or the callback that calls "
+                "this, runs in its spin(); use one executor for each thread, and `await` in a "
+                "callback"
+            )
 
     def _begin_turn(self, deadline_ns: int | None) -> bool:
         """Begin to spin. If another thread spins, wait for its next callback and return `False`."""

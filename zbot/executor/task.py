@@ -121,8 +121,8 @@ class Future(Generic[T]):
         """Call `callback(self)` when the future is over, or immediately if it is over already.
 
         Raises:
-            NotCallableError: The callback is not callable.
-            CallbackSignatureError: The callback does not take one argument.
+            WrongTypeError: The callback is not callable.
+            WrongStateError: The callback does not take one argument.
         """
         check_callback("add_done_callback", callback, "(future)")
         with self._lock:

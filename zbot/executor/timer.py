@@ -36,7 +36,7 @@ class TimerInfo:
 
     Raises:
         ArgumentTypeError: `clock_type` is not a `ClockType`.
-        NegativeTimeError: A time is below 0.
+        WrongValueError: A time is below 0.
     """
 
     __slots__ = ("actual_call_time", "expected_call_time")
@@ -246,8 +246,8 @@ def check_timer_callback(call: str, callback: Callable[..., Any] | None) -> bool
     """Return whether a timer's callback takes a `TimerInfo`.
 
     Raises:
-        NotCallableError: The callback is not callable.
-        CallbackSignatureError: The callback accepts neither zero arguments nor one argument.
+        WrongTypeError: The callback is not callable.
+        WrongStateError: The callback accepts neither zero arguments nor one argument.
     """
     # In rclpy, a timer may have no callback, e.g. for a wait set.
     forms = ("()", "(timer_info)")

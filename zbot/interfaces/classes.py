@@ -11,7 +11,7 @@ from array import array
 from typing import TYPE_CHECKING, Any
 
 from zbot.interfaces.array_value import elements_text, fixed_default, same_elements
-from zbot.interfaces.errors import PositionalFieldError, UnknownFieldError
+from zbot.interfaces.errors import UnknownFieldError, positional_field_error
 from zbot.interfaces.message import (
     Action,
     ConstantsMeta,
@@ -216,7 +216,7 @@ def _check_call(spec: MessageSpec, args: tuple[Any, ...], unknown: dict[str, Any
     """Reject arguments that are not fields. `check_fields` is accepted without effect."""
     fields = tuple(field.name for field in spec.fields)
     if args:
-        raise PositionalFieldError(spec.name, fields)
+        raise positional_field_error(spec.name, fields)
     for name in unknown:
         if name != "check_fields":
             raise UnknownFieldError(spec.name, name, fields)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from zbot.errors import ZbotError, described, shortened
+from zbot.errors import WrongTypeError, ZbotError, described, shortened
 from zbot.errors.suggestion import did_you_mean, question
 
 
@@ -131,14 +131,11 @@ class UnknownFieldError(ZbotError, TypeError, AssertionError):
         super().__init__(f"{type_name} has no field {field!r}; {hint}")
 
 
-class PositionalFieldError(ZbotError, TypeError):
-    """A message was constructed with positional arguments."""
-
-    def __init__(self, type_name: str, fields: tuple[str, ...]) -> None:
-        self.type_name, self.fields = type_name, fields
-        short = type_name.rpartition("/")[2]
-        example = f"{fields[0]}=..." if fields else ""
-        super().__init__(f"give the fields of {type_name} by name: {short}({example})")
+def positional_field_error(type_name: str, fields: tuple[str, ...]) -> WrongTypeError:
+    """Return the error that a message was constructed with positional arguments."""
+    short = type_name.rpartition("/")[2]
+    example = f"{fields[0]}=..." if fields else ""
+    return WrongTypeError(f"give the fields of {type_name} by name: {short}({example})")
 
 
 class NotAMessageTypeError(ZbotError, TypeError, AttributeError):
@@ -161,13 +158,3 @@ class InterfaceKindError(NotAMessageTypeError, RuntimeError):
     def __init__(self, given: object, kind: str, expected: str) -> None:
         super().__init__(given, f"it is {kind}, not {expected}")
         self.expected = expected
-
-
-class InterfaceConflictError(ZbotError, ValueError):
-    """A definition from another machine differs from the definition with the same name here."""
-
-    def __init__(self, name: str) -> None:
-        self.name = name
-        super().__init__(
-            f"{name} is defined differently here: install the same definition on both machines"
-        )

@@ -6,14 +6,10 @@ import threading
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
+from zbot.errors import WrongValueError
 from zbot.errors.suggestion import similar_names
 from zbot.interfaces.classes import make_action, make_message, make_service
-from zbot.interfaces.errors import (
-    InterfaceConflictError,
-    InterfaceSyntaxError,
-    UnknownInterfaceError,
-    UnknownPackageError,
-)
+from zbot.interfaces.errors import InterfaceSyntaxError, UnknownInterfaceError, UnknownPackageError
 from zbot.interfaces.kinds import KINDS
 from zbot.interfaces.location import (
     definition_file,
@@ -137,7 +133,7 @@ def register_spec(spec: InterfaceSpec) -> None:
     """Add a definition that no file here contains, e.g. a definition from another machine.
 
     Raises:
-        InterfaceConflictError: A different definition with the same name is known.
+        WrongValueError: A different definition with the same name is known.
     """
     with _lock:
         # This look-up suggests no similar names, because that takes long for many definitions.
@@ -146,7 +142,10 @@ def register_spec(spec: InterfaceSpec) -> None:
             _add(spec, spec.name)
             _registered.append(spec.name)
         elif _layout(known) != _layout(spec):
-            raise InterfaceConflictError(spec.name)
+            raise WrongValueError(
+                f"{spec.name} is defined differently here: "
+                "install the same definition on both machines"
+            )
 
 
 def register_class(spec: MessageSpec, cls: type[Any]) -> None:

@@ -46,7 +46,7 @@ def register_description(description: Mapping[str, Any]) -> InterfaceSpec:
     Raises:
         InterfaceSyntaxError: The description is not valid.
         DefinitionLimitError: A message of the type would be too large.
-        InterfaceConflictError: A type has another definition here.
+        WrongValueError: A type has another definition here.
         UnknownPackageError: The description lacks a type, and its package is not known here.
         UnknownInterfaceError: The description lacks a type, and its known package lacks it too.
     """

@@ -60,12 +60,9 @@ class LaunchFileError(InvalidLaunchFileError):
         return cls(origin.path, origin.line, reason, getattr(error, "hint", "") or "")
 
 
-class IncludeLoopError(LaunchError):
-    """A launch file includes itself without end, directly or through other files."""
-
-    def __init__(self, chain: Iterable[str]) -> None:
-        self.chain = tuple(chain)
-        super().__init__(f"launch files include each other without end: {' -> '.join(self.chain)}")
+def include_loop_error(chain: Iterable[str]) -> LaunchError:
+    """Return the error that a launch file includes itself, directly or through other files."""
+    return LaunchError(f"launch files include each other without end: {' -> '.join(chain)}")
 
 
 class LaunchFileNotFoundError(LaunchError, FileNotFoundError):
@@ -210,12 +207,9 @@ class LogLevelError(LaunchError, KeyError):
         return str(self.args[0])  # KeyError would show the repr of the text
 
 
-class OutputError(LaunchError, ValueError):
-    """`output` of an action contains an unknown sink or stream."""
-
-    def __init__(self, word: object, known: Iterable[str]) -> None:
-        self.word, self.known = word, tuple(known)
-        super().__init__(f"output must be one of {', '.join(self.known)}, not {word!r}")
+def output_error(word: object, known: Iterable[str]) -> LaunchUsageError:
+    """Return the error that `output` of an action contains an unknown sink or stream."""
+    return LaunchUsageError(f"output must be one of {', '.join(known)}, not {word!r}")
 
 
 def describe(error: BaseException) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from zbot.launch.description import LaunchDescription
-from zbot.launch.errors import IncludeLoopError
+from zbot.launch.errors import include_loop_error
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -31,7 +31,7 @@ class LaunchIntrospector:
 
 def _lines(entity: LaunchDescriptionEntity, depth: int) -> Iterator[str]:
     if depth > _MAX_DEPTH:
-        raise IncludeLoopError([entity.describe()])
+        raise include_loop_error([entity.describe()])
     is_list = isinstance(entity, LaunchDescription)
     text = "<launch.LaunchDescription>" if is_list else entity.describe()
     condition = getattr(entity, "condition", None)

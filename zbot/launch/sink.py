@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Final
 
-from zbot.launch.errors import OutputError
+from zbot.launch.errors import output_error
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -28,18 +28,18 @@ def parse_output(output: str | Mapping[str, Any]) -> dict[str, frozenset[str]]:
     """Return the sinks (`screen`, `log`, `own_log`) for `stdout`, `stderr` and `both`.
 
     Raises:
-        OutputError: A word is unknown.
+        LaunchUsageError: A word is unknown.
     """
     found: dict[str, frozenset[str]] = dict.fromkeys((_OUT, _ERR, _BOTH), frozenset())
     if isinstance(output, str):
         if output not in _WORDS:
-            raise OutputError(output, _WORDS)
+            raise output_error(output, _WORDS)
         return {**found, **_WORDS[output]}
     for stream, words in output.items():
         if stream not in found:
-            raise OutputError(stream, found)
+            raise output_error(stream, found)
         sinks = {words} if isinstance(words, str) else set(words)
         if unknown := sorted(map(str, sinks - _SINKS)):
-            raise OutputError(unknown[0], sorted(_SINKS))
+            raise output_error(unknown[0], sorted(_SINKS))
         found[stream] = frozenset(sinks)
     return found

@@ -10,7 +10,7 @@ import copy
 import math
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import ZbotError
+from zbot.errors import WrongStateError
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -23,16 +23,12 @@ if TYPE_CHECKING:
     Matrix = NDArray[np.float64]
 
 
-class CameraModelError(ZbotError, RuntimeError):
-    """A camera model cannot be used yet, or OpenCV is not installed."""
-
-
 def _opencv() -> Any:
     try:
         import cv2  # type: ignore[import-not-found,unused-ignore] # noqa: PLC0415 - optional
     except ImportError:
         text = "rectifying needs OpenCV: pip install opencv-python-headless"
-        raise CameraModelError(text) from None
+        raise WrongStateError(text) from None
     return cv2
 
 
@@ -86,7 +82,7 @@ class PinholeCameraModel:
 
     def _camera_info(self) -> CameraInfo:
         if self._info is None:
-            raise CameraModelError("the camera model is empty: call from_camera_info first")
+            raise WrongStateError("the camera model is empty: call from_camera_info first")
         return self._info
 
     # -- pixels and points ---------------------------------------------------------------------
@@ -107,7 +103,7 @@ class PinholeCameraModel:
         """Write the rectified image of an array into another array of the same shape.
 
         Raises:
-            CameraModelError: OpenCV is not installed, or there is no calibration yet.
+            WrongStateError: OpenCV is not installed, or there is no calibration yet.
         """
         cv2, size = _opencv(), self.full_resolution()
         self.mapx, self.mapy = cv2.initUndistortRectifyMap(
@@ -119,7 +115,7 @@ class PinholeCameraModel:
         """Return the rectified pixel of a pixel.
 
         Raises:
-            CameraModelError: OpenCV is not installed, or there is no calibration yet.
+            WrongStateError: OpenCV is not installed, or there is no calibration yet.
         """
         import numpy as np  # noqa: PLC0415 - part of an extra
 

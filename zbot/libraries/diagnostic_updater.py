@@ -10,7 +10,7 @@ import threading
 from collections import deque
 from typing import TYPE_CHECKING, Any, TypeAlias
 
-from zbot.errors import ZbotError
+from zbot.errors import WrongTypeError
 from zbot.executor.clock import Clock
 from zbot.time import S_TO_NS, ClockType, Time
 
@@ -27,13 +27,6 @@ if TYPE_CHECKING:
 
 _PERIOD, _FULL_NAMES = "diagnostic_updater.period", "diagnostic_updater.use_fqn"
 _OK, _WARN, _ERROR = DiagnosticStatus.OK, DiagnosticStatus.WARN, DiagnosticStatus.ERROR
-
-
-class DiagnosticTaskError(ZbotError, TypeError):
-    """The function of a task returns no status."""
-
-    def __init__(self, name: str) -> None:
-        super().__init__(f"the diagnostic task '{name}' must end with `return stat`")
 
 
 class DiagnosticStatusWrapper(DiagnosticStatus):
@@ -97,11 +90,11 @@ class FunctionDiagnosticTask(DiagnosticTask):
         """Call the function.
 
         Raises:
-            DiagnosticTaskError: The function returns no status.
+            WrongTypeError: The function returns no status.
         """
         filled = self.fn(stat)
         if not isinstance(filled, DiagnosticStatus):
-            raise DiagnosticTaskError(self.name)
+            raise WrongTypeError(f"the diagnostic task '{self.name}' must end with `return stat`")
         return filled
 
 

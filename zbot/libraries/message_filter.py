@@ -45,7 +45,7 @@ class SimpleFilter:
         """Register a function to call with each output and `args`. Return the connection's id.
 
         Raises:
-            NotCallableError: `cb` is not callable.
+            WrongTypeError: `cb` is not callable.
         """
         check_callback("registerCallback", cb, argument="cb")
         connection = max(self.callbacks, default=-1) + 1

@@ -6,8 +6,8 @@ import threading
 import time
 from typing import TYPE_CHECKING, NamedTuple, Protocol, TypedDict
 
-from zbot.errors import ArgumentTypeError
-from zbot.log.errors import LogCallChangedError, LogOptionError, NotAClockError
+from zbot.errors import ArgumentTypeError, WrongTypeError
+from zbot.log.errors import log_call_changed_error, log_option_error, not_a_clock_error
 
 if TYPE_CHECKING:
     from types import FrameType
@@ -69,8 +69,8 @@ class CallSite:
         options: The call's filters.
 
     Raises:
-        LogOptionError: An option is unknown, or a throttle's duration is missing.
-        NotAClockError: The throttle's time source is not a clock.
+        WrongTypeError: An option is unknown, or a throttle's duration is missing.
+        WrongValueError: The throttle's time source is not a clock.
         ArgumentTypeError: The throttle's duration is not a number.
     """
 
@@ -91,14 +91,14 @@ class CallSite:
         """Check that a call has the same options as the first call at this place.
 
         Raises:
-            LogCallChangedError: The call has another severity, name or filter.
+            WrongValueError: The call has another severity, name or filter.
         """
         if severity is not self._severity:
-            raise LogCallChangedError("severity", _place(frame))
+            raise log_call_changed_error("severity", _place(frame))
         if name != self._name:
-            raise LogCallChangedError("logger name", _place(frame))
+            raise log_call_changed_error("logger name", _place(frame))
         if (_filters(options) if options else _NO_FILTERS) != self._filters:
-            raise LogCallChangedError("filter parameters", _place(frame))
+            raise log_call_changed_error("filter parameters", _place(frame))
 
     def passes_filters(self) -> bool:
         """Return whether the current call may write its line."""
@@ -132,21 +132,21 @@ def _filters(options: FilterOptions) -> Filters:
         throttle_sec = options["throttle_duration_sec"] or 0
     elif clock is not None:
         lack = "has a required parameter throttle_duration_sec that was not specified"
-        raise LogOptionError("throttle_time_source_type", lack)
+        raise log_option_error("throttle_time_source_type", lack)
     if not isinstance(throttle_sec, (int, float)):
         raise ArgumentTypeError("throttle_duration_sec", "a number of seconds", throttle_sec)
     if clock is not None and not callable(getattr(clock, "now", None)):
-        raise NotAClockError("throttle_time_source_type", clock)
+        raise not_a_clock_error("throttle_time_source_type", clock)
     once, skip_first = bool(options.get("once")), bool(options.get("skip_first"))
     return Filters(once, skip_first, throttle_sec, clock)
 
 
-def _unknown(option: str) -> LogOptionError:
+def _unknown(option: str) -> WrongTypeError:
     if option == "severity":  # the reason quotes Python's error for an argument given twice
         reason = "is set by the method: got multiple values for argument 'severity'; use log()"
-        return LogOptionError(option, reason)
+        return log_option_error(option, reason)
     known = ", ".join(FilterOptions.__annotations__)
-    return LogOptionError(option, f"is not one of the recognized ones: use {known} or name")
+    return log_option_error(option, f"is not one of the recognized ones: use {known} or name")
 
 
 def _now_ns(clock: TimeProvider | None) -> int:

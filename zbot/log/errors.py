@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from zbot.errors import ZbotError
+from zbot.errors import WrongTypeError, WrongValueError, ZbotError
 
 
 class InvalidSeverityError(ZbotError, ValueError, RuntimeError):
@@ -16,38 +16,20 @@ class InvalidSeverityError(ZbotError, ValueError, RuntimeError):
         )
 
 
-class LogOptionError(ZbotError, TypeError):
-    """A log call has an unknown option, or lacks an option that another option needs."""
-
-    def __init__(self, option: str, reason: str) -> None:
-        self.option, self.reason = option, reason
-        super().__init__(f"log parameter {option!r} {reason}")
+def log_option_error(option: str, reason: str) -> WrongTypeError:
+    """Return the error that a log call has an unknown option, or lacks an option."""
+    return WrongTypeError(f"log parameter {option!r} {reason}")
 
 
-class LogCallChangedError(ZbotError, ValueError):
-    """A place in the source makes a different log call than before.
-
-    Filters such as `once` have a state for each place in the source, so the call at a place must
-    stay the same, as in rclpy.
-
-    Attributes:
-        what: The part that changed, e.g. `severity`.
-        place: File and line of the call.
-    """
-
-    def __init__(self, what: str, place: str) -> None:
-        self.what, self.place = what, place
-        super().__init__(
-            f"a log call's {what} cannot be changed between calls: "
-            f"write separate log calls ({place})"
-        )
+def log_call_changed_error(what: str, place: str) -> WrongValueError:
+    """Return the error that a place in the source makes a different log call than before."""
+    return WrongValueError(
+        f"a log call's {what} cannot be changed between calls: write separate log calls ({place})"
+    )
 
 
-class NotAClockError(ZbotError, ValueError):
-    """An argument that must be a clock is not a clock."""
-
-    def __init__(self, argument: str, value: object) -> None:
-        self.argument, self.value = argument, value
-        super().__init__(
-            f"{argument} must be a Clock instance, for example node.get_clock(), not {value!r}"
-        )
+def not_a_clock_error(argument: str, value: object) -> WrongValueError:
+    """Return the error that an argument that must be a clock is not a clock."""
+    return WrongValueError(
+        f"{argument} must be a Clock instance, for example node.get_clock(), not {value!r}"
+    )

@@ -35,8 +35,8 @@ class Logger:
       `throttle_time_source_type` gives the clock. The default is the monotonic clock.
     * `name="other"`: the line has another logger's name.
 
-    A call raises `LogCallChangedError` if its severity, name or filters differ from the first call
-    at the same place. A call raises `LogOptionError` for an unknown option.
+    A call raises `WrongValueError` if its severity, name or filters differ from the first call
+    at the same place. A call raises `WrongTypeError` for an unknown option.
 
     Args:
         name: The logger's name. Dots separate parents from children.

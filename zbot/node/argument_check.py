@@ -7,7 +7,7 @@ from types import FunctionType, MethodType
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ArgumentTypeError, shortened
-from zbot.node.errors import ArgumentOrderError, InvalidPeriodError
+from zbot.node.errors import InvalidPeriodError, argument_order_error
 from zbot.qos import QoSProfile
 
 if TYPE_CHECKING:
@@ -51,14 +51,14 @@ def check_order(call: str, *arguments: tuple[object, Kind]) -> None:
         arguments: Each argument, and the function that tells whether it has the right kind.
 
     Raises:
-        ArgumentOrderError: An argument has a wrong kind, but another order is right.
+        WrongTypeError: An argument has a wrong kind, but another order is right.
     """
     if all(is_right(value) for value, is_right in arguments):
         return
     values, kinds = zip(*arguments, strict=True)
     for order in permutations(values):
         if all(is_right(value) for is_right, value in zip(kinds, order, strict=True)):
-            raise ArgumentOrderError(call, ", ".join(map(_written, order)))
+            raise argument_order_error(call, ", ".join(map(_written, order)))
 
 
 def _written(value: Any) -> str:

@@ -18,7 +18,7 @@ from zbot.handle import Handle
 from zbot.interfaces import type_name
 from zbot.log import get_logger
 from zbot.node.blocking_call import wait_for_reply
-from zbot.node.errors import RequestTypeError, ServiceError
+from zbot.node.errors import ServiceError, request_type_error
 from zbot.node.pending_calls import PendingCalls, ResponseFuture
 from zbot.node.service_introspection import ServiceEndpoint, Step
 from zbot.node.service_reply import response_sample
@@ -185,7 +185,7 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
             responds, or if the server's callback raised an exception.
 
         Raises:
-            RequestTypeError: The argument is not a request of this service.
+            WrongTypeError: The argument is not a request of this service.
             CodecError: A field of the request has a wrong value.
             InvalidHandleError: The client or its node was destroyed.
             NotInitializedError: The context was shut down.
@@ -254,7 +254,7 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
     def _prepare(self, request: RequestT) -> ServiceRequest:
         expected = self.srv_type.Request
         if request.__class__ is not expected and not isinstance(request, expected):
-            raise RequestTypeError(self.service_name, type_name(expected), request)
+            raise request_type_error(self.service_name, type_name(expected), request)
         payload = self._encode(request)
         if len(payload) >= LARGE_BYTES:
             keep_freed_memory()

@@ -160,8 +160,8 @@ class NodeEntities(PrivateAliases):
 
         Raises:
             InvalidTopicNameError: The name breaks ROS 2's grammar.
-            NotCallableError: The callback is not callable.
-            CallbackSignatureError: The number of the callback's arguments is not 1 or 2.
+            WrongTypeError: The callback is not callable.
+            WrongStateError: The number of the callback's arguments is not 1 or 2.
             ContentFilterError: The expression does not fit the type.
             NotAMessageTypeError: `msg_type` is not a message class.
             InvalidHandleError: The node was destroyed.
@@ -222,8 +222,8 @@ class NodeEntities(PrivateAliases):
         Raises:
             InvalidServiceNameError: The name breaks ROS 2's grammar.
             NotAMessageTypeError: `srv_type` is not a service class.
-            NotCallableError: The callback is not callable.
-            CallbackSignatureError: The callback does not take two arguments.
+            WrongTypeError: The callback is not callable.
+            WrongStateError: The callback does not take two arguments.
             InvalidHandleError: The node was destroyed.
         """
         handle = self._zbot_alive()
@@ -310,8 +310,8 @@ class NodeEntities(PrivateAliases):
 
         Raises:
             InvalidPeriodError: The period is negative, too large or not a number.
-            NotCallableError: The callback is not callable.
-            CallbackSignatureError: The callback does not take these arguments.
+            WrongTypeError: The callback is not callable.
+            WrongStateError: The callback does not take these arguments.
             InvalidHandleError: The node was destroyed.
         """
         handle = self._zbot_alive()
@@ -351,8 +351,8 @@ class NodeEntities(PrivateAliases):
         """Create a guard condition. Its callback runs when any thread calls `trigger()`.
 
         Raises:
-            NotCallableError: The callback is not callable.
-            CallbackSignatureError: The callback needs an argument.
+            WrongTypeError: The callback is not callable.
+            WrongStateError: The callback needs an argument.
             InvalidHandleError: The node was destroyed.
         """
         handle = self._zbot_alive()

@@ -2,35 +2,14 @@
 
 from __future__ import annotations
 
-from zbot.errors import InvalidNameError, InvalidNodeNameError, ZbotError, shortened
+from zbot.errors import InvalidNodeNameError, WrongTypeError, ZbotError, shortened
 
 
-class AskedNameError(InvalidNameError):
-    """A graph query has an invalid topic or service name."""
-
-    def __init__(self, fault: InvalidNameError) -> None:
-        super().__init__(fault.name_type, fault.name, fault.error_msg, fault.invalid_index)
-        self.args = (f"{self.name_type} {self.name!r} is invalid: {self.error_msg}",)
-
-
-class ArgumentOrderError(ZbotError, TypeError):
-    """A function was given the right arguments in the wrong order."""
-
-    def __init__(self, call: str, arguments: str) -> None:
-        self.call, self.arguments = call, arguments
-        super().__init__(
-            f"the arguments of {call} are in the wrong order: write {call}({arguments})"
-        )
-
-
-class MessageTypeError(ZbotError, TypeError):
-    """`publish` was called with a message that does not have the topic's type."""
-
-    def __init__(self, topic: str, expected: str, value: object) -> None:
-        self.topic, self.expected, self.value = topic, expected, value
-        super().__init__(
-            f"{topic} carries {expected}, but publish() was given {type(value).__name__}: {value!r}"
-        )
+def argument_order_error(call: str, arguments: str) -> WrongTypeError:
+    """Return the error that a function was given the right arguments in the wrong order."""
+    return WrongTypeError(
+        f"the arguments of {call} are in the wrong order: write {call}({arguments})"
+    )
 
 
 class NodeNameError(InvalidNodeNameError):
@@ -63,23 +42,17 @@ class UnsupportedEventTypeError(ZbotError, RuntimeError):
     """rclpy's error for events that a middleware does not support. zbot never raises it."""
 
 
-class RequestTypeError(ZbotError, TypeError):
-    """A service was called with an object that is not a request of this service."""
-
-    def __init__(self, service: str, expected: str, value: object) -> None:
-        self.service, self.expected, self.value = service, expected, value
-        super().__init__(f"{service} takes a {expected}, not {shortened(value)}")
+def request_type_error(service: str, expected: str, value: object) -> WrongTypeError:
+    """Return the error that a service was called with something else than its request."""
+    return WrongTypeError(f"{service} takes a {expected}, not {shortened(value)}")
 
 
-class ResponseTypeError(ZbotError, TypeError):
-    """A service's callback returned an object that is not a response of this service."""
-
-    def __init__(self, service: str, expected: str, value: object) -> None:
-        self.service, self.expected, self.value = service, expected, value
-        hint = ": does it end with `return response`?" if value is None else ""
-        super().__init__(
-            f"the callback of {service} returned {shortened(value)}, not a {expected}{hint}"
-        )
+def response_type_error(service: str, expected: str, value: object) -> WrongTypeError:
+    """Return the error that a service's callback returned something else than its response."""
+    hint = ": does it end with `return response`?" if value is None else ""
+    return WrongTypeError(
+        f"the callback of {service} returned {shortened(value)}, not a {expected}{hint}"
+    )
 
 
 class ServiceError(ZbotError, RuntimeError):

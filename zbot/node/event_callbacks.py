@@ -77,8 +77,8 @@ class PublisherEventCallbacks(_EventCallbacks):
             rclpy. Different types of a topic are always logged.
 
     Raises:
-        NotCallableError: A callback is not callable.
-        CallbackSignatureError: A callback does not take one argument.
+        WrongTypeError: A callback is not callable.
+        WrongStateError: A callback does not take one argument.
     """
 
     def __init__(
@@ -123,8 +123,8 @@ class SubscriptionEventCallbacks(_EventCallbacks):
             rclpy. Different types of a topic are always logged.
 
     Raises:
-        NotCallableError: A callback is not callable.
-        CallbackSignatureError: A callback does not take one argument.
+        WrongTypeError: A callback is not callable.
+        WrongStateError: A callback does not take one argument.
     """
 
     def __init__(

@@ -8,7 +8,7 @@ from zbot.errors import InvalidNameError
 from zbot.graph.endpoint_info import TopicEndpointInfo
 from zbot.graph.snapshot import full_names
 from zbot.names import fully_qualified
-from zbot.node.errors import AskedNameError, UnknownNodeError
+from zbot.node.errors import UnknownNodeError
 from zbot.wire.tokens import EndpointToken, EntityKind
 
 if TYPE_CHECKING:
@@ -115,7 +115,9 @@ class GraphQueries:
         try:
             full = self.resolve_service_name(name) if is_service else self.resolve_topic_name(name)
         except InvalidNameError as error:
-            raise AskedNameError(error) from None
+            raise InvalidNameError(
+                error.name_type, error.name, error.error_msg, error.invalid_index
+            ) from None
         return self.context.graph.snapshot().on(full, kind)
 
     def _zbot_infos(self, kind: EntityKind, topic: str) -> list[TopicEndpointInfo]:

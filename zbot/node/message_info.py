@@ -31,8 +31,8 @@ def takes_info(callback: Callable[..., Any]) -> bool:
     """Return true if a callback takes a message and its info, or false if it takes a message only.
 
     Raises:
-        NotCallableError: The callback is not callable.
-        CallbackSignatureError: The number of the callback's arguments is not 1 or 2.
+        WrongTypeError: The callback is not callable.
+        WrongStateError: The number of the callback's arguments is not 1 or 2.
     """
     forms = ("(message)", "(message, info)")
     return check_callback("create_subscription", callback, *forms, position=2) == 1

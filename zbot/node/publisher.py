@@ -9,11 +9,10 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 import zenoh
 
-from zbot.errors import InvalidHandleError
+from zbot.errors import InvalidHandleError, WrongTypeError
 from zbot.interfaces import type_name
 from zbot.names import ROSOUT_TOPIC
 from zbot.node.endpoint import TopicEndpoint
-from zbot.node.errors import MessageTypeError
 from zbot.node.zenoh_declaration import can_block, declare_publisher
 from zbot.process import blocked_put, fork, signals
 from zbot.process.memory import LARGE_BYTES, keep_freed_memory
@@ -103,7 +102,7 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
         publishers drop the message.
 
         Raises:
-            MessageTypeError: The message has another type than the topic.
+            WrongTypeError: The message has another type than the topic.
             CodecError: A field of the message has a wrong value.
             InvalidHandleError: The publisher or its node was destroyed.
             NotInitializedError: The context was shut down.
@@ -159,7 +158,10 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
         # Another class of the same type may come from a real ROS 2 installation.
         if isinstance(msg, self.msg_type) or self._is_same_type(msg):
             return self._encode(msg)
-        raise MessageTypeError(self.topic_name, self._token.type_name, msg)
+        raise WrongTypeError(
+            f"{self.topic_name} carries {self._token.type_name}, "
+            f"but publish() was given {type(msg).__name__}: {msg!r}"
+        )
 
     def _is_same_type(self, msg: Any) -> bool:
         try:

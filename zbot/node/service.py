@@ -16,7 +16,7 @@ from zbot.handle import Handle
 from zbot.interfaces import type_name
 from zbot.log import get_logger
 from zbot.node.deduplication import RepeatedRequests
-from zbot.node.errors import ResponseTypeError
+from zbot.node.errors import response_type_error
 from zbot.node.service_introspection import ServiceEndpoint, Step
 from zbot.process.memory import LARGE_BYTES, keep_freed_memory
 from zbot.threads.foreign_call import called_by_zenoh, keep_thread_state
@@ -126,7 +126,7 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
         """Answer a request that `take_request` returned.
 
         Raises:
-            ResponseTypeError: The argument is not a response of this service.
+            WrongTypeError: The argument is not a response of this service.
         """
         self._answer(request_id_of(header.query), header.query, response)
 
@@ -205,7 +205,7 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
     def _answer(self, request_id: bytes, query: zenoh.Query, response: Any) -> None:
         expected = self.srv_type.Response
         if response.__class__ is not expected and not isinstance(response, expected):
-            raise ResponseTypeError(self.service_name, type_name(expected), response)
+            raise response_type_error(self.service_name, type_name(expected), response)
         self._reply_payload(request_id, query, self._encode(response), response)
 
     def _reply_payload(

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 from zbot.executor.callback_group import MutuallyExclusiveCallbackGroup
 from zbot.executor.clock import ROSClock
-from zbot.executor.errors import ClockTypeError
+from zbot.executor.errors import clock_type_error
 from zbot.node.parameters import USE_SIM_TIME
 from zbot.qos import QoSProfile, ReliabilityPolicy
 from zbot.time import ClockType, Time
@@ -112,10 +112,10 @@ class TimeSource:
         """Add another clock, which this time source sets too.
 
         Raises:
-            ClockTypeError: The clock is not a ROS time clock.
+            WrongValueError: The clock is not a ROS time clock.
         """
         if not isinstance(clock, ROSClock):
-            raise ClockTypeError("ROS_TIME", repr(clock))
+            raise clock_type_error("ROS_TIME", repr(clock))
         clock.set_ros_time_override(self._last_time)
         clock.set_ros_time_is_active(self._is_active)
         self._clocks.append(clock)

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Protocol
 
-from zbot.errors import ZbotError
 from zbot.interfaces.field_path import FieldPath, FieldPathError
 from zbot.observer.value_text import tree
+from zbot.web.errors import WebError
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
@@ -28,13 +28,10 @@ class Watcher(Protocol):
         raise NotImplementedError
 
 
-class CurveError(ZbotError, ValueError):
-    """A text is not the name of a curve."""
-
-    def __init__(self, word: str, reason: str) -> None:
-        self.word, self.reason = word, reason
-        self.hint = "write a topic and one of its numeric fields: /turtle1/pose.x"
-        super().__init__(f"{word!r} is not a curve: {reason}")
+def curve_error(word: str, reason: str) -> WebError:
+    """Return the error that a text is not the name of a curve."""
+    hint = "write a topic and one of its numeric fields: /turtle1/pose.x"
+    return WebError(f"{word!r} is not a curve: {reason}", hint=hint)
 
 
 def split_curve(word: str, topics: Iterable[str]) -> tuple[str, str]:
@@ -45,13 +42,13 @@ def split_curve(word: str, topics: Iterable[str]) -> tuple[str, str]:
         topics: The present topics. They show which part of `/turtle1/pose/x` is the topic.
 
     Raises:
-        CurveError: The topic is missing.
+        WebError: The topic is missing.
         FieldPathError: The field is not a valid path.
     """
     name, _, field = word.strip().partition(".")
     name = "/" + name.strip("/")
     if name == "/":
-        raise CurveError(word, "the topic is missing")
+        raise curve_error(word, "the topic is missing")
     if field:
         FieldPath(field)  # raises an error with the reason
         return name, field

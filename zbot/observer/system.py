@@ -26,6 +26,7 @@ from zbot.remote.parameters import RemoteParameters
 from zbot.remote.profiles import profile_to_show
 from zbot.remote.service_calls import ServiceCalls
 from zbot.remote.types import interface
+from zbot.web.errors import WebError
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -47,12 +48,9 @@ _END_S = 2.0  #: longest wait for a callback at the end
 PATIENCE_S = 10.0
 
 
-class ReadOnlyError(ZbotError):
-    """A read-only page tried to change something."""
-
-    def __init__(self, what: str) -> None:
-        self.what = what
-        super().__init__(f"this page is read-only: {what} is not possible (zbot web --read-only)")
+def read_only_error(what: str) -> WebError:
+    """Return the error that a read-only page tried to change something."""
+    return WebError(f"this page is read-only: {what} is not possible (zbot web --read-only)")
 
 
 class System:
@@ -70,7 +68,7 @@ class System:
     Raises:
         SessionError: Zenoh cannot open a session.
         ConfigError: The Zenoh configuration file is unusable.
-        DomainIdError: The domain is out of range.
+        SettingError: The domain is out of range.
     """
 
     def __init__(self, *, read_only: bool = False, domain_id: int | None = None) -> None:
@@ -264,7 +262,7 @@ class System:
         """Return a reference to a publisher.
 
         Raises:
-            ReadOnlyError: The page is read-only.
+            WebError: The page is read-only.
             UnknownTypeError: No definition of the type was found.
             InvalidTopicNameError: The name is not valid in ROS 2.
         """
@@ -288,7 +286,7 @@ class System:
             rate_hz: Messages a second.
 
         Raises:
-            ReadOnlyError: The page is read-only.
+            WebError: The page is read-only.
             UnknownTypeError: No definition of the type was found.
         """
         return RepeatedPublishing(self.node, self.publisher(topic, type_name), make, rate_hz)
@@ -297,7 +295,7 @@ class System:
         """Return a reference to a service's client. Await its futures with `await_future`.
 
         Raises:
-            ReadOnlyError: The page is read-only.
+            WebError: The page is read-only.
             UnknownTypeError: No definition of the type was found.
         """
         self._check_writable("calling services")
@@ -325,7 +323,7 @@ class System:
         """Set parameters of a node, and return a result for each. See `RemoteParameters.set`.
 
         Raises:
-            ReadOnlyError: The page is read-only.
+            WebError: The page is read-only.
         """
         self._check_writable("setting parameters")
         return self.parameters.set(node, parameters)
@@ -336,7 +334,7 @@ class System:
         """Return a reference to an action's client. Await its futures with `await_future`.
 
         Raises:
-            ReadOnlyError: The page is read-only.
+            WebError: The page is read-only.
             UnknownTypeError: No definition of the type was found.
         """
         self._check_writable("sending goals")
@@ -349,7 +347,7 @@ class System:
 
     def _check_writable(self, what: str) -> None:
         if self.read_only:
-            raise ReadOnlyError(what)
+            raise read_only_error(what)
 
 
 def _log_error(error: Exception) -> None:

@@ -5,7 +5,13 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import InvalidParameterError, ParameterError, SetupError, ZbotError
+from zbot.errors import (
+    InvalidParameterError,
+    ParameterError,
+    SetupError,
+    WrongValueError,
+    ZbotError,
+)
 from zbot.errors.suggestion import question, similar_names
 
 if TYPE_CHECKING:
@@ -150,12 +156,9 @@ class ParameterValueError(ZbotError, ValueError):
         super().__init__(f"not a parameter's value: {text[:100]!r}: {reason}")
 
 
-class ParameterAnswerError(ZbotError, ValueError):
-    """A node's answer about its parameters does not fit the request."""
-
-    def __init__(self, node: str, reason: str) -> None:
-        self.node, self.reason = node, reason
-        super().__init__(f"{node} gave a wrong answer about its parameters: {reason}")
+def parameter_answer_error(node: str, reason: str) -> WrongValueError:
+    """Return the error that a node's answer about its parameters does not fit the request."""
+    return WrongValueError(f"{node} gave a wrong answer about its parameters: {reason}")
 
 
 class ParametersFileError(SetupError, ValueError, RuntimeError):

@@ -7,7 +7,7 @@ import re
 from enum import IntEnum
 from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast, overload
 
-from zbot.errors import ArgumentTypeError, ZbotError
+from zbot.errors import ArgumentTypeError, WrongStateError, ZbotError
 from zbot.parameters.errors import ParameterValueError
 from zbot.parameters.file import matches, parse_value, sections
 from zbot.yaml_reader import YamlError, read_yaml
@@ -70,13 +70,10 @@ class UnknownParameterTypeError(ZbotError, RuntimeError):
         super().__init__(f"unexpected parameter type {type_}: use 0 to {max(Parameter.Type)}")
 
 
-class NoParametersError(ZbotError, RuntimeError):
-    """A parameter file has no parameters for the given nodes."""
-
-    def __init__(self, path: str, nodes: Sequence[str]) -> None:
-        self.path, self.nodes = path, list(nodes)
-        of = f" for {', '.join(nodes)}" if nodes else ""
-        super().__init__(f"Param file does not contain any valid parameters{of}: {path}")
+def no_parameters_error(path: str, nodes: Sequence[str]) -> WrongStateError:
+    """Return the error that a parameter file has no parameters for the given nodes."""
+    of = f" for {', '.join(nodes)}" if nodes else ""
+    return WrongStateError(f"Param file does not contain any valid parameters{of}: {path}")
 
 
 class Parameter(Generic[ValueT_co]):
@@ -341,7 +338,7 @@ def parameter_dict_from_yaml_file(
     Raises:
         ParametersFileError: The file cannot be read, or does not have ROS 2's format. The error is
             also a `FileNotFoundError` if the file does not exist.
-        NoParametersError: The file has no parameters for these nodes.
+        WrongStateError: The file has no parameters for these nodes.
     """
     nodes = [name if name.startswith("/") else f"/{name}" for name in target_nodes or ()]
     found = sections(parameter_file)
@@ -349,7 +346,7 @@ def parameter_dict_from_yaml_file(
     own = [values for pattern, values in found if _is_for(pattern, nodes)]
     values = {name: value for group in (*general, *own) for name, value in group.items()}
     if not values:
-        raise NoParametersError(parameter_file, nodes)
+        raise no_parameters_error(parameter_file, nodes)
     return {
         namespace + name: infer_parameter(namespace + name, value).to_parameter_msg()
         for name, value in values.items()

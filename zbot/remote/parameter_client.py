@@ -153,7 +153,7 @@ class AsyncParameterClient:
 
         Raises:
             ParametersFileError: The file cannot be read, or is not a parameter file.
-            NoParametersError: The file has no parameters for the other node.
+            WrongStateError: The file has no parameters for the other node.
         """
         return self.set_parameters(self._loaded(parameter_file, use_wildcard), callback)
 

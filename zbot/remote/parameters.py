@@ -9,7 +9,7 @@ from zbot.errors.suggestion import did_you_mean
 from zbot.graph.snapshot import full_names
 from zbot.interfaces import get_service
 from zbot.names import fully_qualified, is_hidden
-from zbot.parameters.errors import ParameterAnswerError
+from zbot.parameters.errors import parameter_answer_error
 from zbot.parameters.parameter import (
     Parameter,
     infer_parameter,
@@ -112,13 +112,13 @@ class RemoteParameters:
 
         Raises:
             ParameterNotSetError: The node has no parameter of that name.
-            ParameterAnswerError: The node's answer does not fit the request.
+            WrongValueError: The node's answer does not fit the request.
         """
         answer = list(self.ask(node, "DescribeParameters", names=list(names)).descriptors)
         if [one.name for one in answer] != list(names):
             self._require(node, names)
             reason = f"{len(answer)} descriptors for {len(names)} names"
-            raise ParameterAnswerError(node, reason)
+            raise parameter_answer_error(node, reason)
         return answer
 
     def types(self, node: str, names: Sequence[str]) -> dict[str, Parameter.Type]:
@@ -138,7 +138,7 @@ class RemoteParameters:
             A `rcl_interfaces/msg/SetParametersResult` for each parameter.
 
         Raises:
-            ParameterAnswerError: The node's answer does not fit the request.
+            WrongValueError: The node's answer does not fit the request.
         """
         messages = parameter_messages(parameters)
         if atomic:
@@ -147,7 +147,7 @@ class RemoteParameters:
         results = list(self.ask(node, "SetParameters", parameters=messages).results)
         if len(results) != len(messages):
             reason = f"it has {len(results)} results for {len(messages)} parameters"
-            raise ParameterAnswerError(node, reason)
+            raise parameter_answer_error(node, reason)
         return results
 
     def from_file(self, node: str, values: dict[str, Any]) -> list[Parameter[Any]]:

@@ -47,7 +47,7 @@ def interface(context: Context, name: str) -> type[Any]:
     Raises:
         UnknownTypeError: No definition of the type was found.
         DefinitionLimitError: The only definition would make messages that are too large.
-        InterfaceConflictError: A part of the type has another definition on this machine.
+        WrongValueError: A part of the type has another definition on this machine.
     """
     try:
         return get_interface(name)
@@ -73,7 +73,7 @@ def learn_type(
 
     Raises:
         DefinitionLimitError: The only definition would make messages that are too large.
-        InterfaceConflictError: A part of the type has another definition on this machine.
+        WrongValueError: A part of the type has another definition on this machine.
     """
     context.wait_for_peers()
     refusal: DefinitionLimitError | None = None

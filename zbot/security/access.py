@@ -36,7 +36,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import SetupError
+from zbot.security.errors import SecurityError
 from zbot.security.secret import Secret
 
 if TYPE_CHECKING:
@@ -78,15 +78,12 @@ _READ_MESSAGES = (
 _ALL_KEYS = ("**", "**/@adv/**", "@/**", "@zbot/**", "@class/**", "@hub/**", "@ros2_lv/**")
 
 
-class UserNameError(SetupError, ValueError):
-    """A user name is reserved, too long, or has characters that Zenoh's password file forbids."""
-
-    def __init__(self, name: str) -> None:
-        self.name = name
-        super().__init__(
-            f"{name!r} is not a user name: use up to 64 letters, digits, '.', '_' and '-' "
-            f"(and neither {TEACHER!r} nor {LOBBY!r})"
-        )
+def user_name_error(name: str) -> SecurityError:
+    """Return the error that a user name is reserved, too long, or not for Zenoh's password file."""
+    return SecurityError(
+        f"{name!r} is not a user name: use up to 64 letters, digits, '.', '_' and '-' "
+        f"(and neither {TEACHER!r} nor {LOBBY!r})"
+    )
 
 
 @dataclass(frozen=True)
@@ -121,7 +118,7 @@ def teacher_access(
         Zenoh's configuration paths, each with its value.
 
     Raises:
-        UserNameError: A user name is invalid.
+        SecurityError: A user name is invalid.
     """
     policies = [
         (TEACHER, _write_rules(TEACHER, _ALL_KEYS) + _read_rules(TEACHER, _ALL_KEYS)),
@@ -130,7 +127,7 @@ def teacher_access(
     given = list(shares)
     for user, domain in students.items():
         if user in {TEACHER, LOBBY}:
-            raise UserNameError(user)
+            raise user_name_error(user)
         rules = _student_rules(_checked(user), domain, shared_is_open)
         shared = sorted({share.domain for share in given if share.reader == user})
         for number in shared:
@@ -178,7 +175,7 @@ def credentials(user: str, secret: Secret, accepted: Path | None = None) -> dict
             that listens needs the file.
 
     Raises:
-        UserNameError: The user name is invalid.
+        SecurityError: The user name is invalid.
     """
     path = "transport/auth/usrpwd"
     found = {f"{path}/user": _checked(user), f"{path}/password": secret.reveal()}
@@ -191,7 +188,7 @@ def accepted_users(users: Mapping[str, Secret]) -> bytes:
     """Return the content of a file of the users that a session accepts (see `write_private`).
 
     Raises:
-        UserNameError: A user name is invalid.
+        SecurityError: A user name is invalid.
     """
     lines = (f"{_checked(user)}:{secret.reveal()}\n" for user, secret in users.items())
     return "".join(lines).encode()
@@ -200,7 +197,7 @@ def accepted_users(users: Mapping[str, Secret]) -> bytes:
 def _checked(user: str) -> str:
     is_plain = user.isascii() and all(char.isalnum() or char in "._-" for char in user)
     if not is_plain or not 1 <= len(user) <= 64:
-        raise UserNameError(user)
+        raise user_name_error(user)
     return user
 
 

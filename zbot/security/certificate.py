@@ -12,11 +12,11 @@ from datetime import datetime, timedelta, timezone
 from typing import TYPE_CHECKING
 
 from zbot.security.errors import (
-    CertificateRequestError,
-    ForeignCertificateError,
-    InvalidFileError,
-    MissingFileError,
-    ValidityPeriodError,
+    certificate_request_error,
+    foreign_certificate_error,
+    invalid_file_error,
+    missing_file_error,
+    validity_period_error,
 )
 
 if TYPE_CHECKING:
@@ -67,10 +67,10 @@ class Validity:
         """Return a period of `count` days from now. It begins one day earlier, for slow clocks.
 
         Raises:
-            CertificateRequestError: The number is not from 1 to 3650.
+            SecurityError: The number is not from 1 to 3650.
         """
         if not 1 <= count <= MAX_DAYS:
-            raise CertificateRequestError(count, f"is not a number of days from 1 to {MAX_DAYS}")
+            raise certificate_request_error(count, f"is not a number of days from 1 to {MAX_DAYS}")
         now = datetime.now(timezone.utc)
         return cls(now - _CLOCK_TOLERANCE, now + timedelta(days=count))
 
@@ -102,7 +102,7 @@ def issue(authority: KeyPair, name: str, addresses: Iterable[str], validity: Val
         validity: Period in which the certificate is valid.
 
     Raises:
-        CertificateRequestError: An address is not a host name or an IP address.
+        SecurityError: An address is not a host name or an IP address.
     """
     from cryptography import x509  # noqa: PLC0415 - slow to import
     from cryptography.hazmat.primitives.asymmetric import ec  # noqa: PLC0415 - slow to import
@@ -146,7 +146,7 @@ def _general_name(address: str) -> x509.GeneralName:
     except ValueError:
         if not _HOST_NAME.fullmatch(address):
             problem = "is neither a host name nor an IP address"
-            raise CertificateRequestError(address, problem) from None
+            raise certificate_request_error(address, problem) from None
         return x509.DNSName(address)
 
 
@@ -245,18 +245,16 @@ def check(certificate: Path, key: Path, authority: Path, now: datetime | None = 
         now: The time at which the certificate must be valid. The default is the present time.
 
     Raises:
-        MissingFileError: A file does not exist.
-        InvalidFileError: A file is damaged, or the key does not belong to the certificate.
-        ValidityPeriodError: The machine's or the authority's certificate has expired, or is not
-            valid yet.
-        ForeignCertificateError: Another authority signed the certificate.
+        CertificateError: A file does not exist, or a file is damaged, or the key does not belong to
+            the certificate, or the machine's or the authority's certificate has expired, or is not
+            valid yet, or another authority signed the certificate.
     """
     moment = now or datetime.now(timezone.utc)
     issuer, own = _certificate(authority), _certificate(certificate)
     _check_key(key, own)
     said = _facts(own)
     if not _is_signed_by(own, issuer):
-        raise ForeignCertificateError(certificate, said.name, authority)
+        raise foreign_certificate_error(certificate, said.name, authority)
     _check_time(authority, _facts(issuer), moment)
     _check_time(certificate, said, moment)
     return said
@@ -280,16 +278,16 @@ def check_issued(der: bytes, shown_by: str, authority: Path, now: datetime | Non
         shown = x509.load_der_x509_certificate(der)
         said = _facts(shown)
     except ValueError as exc:
-        raise ForeignCertificateError(shown_by, "nobody", authority) from exc
+        raise foreign_certificate_error(shown_by, "nobody", authority) from exc
     if not _is_signed_by(shown, _certificate(authority)):
-        raise ForeignCertificateError(shown_by, said.name, authority)
+        raise foreign_certificate_error(shown_by, said.name, authority)
     _check_time(shown_by, said, now or datetime.now(timezone.utc))
     return said
 
 
 def _check_time(path: Path | str, said: Facts, now: datetime) -> None:
     if not said.since <= now <= said.until:
-        raise ValidityPeriodError(
+        raise validity_period_error(
             path, said.name, said.since, said.until, is_expired=now > said.until
         )
 
@@ -312,9 +310,9 @@ def _check_key(path: Path, certificate: x509.Certificate) -> None:
     try:
         key = load_pem_private_key(_content(path, "key"), None)
     except (ValueError, TypeError) as exc:
-        raise InvalidFileError(path, "key", "it is damaged or has a password") from exc
+        raise invalid_file_error(path, "key", "it is damaged or has a password") from exc
     if key.public_key() != certificate.public_key():
-        raise InvalidFileError(path, "key", "it does not belong to the certificate beside it")
+        raise invalid_file_error(path, "key", "it does not belong to the certificate beside it")
 
 
 def _certificate(path: Path) -> x509.Certificate:
@@ -324,7 +322,7 @@ def _certificate(path: Path) -> x509.Certificate:
         found = x509.load_pem_x509_certificate(_content(path, "certificate"))
         _facts(found)  # this reads the extensions, which may be damaged too
     except ValueError as exc:
-        raise InvalidFileError(path, "certificate", "it is damaged") from exc
+        raise invalid_file_error(path, "certificate", "it is damaged") from exc
     return found
 
 
@@ -332,6 +330,6 @@ def _content(path: Path, what: str) -> bytes:
     try:
         return path.read_bytes()
     except FileNotFoundError:
-        raise MissingFileError(path, what) from None
+        raise missing_file_error(path, what) from None
     except OSError as exc:
-        raise InvalidFileError(path, what, exc.strerror or str(exc)) from exc
+        raise invalid_file_error(path, what, exc.strerror or str(exc)) from exc

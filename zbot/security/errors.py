@@ -15,45 +15,24 @@ class SecurityError(SetupError):
     """Root of the errors of keystores and certificates."""
 
 
-class KeystoreExistsError(SecurityError, FileExistsError):
-    """A keystore exists already, or an enclave of a keystore exists already.
-
-    Attributes:
-        path: The folder or file that exists.
-    """
-
-    def __init__(self, path: Path, sentence: str) -> None:
-        self.path = path
-        super().__init__(sentence)
+def no_keystore_error(root: Path, reason: str) -> SecurityError:
+    """Return the error that a folder is no keystore, or has no key of the authority."""
+    return SecurityError(f"'{root}' {reason}")
 
 
-class NoKeystoreError(SecurityError, FileNotFoundError):
-    """A folder is not a keystore, or a keystore does not have the authority's key."""
-
-    def __init__(self, root: Path, reason: str) -> None:
-        self.root, self.reason = root, reason
-        super().__init__(f"'{root}' {reason}")
-
-
-class UnknownEnclaveError(SecurityError, LookupError):
-    """A keystore is empty, or it has several enclaves but none with this machine's host name."""
-
-    def __init__(self, root: Path, known: list[str]) -> None:
-        self.root, self.known = root, known
-        found = ", ".join(known) or "none"
-        example = root / "enclaves" / (known[0] if known else "NAME")
-        super().__init__(
-            f"cannot choose a certificate of '{root}' for this machine (there are: {found}): "
-            f"give the path of this machine's folder, such as {example}"
-        )
+def unknown_enclave_error(root: Path, known: list[str]) -> SecurityError:
+    """Return the error that a keystore has not exactly one enclave, and none of this machine."""
+    found = ", ".join(known) or "none"
+    example = root / "enclaves" / (known[0] if known else "NAME")
+    return SecurityError(
+        f"cannot choose a certificate of '{root}' for this machine (there are: {found}): "
+        f"give the path of this machine's folder, such as {example}"
+    )
 
 
-class CertificateRequestError(SecurityError, ValueError):
-    """A name, an address or a number of days is not valid for a new certificate."""
-
-    def __init__(self, value: object, reason: str) -> None:
-        self.value, self.reason = value, reason
-        super().__init__(f"{value!r} {reason}")
+def certificate_request_error(value: object, reason: str) -> SecurityError:
+    """Return the error that a certificate cannot be made for a name, an address or some days."""
+    return SecurityError(f"{value!r} {reason}")
 
 
 class CertificateError(SecurityError):
@@ -68,90 +47,66 @@ class CertificateError(SecurityError):
         super().__init__(sentence)
 
 
-class MissingFileError(CertificateError, FileNotFoundError):
-    """The file of a certificate or key does not exist."""
-
-    def __init__(self, path: Path, what: str) -> None:
-        self.what = what
-        super().__init__(
-            path,
-            f"there is no {what} at {path}: copy the machine's whole folder out of the keystore, "
-            "or make the folder with `zbot security create_enclave`",
-        )
+def missing_file_error(path: Path, what: str) -> CertificateError:
+    """Return the error that the file of a certificate or key does not exist."""
+    return CertificateError(
+        path,
+        f"there is no {what} at {path}: copy the machine's whole folder out of the keystore, "
+        "or make the folder with `zbot security create_enclave`",
+    )
 
 
-class InvalidFileError(CertificateError, ValueError):
-    """A file is not a valid certificate, or is not the key of the certificate beside it."""
-
-    def __init__(self, path: Path, what: str, reason: str) -> None:
-        self.what, self.reason = what, reason
-        super().__init__(
-            path, f"{path} is not a valid {what} ({reason}): copy the machine's whole folder again"
-        )
+def invalid_file_error(path: Path, what: str, reason: str) -> CertificateError:
+    """Return the error that a file is not a valid certificate, or not its key."""
+    return CertificateError(
+        path, f"{path} is not a valid {what} ({reason}): copy the machine's whole folder again"
+    )
 
 
-class ValidityPeriodError(CertificateError, ValueError):
-    """A certificate has expired, or is not valid yet."""
-
-    def __init__(
-        self, path: Path | str, name: str, since: datetime, until: datetime, *, is_expired: bool
-    ) -> None:
-        self.name, self.since, self.until, self.is_expired = name, since, until, is_expired
-        if is_expired:
-            problem = f"expired on {until:%Y-%m-%d %H:%M} UTC: renew it with `zbot security "
-            problem += "create_enclave --renew`, or set this machine's clock"
-        else:
-            problem = f"is valid only from {since:%Y-%m-%d %H:%M} UTC on: set this machine's clock"
-        super().__init__(path, f"the certificate of {name} ({path}) {problem}")
+def validity_period_error(
+    path: Path | str, name: str, since: datetime, until: datetime, *, is_expired: bool
+) -> CertificateError:
+    """Return the error that a certificate has expired, or is not valid yet."""
+    if is_expired:
+        problem = f"expired on {until:%Y-%m-%d %H:%M} UTC: renew it with `zbot security "
+        problem += "create_enclave --renew`, or set this machine's clock"
+    else:
+        problem = f"is valid only from {since:%Y-%m-%d %H:%M} UTC on: set this machine's clock"
+    return CertificateError(path, f"the certificate of {name} ({path}) {problem}")
 
 
-class ForeignCertificateError(CertificateError, ValueError):
-    """A certificate was not signed by the keystore's authority."""
-
-    def __init__(self, path: Path | str, name: str, authority: Path) -> None:
-        self.name, self.authority = name, authority
-        super().__init__(
-            path,
-            f"the certificate of {name} ({path}) was not made with the keystore of {authority}: "
-            "use certificates of one keystore on both machines",
-        )
+def foreign_certificate_error(path: Path | str, name: str, authority: Path) -> CertificateError:
+    """Return the error that a certificate was not signed by the keystore's authority."""
+    return CertificateError(
+        path,
+        f"the certificate of {name} ({path}) was not made with the keystore of {authority}: "
+        "use certificates of one keystore on both machines",
+    )
 
 
-class CertificateAddressError(CertificateError, ValueError):
-    """A hub's certificate does not contain the address of the hub.
-
-    Attributes:
-        address: The address at which others reach the hub.
-        known: The addresses in the certificate. A client's certificate has no addresses.
-    """
-
-    def __init__(self, path: Path | str, name: str, address: str, known: tuple[str, ...]) -> None:
-        self.name, self.address, self.known = name, address, known
-        problem = f"is for {', '.join(known)}, not for {address}" if known else "names no address"
-        super().__init__(
-            path,
-            f"the certificate of {name} ({path}) {problem}: renew it with "
-            f"`zbot security create_enclave --renew KEYSTORE NAME --ip {address}`",
-        )
+def certificate_address_error(
+    path: Path | str, name: str, address: str, known: tuple[str, ...]
+) -> CertificateError:
+    """Return the error that a hub's certificate does not contain the address of the hub."""
+    problem = f"is for {', '.join(known)}, not for {address}" if known else "names no address"
+    return CertificateError(
+        path,
+        f"the certificate of {name} ({path}) {problem}: renew it with "
+        f"`zbot security create_enclave --renew KEYSTORE NAME --ip {address}`",
+    )
 
 
-class RefusedCertificateError(SecurityError, PermissionError):
-    """The hub at an address does not accept this machine's certificate."""
-
-    def __init__(self, host: str, port: int, reason: str) -> None:
-        self.host, self.port, self.reason = host, port, reason
-        super().__init__(
-            f"{host}:{port} does not accept this machine's certificate ({reason}): use one that "
-            "has not expired, from the keystore of that hub"
-        )
+def refused_certificate_error(host: str, port: int, reason: str) -> SecurityError:
+    """Return the error that the hub at an address does not accept this machine's certificate."""
+    return SecurityError(
+        f"{host}:{port} does not accept this machine's certificate ({reason}): use one that "
+        "has not expired, from the keystore of that hub"
+    )
 
 
-class NoTlsError(SecurityError, ConnectionError):
-    """The program that listens at an address does not use TLS."""
-
-    def __init__(self, host: str, port: int) -> None:
-        self.host, self.port = host, port
-        super().__init__(
-            f"{host}:{port} uses no certificates: join without --keystore, or start the hub there "
-            "with --keystore"
-        )
+def no_tls_error(host: str, port: int) -> SecurityError:
+    """Return the error that the program that listens at an address does not use TLS."""
+    return SecurityError(
+        f"{host}:{port} uses no certificates: join without --keystore, or start the hub there "
+        "with --keystore"
+    )

@@ -21,12 +21,11 @@ from typing import TYPE_CHECKING
 
 from zbot.security.certificate import Facts, KeyPair, Validity, check, issue, make_authority
 from zbot.security.errors import (
-    CertificateRequestError,
-    KeystoreExistsError,
-    MissingFileError,
-    NoKeystoreError,
     SecurityError,
-    UnknownEnclaveError,
+    certificate_request_error,
+    missing_file_error,
+    no_keystore_error,
+    unknown_enclave_error,
 )
 from zbot.security.secret import make_private_folder, write_private
 
@@ -44,12 +43,9 @@ _NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_.-]*(/[A-Za-z0-9_][A-Za-z0-9_.-]*)*"
 _LONGEST_NAME = 64  #: longest common name of a certificate (RFC 5280)
 
 
-class KeystoreWriteError(SecurityError, OSError):
-    """A file of a keystore cannot be written or read."""
-
-    def __init__(self, path: Path, error: OSError) -> None:
-        self.path = path
-        super().__init__(f"cannot use {path}: {error.strerror or error}")
+def keystore_write_error(path: Path, error: OSError) -> SecurityError:
+    """Return the error that a file of a keystore cannot be written or read."""
+    return SecurityError(f"cannot use {path}: {error.strerror or error}")
 
 
 @dataclass(frozen=True)
@@ -89,7 +85,7 @@ class Keystore:
         root: The folder.
 
     Raises:
-        NoKeystoreError: The folder is not a keystore.
+        SecurityError: The folder is not a keystore.
     """
 
     def __init__(self, root: Path) -> None:
@@ -98,20 +94,20 @@ class Keystore:
             reason = (
                 f"is not a valid keystore: make one with `zbot security create_keystore {root}`"
             )
-            raise NoKeystoreError(root, reason)
+            raise no_keystore_error(root, reason)
 
     @classmethod
     def create(cls, root: Path, validity: Validity | None = None) -> Keystore:
         """Make a keystore with a new authority.
 
         Raises:
-            KeystoreExistsError: A file of this name exists, or the folder is not empty.
-            KeystoreWriteError: The folder cannot be written.
+            SecurityError: A file of this name exists, or the folder is not empty, or the folder
+                cannot be written.
         """
         if root.exists() and (not root.is_dir() or any(root.iterdir())):
             what = "keystore" if is_keystore(root) else "folder" if root.is_dir() else "file"
             sentence = f"Unable to create keystore: {what} '{root}' already exists"
-            raise KeystoreExistsError(root, sentence)
+            raise SecurityError(sentence)
         made = make_authority(validity or Validity.days(AUTHORITY_DAYS))
         try:
             make_private_folder(root)
@@ -121,7 +117,7 @@ class Keystore:
             # Write this file last, because `is_keystore` returns True when this file exists.
             write_private(root / "public" / _AUTHORITY, made.certificate)
         except OSError as exc:
-            raise KeystoreWriteError(root, exc) from exc
+            raise keystore_write_error(root, exc) from exc
         return cls(root)
 
     def issue(
@@ -142,23 +138,22 @@ class Keystore:
             renew: Replace an existing key and certificate.
 
         Raises:
-            CertificateRequestError: The name or an address is invalid.
-            KeystoreExistsError: A certificate of that name exists, and `renew` is False.
-            NoKeystoreError: The keystore does not have the authority's key.
-            KeystoreWriteError: The files cannot be written.
+            SecurityError: The name or an address is invalid, or a certificate of that name exists,
+                and `renew` is False, or the keystore does not have the authority's key, or the
+                files cannot be written.
         """
         plain = enclave_name(name)
         target = self.root / "enclaves" / plain
         if (target / _CERTIFICATE).exists() and not renew:
             sentence = f"Unable to create enclave: '/{plain}' already exists in {target}; "
             sentence += "--renew replaces its key and certificate"
-            raise KeystoreExistsError(target, sentence)
+            raise SecurityError(sentence)
         authority = self._authority()
         pair = issue(authority, plain, addresses, validity or Validity.days(MACHINE_DAYS))
         try:
             _place(target, pair, authority.certificate)
         except OSError as exc:
-            raise KeystoreWriteError(target, exc) from exc
+            raise keystore_write_error(target, exc) from exc
         return Identity(target)
 
     def enclaves(self) -> list[str]:
@@ -174,9 +169,9 @@ class Keystore:
         except FileNotFoundError:
             reason = "has no key to sign with (private/ca.key.pem): "
             reason += "make certificates where the keystore was created"
-            raise NoKeystoreError(self.root, reason) from None
+            raise no_keystore_error(self.root, reason) from None
         except OSError as exc:
-            raise KeystoreWriteError(key, exc) from exc
+            raise keystore_write_error(key, exc) from exc
 
 
 def is_keystore(root: Path) -> bool:
@@ -188,13 +183,13 @@ def enclave_name(name: str) -> str:
     """Return a machine's name without its leading slash.
 
     Raises:
-        CertificateRequestError: The name is invalid, e.g. a path that leads out of the keystore.
+        SecurityError: The name is invalid, e.g. a path that leads out of the keystore.
     """
     plain = name.removeprefix("/")
     if not _NAME.fullmatch(plain) or len(plain) > _LONGEST_NAME:
         reason = "is not a valid enclave name: use words of letters, digits, '.', '_' and '-', "
         reason += f"such as /ana or /robots/one, at most {_LONGEST_NAME} characters"
-        raise CertificateRequestError(name, reason)
+        raise certificate_request_error(name, reason)
     return plain
 
 
@@ -206,18 +201,18 @@ def identity(folder: Path) -> Identity:
             chosen. Otherwise the enclave with this machine's host name is chosen.
 
     Raises:
-        UnknownEnclaveError: The keystore is empty, or no enclave has the host name.
-        MissingFileError: The folder does not exist.
+        SecurityError: The keystore is empty, or no enclave has the host name.
+        CertificateError: The folder does not exist.
     """
     if not is_keystore(folder):
         if not folder.is_dir():
-            raise MissingFileError(folder, "keystore")
+            raise missing_file_error(folder, "keystore")
         return Identity(folder)
     known = [name.removeprefix("/") for name in Keystore(folder).enclaves()]
     host = socket.gethostname()
     chosen = known[0] if len(known) == 1 else host
     if chosen not in known:
-        raise UnknownEnclaveError(folder, known)
+        raise unknown_enclave_error(folder, known)
     return Identity(folder / "enclaves" / chosen)
 
 

@@ -100,39 +100,14 @@ class PinMessageError(PinError, ValueError):
         super().__init__(f"the PIN could not be checked ({reason}): join again")
 
 
-class PinVersionError(PinError):
-    """The laptop and the class use different versions of the PIN check.
-
-    Attributes:
-        laptop: The laptop's version.
-        of_class: The version of the class.
-    """
-
-    def __init__(self, laptop: int, of_class: int) -> None:
-        self.laptop, self.of_class = laptop, of_class
-        super().__init__(
-            "zbot on this laptop is older than zbot of the class: install the newer zbot on "
-            "this laptop"
-            if laptop < of_class
-            else "zbot of the class is older than zbot on this laptop: ask the teacher to "
-            "install the newer zbot"
-        )
-
-
-class ForeignHubError(PinError):
-    """The laptop has connected to a hub that is not the hub of the class.
-
-    Attributes:
-        hub: The address or certificate to which the laptop has connected.
-    """
-
-    def __init__(self, hub: str) -> None:
-        self.hub = hub
-        super().__init__(
-            "this laptop did not dial the class's own machine, but one that forwards to it: use "
-            "the code or address on the teacher's screen (if the teacher's machine is behind a "
-            "router or is a virtual machine, the class needs a keystore)"
-        )
+def pin_version_error(laptop: int, of_class: int) -> PinError:
+    """Return the error that the laptop and the class use different versions of the PIN check."""
+    return PinError(
+        "zbot on this laptop is older than zbot of the class: install the newer zbot on this laptop"
+        if laptop < of_class
+        else "zbot of the class is older than zbot on this laptop: ask the teacher to "
+        "install the newer zbot"
+    )
 
 
 class PinClient:
@@ -162,11 +137,11 @@ class PinClient:
 
         Raises:
             PinMessageError: The challenge is invalid.
-            PinVersionError: The class has another version of the PIN check.
+            PinError: The class has another version of the PIN check.
         """
         found = _protocol(challenge)
         if found != PROTOCOL:
-            raise PinVersionError(PROTOCOL, found)
+            raise pin_version_error(PROTOCOL, found)
         attempt = _bytes(challenge, "visit").hex()
         self._keys = _keys(self._side, _bytes(challenge, "public"), attempt)
         return {"visit": attempt, **_Sealed.make(request, "claim", self._keys).message()}
@@ -236,16 +211,20 @@ class PinServer:
 
         Raises:
             PinMessageError: The document is invalid.
-            PinVersionError: The laptop has another version of the PIN check.
-            ForeignHubError: The laptop has connected to a hub that is not the class's.
+            PinError: The laptop has another version of the PIN check, or the laptop has connected
+                to a hub that is not the class's.
             TooManyGuessesError: Too many PINs were wrong.
         """
         found = _protocol(hello)
         if found != PROTOCOL:
-            raise PinVersionError(found, PROTOCOL)
+            raise pin_version_error(found, PROTOCOL)
         public, hub = _bytes(hello, "public"), _hub(hello)
         if not self._is_own_hub(hub):
-            raise ForeignHubError(hub)
+            raise PinError(
+                "this laptop did not dial the class's own machine, but one that forwards to it: "
+                "use the code or address on the teacher's screen (if the teacher's machine is "
+                "behind a router or is a virtual machine, the class needs a keystore)"
+            )
         with self._lock:
             self._check_guess_rate()
         with self._steady_time():

@@ -8,7 +8,7 @@ import ssl
 from typing import TYPE_CHECKING, Any
 
 from zbot.security.certificate import Facts, check_issued
-from zbot.security.errors import CertificateAddressError, NoTlsError, RefusedCertificateError
+from zbot.security.errors import certificate_address_error, no_tls_error, refused_certificate_error
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -56,7 +56,7 @@ def check_listening(identity: Identity, address: str) -> Facts:
     """
     said = identity.check()
     if not said.is_server:
-        raise CertificateAddressError(identity.certificate, said.name, address, ())
+        raise certificate_address_error(identity.certificate, said.name, address, ())
     if all(_is_ip(known) for known in said.addresses):
         _check_address(identity.certificate, said, address)
     return said
@@ -81,8 +81,8 @@ def check_dialling(
 
     Raises:
         CertificateError: This machine's certificate or the hub's is invalid.
-        RefusedCertificateError: The hub does not accept this machine's certificate.
-        NoTlsError: The program at the address does not use TLS.
+        SecurityError: The hub does not accept this machine's certificate, or the program at the
+            address does not use TLS.
         OSError: No program answers.
     """
     identity.check()
@@ -95,10 +95,10 @@ def check_dialling(
                 return said
         except ssl.SSLError as exc:
             if "ALERT" in (exc.reason or ""):
-                raise RefusedCertificateError(host, port, _in_words(exc)) from exc
-            raise NoTlsError(host, port) from exc
+                raise refused_certificate_error(host, port, _in_words(exc)) from exc
+            raise no_tls_error(host, port) from exc
         except (TimeoutError, ConnectionError) as exc:
-            raise NoTlsError(host, port) from exc
+            raise no_tls_error(host, port) from exc
 
 
 def _context(identity: Identity) -> ssl.SSLContext:
@@ -114,7 +114,7 @@ def _context(identity: Identity) -> ssl.SSLContext:
 def _checked_server(shown: bytes, identity: Identity, host: str, port: int) -> Facts:
     said = check_issued(shown, f"{host}:{port}", identity.authority)
     if not said.is_server:
-        raise CertificateAddressError(f"{host}:{port}", said.name, host, ())
+        raise certificate_address_error(f"{host}:{port}", said.name, host, ())
     _check_address(f"{host}:{port}", said, host)
     return said
 
@@ -123,14 +123,14 @@ def _await_refusal(wrapped: ssl.SSLSocket, host: str, port: int) -> None:
     wrapped.settimeout(_REFUSAL_S)
     try:
         if not wrapped.recv(1):
-            raise RefusedCertificateError(host, port, "it closed the connection")
+            raise refused_certificate_error(host, port, "it closed the connection")
     except TimeoutError:
         return  # the hub waits for Zenoh's first message, so it has accepted the certificate
 
 
 def _check_address(path: Path | str, said: Facts, address: str) -> None:
     if not any(_same(known, address) for known in said.addresses):
-        raise CertificateAddressError(path, said.name, address, said.addresses)
+        raise certificate_address_error(path, said.name, address, said.addresses)
 
 
 def _is_ip(address: str) -> bool:

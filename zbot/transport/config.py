@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import zenoh
 
 from zbot.transport import membership
-from zbot.transport.errors import ConfigError, DiscoveryRangeError, DomainIdError, PortError
+from zbot.transport.errors import ConfigError, SettingError, discovery_range_error, port_error
 
 MAX_DOMAIN_ID = 232  #: ROS 2's own limit, so that lesson sheets for ROS 2 are valid here
 MEETING_PORT = 7450  #: port of the router of domain 0 on 127.0.0.1 (domain n: 7450 + n)
@@ -59,7 +59,7 @@ def domain_id(given: int | None = None) -> int:
     else 0.
 
     Raises:
-        DomainIdError: The domain is not an integer from 0 to 232.
+        SettingError: The domain is not an integer from 0 to 232.
     """
     if given is not None:
         return _checked_domain("domain_id", given)
@@ -84,7 +84,10 @@ def _checked_domain(source: str, value: object) -> int:
     except ValueError:
         number = -1
     if not 0 <= number <= MAX_DOMAIN_ID:
-        raise DomainIdError(source, value, MAX_DOMAIN_ID)
+        raise SettingError(
+            f"{source} is {value!r}, but a domain is a whole number from 0 to {MAX_DOMAIN_ID}: "
+            f"set such a number, for example {source}=7"
+        )
     return number
 
 
@@ -94,14 +97,14 @@ def hub_port() -> int:
     It is the port in the membership file, else `$ZBOT_HUB_PORT`, else 7447.
 
     Raises:
-        PortError: The variable does not hold a port.
+        SettingError: The variable does not hold a port.
     """
     joined = membership.load()
     if joined is not None and joined.hub_port:
         return joined.hub_port
     text = os.environ.get("ZBOT_HUB_PORT") or str(HUB_PORT)
     if not (text.isascii() and text.isdigit() and len(text) < 9 and 0 < int(text) <= _MAX_PORT):
-        raise PortError("ZBOT_HUB_PORT", text)
+        raise port_error("ZBOT_HUB_PORT", text)
     return int(text)
 
 
@@ -109,7 +112,7 @@ def discovery_range() -> DiscoveryRange:
     """Return the range in `$ZBOT_DISCOVERY_RANGE`, else in ROS 2's variable, else LOCALHOST.
 
     Raises:
-        DiscoveryRangeError: The variable holds an unknown word.
+        SettingError: The variable holds an unknown word.
     """
     found = range_variable()
     if found is None or found[1].upper() == "SYSTEM_DEFAULT":
@@ -117,7 +120,7 @@ def discovery_range() -> DiscoveryRange:
     try:
         return DiscoveryRange(found[1].upper())
     except ValueError:
-        raise DiscoveryRangeError(*found) from None
+        raise discovery_range_error(*found) from None
 
 
 def range_variable() -> tuple[str, str] | None:

@@ -34,7 +34,7 @@ def differences(domain_id: int | None = None) -> list[Difference]:
 
     Raises:
         ConfigError: The Zenoh configuration file cannot be read, or is not valid.
-        DiscoveryRangeError: The variable for the discovery range has an unknown value.
+        SettingError: The variable for the discovery range has an unknown value.
         MembershipError: The membership file is damaged.
     """
     joined = membership.load()

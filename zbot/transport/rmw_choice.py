@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING
 
-from zbot.transport.errors import RmwError
+from zbot.transport.errors import SettingError
 from zbot.wire.dialect import CLASSROOM, NATIVE, RMW_ZENOH, ZBOT_IDENTIFIER
 
 if TYPE_CHECKING:
@@ -35,7 +35,7 @@ def dialect_of_rmw(
             `rmw_implementation`.
 
     Raises:
-        RmwError: The middleware in `given` or in the file is unknown.
+        SettingError: The middleware in `given` or in the file is unknown.
         ConfigError: The file is not a valid Zenoh configuration.
     """
     found = given or _of_variable() or (file and _of_file(file))
@@ -51,10 +51,10 @@ def known(name: str) -> str:
     """Return a middleware's name if zbot supports this middleware.
 
     Raises:
-        RmwError: zbot does not support the middleware.
+        SettingError: zbot does not support the middleware.
     """
     if name not in IDENTIFIERS:
-        raise RmwError(name, IDENTIFIERS)
+        raise SettingError(f"zbot does not speak {name!r}: choose {' or '.join(IDENTIFIERS)}")
     return name
 
 

@@ -14,7 +14,7 @@ import zenoh
 
 from zbot.transport import config
 from zbot.transport.config import DROP_WAIT_US, ONE_DIALS, OPEN_TIMEOUT_MS, SessionConfig
-from zbot.transport.errors import ConfigError, RouterAttemptsError
+from zbot.transport.errors import ConfigError, SettingError
 
 ROUTER_ENDPOINT = "tcp/localhost:7447"
 _SESSION_FILE = "ZENOH_SESSION_CONFIG_URI"
@@ -128,12 +128,15 @@ def router_attempts() -> int | None:
     """Return how often a program looks for a router at its start. `None` means without a limit.
 
     Raises:
-        RouterAttemptsError: The variable is not a whole number.
+        SettingError: The variable is not a whole number.
     """
     text = os.environ.get(_ATTEMPTS, "").strip() or "1"
     digits = text.removeprefix("-")
     if not (digits.isascii() and digits.isdigit() and len(digits) <= _MAX_DIGITS):
-        raise RouterAttemptsError(_ATTEMPTS, text)
+        raise SettingError(
+            f"{_ATTEMPTS} is {text!r}, but it must be a whole number: "
+            "0 waits for a router for ever, and a negative number does not look for one"
+        )
     return int(text) or None
 
 

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 from zbot.threads.deadline import poll
 from zbot.transport import admin_query
 from zbot.transport.config import DiscoveryRange, setting
-from zbot.transport.errors import NoRouterError, RouterPortError, SessionError, no_router_text
+from zbot.transport.errors import NoRouterError, SessionError, no_router_text, router_port_error
 from zbot.transport.process_facts import process_facts
 from zbot.transport.rmw_config import (
     RmwConfig,
@@ -89,7 +89,7 @@ class RmwMeeting:
         Raises:
             SessionError: Zenoh cannot open the session.
             NoRouterError: The session must be a client, and no router answers.
-            RouterAttemptsError: The variable for the number of attempts is not valid.
+            SettingError: The variable for the number of attempts is not valid.
         """
         if self._is_off:
             return self._open({}, {"connect/endpoints": [], "listen/endpoints": []})
@@ -258,9 +258,9 @@ class RmwRouter:
         """Open the router's session.
 
         Raises:
-            RouterPortError: An endpoint is in use.
+            TransportError: An endpoint is in use.
         """
         try:
             return open_session("the router", self._config)
         except SessionError as error:
-            raise RouterPortError(self.listen, error.reason) from error
+            raise router_port_error(self.listen, error.reason) from error

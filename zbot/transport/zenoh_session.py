@@ -8,7 +8,7 @@ import sys
 
 import zenoh
 
-from zbot.transport.errors import FileLimitError, ForkedSessionError, SessionError
+from zbot.transport.errors import SessionError, TransportError
 
 _FILES = 40  # a session opens 19, and links and imported modules need more
 
@@ -25,13 +25,16 @@ def prepare() -> None:
     `zenoh` stays the same object, and has the classes of the copy from now on. This takes 20 ms.
 
     Raises:
-        ForkedSessionError: The library cannot be copied or loaded.
+        TransportError: The library cannot be copied or loaded.
     """
     if _Library.user not in {None, os.getpid()}:
         try:
             _load_copy()
         except (OSError, ImportError) as exc:
-            raise ForkedSessionError(str(exc)) from exc
+            raise TransportError(
+                "this process is a fork of a process with nodes, and cannot have nodes itself "
+                f"({exc!s}): start it with multiprocessing.get_context('spawn')"
+            ) from exc
     _Library.user = os.getpid()
 
 
@@ -62,7 +65,7 @@ def open_session(what: str, config: zenoh.Config) -> zenoh.Session:
 
     Raises:
         SessionError: Zenoh cannot open the session.
-        FileLimitError: The process may open too few files.
+        TransportError: The process may open too few files.
     """
     prepare()
     if "RUST_LOG" in os.environ:
@@ -78,7 +81,7 @@ def _check_file_limit() -> None:
     """Check that enough files can be opened. Otherwise Zenoh aborts the process, now or later.
 
     Raises:
-        FileLimitError: The limit of the process is too low.
+        TransportError: The limit of the process is too low.
     """
     if sys.platform == "win32":  # the limit does not include sockets
         return
@@ -87,7 +90,10 @@ def _check_file_limit() -> None:
         opened.extend(os.open(os.devnull, os.O_RDONLY) for _ in range(_FILES))
     except OSError as exc:
         if exc.errno in {errno.EMFILE, errno.ENFILE}:
-            raise FileLimitError(_FILES) from None
+            raise TransportError(
+                f"the limit of open files is too low: zbot needs {_FILES} more files; "
+                "raise the limit, for example with `ulimit -n 1024`"
+            ) from None
         raise
     finally:
         for number in opened:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import ipaddress
 from urllib.parse import urlencode, urlsplit
 
-from zbot.errors import ZbotError
+from zbot.web.errors import WebError
 
 #: Parameter of the query that contains the token.
 TOKEN_PARAMETER = "token"  # noqa: S105 - a name, not a token
@@ -13,14 +13,11 @@ TOKEN_PARAMETER = "token"  # noqa: S105 - a name, not a token
 ROSBRIDGE_PATHS = ("/", "/rosbridge")
 
 
-class OriginError(ZbotError, ValueError):
-    """A text is not the address of a page that a web server serves."""
-
-    def __init__(self, text: str) -> None:
-        self.text = text
-        super().__init__(
-            f"{text!r} is not the address of a page on a web server, e.g. http://localhost:8000"
-        )
+def origin_error(text: str) -> WebError:
+    """Return the error that a text is not the address of a page that a web server serves."""
+    return WebError(
+        f"{text!r} is not the address of a page on a web server, e.g. http://localhost:8000"
+    )
 
 
 def is_loopback(host: str) -> bool:
@@ -44,15 +41,15 @@ def origin_of(address: str) -> str:
     """Return the origin in an address of a page, e.g. `http://localhost:8000`.
 
     Raises:
-        OriginError: The text is not an address of a page on a web server.
+        WebError: The text is not an address of a page on a web server.
     """
     try:
         parts = urlsplit(address)
         port = parts.port
     except ValueError:
-        raise OriginError(address) from None
+        raise origin_error(address) from None
     if parts.scheme not in {"http", "https"} or not parts.hostname or parts.username is not None:
-        raise OriginError(address)
+        raise origin_error(address)
     # In an origin, browsers leave out the default port of the scheme.
     is_usual = port in {None, {"http": 80, "https": 443}[parts.scheme]}
     name = f"[{parts.hostname}]" if ":" in parts.hostname else parts.hostname

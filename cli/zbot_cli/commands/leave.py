@@ -24,7 +24,7 @@ def leave(
     ] = False,
 ) -> None:
     """Leave the class or the other machine."""
-    from zbot.classroom.errors import NotJoinedError  # noqa: PLC0415 - not needed by `--help`
+    from zbot.classroom.errors import not_joined_error  # noqa: PLC0415 - not needed by `--help`
     from zbot_cli.domain.client import print_programs_outside  # noqa: PLC0415 - as above
 
     if not (yes or _may_close()):
@@ -32,7 +32,7 @@ def leave(
         raise typer.Exit(Status.ERROR)
     left = _leave()
     if left is None:
-        raise NotJoinedError
+        raise not_joined_error()
     former = left.membership
     print(f"left {former.class_name or former.host}")
     if not left.is_released:
@@ -67,13 +67,16 @@ def _own_class() -> Membership | None:
 
 def _may_close() -> bool:
     """Ask before a class on this machine is closed. Return True if the command may go on."""
-    from zbot.classroom.errors import ConfirmationError  # noqa: PLC0415 - not needed by `--help`
+    from zbot.classroom.errors import ClassroomError  # noqa: PLC0415 - not needed by `--help`
 
     present = _own_class()
     if present is None:
         return True
     if not sys.stdin.isatty():
-        raise ConfirmationError(present.class_name)
+        raise ClassroomError(
+            f'leaving closes the class "{present.class_name}" for all students: '
+            "type `zbot class stop`, or `zbot leave --yes`"
+        )
     return typer.confirm(
         f'This closes the class "{present.class_name}" for all students. Close it?'
     )

@@ -11,7 +11,7 @@ import typer
 
 from zbot.errors import ZbotError
 from zbot.parameters.file import sections
-from zbot.parameters.parameter import NoParametersError, Parameter
+from zbot.parameters.parameter import Parameter, no_parameters_error
 from zbot.remote.parameters import ParameterNotSetError
 from zbot.remote.service_calls import ANSWER_TIMEOUT_S
 from zbot_cli.domain.client import hidden_node, note_if_nobody_runs
@@ -351,7 +351,7 @@ def load(
             node: values_for(content, node, use_wildcards=not no_use_wildcard) for node in nodes
         }
         if not any(wanted.values()):
-            raise NoParametersError(path, nodes)
+            raise no_parameters_error(path, nodes)
         for node, values in wanted.items():
             if values:
                 with _heading(node, is_shown=not has_node) as indent:

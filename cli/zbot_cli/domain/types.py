@@ -71,7 +71,7 @@ def learn(name: str) -> bool:
     """Ask nodes for the definition of a type that they use. Return whether a node had it.
 
     Raises:
-        InterfaceConflictError: This machine has another definition of a nested type.
+        WrongValueError: This machine has another definition of a nested type.
     """
     from zbot.remote.types import learn_type  # noqa: PLC0415 - only for types of other machines
     from zbot_cli.domain.client import client  # noqa: PLC0415 - as above

@@ -6,7 +6,7 @@ import re
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
-from zbot import ZbotError
+from zbot.errors import WrongValueError
 
 from diagnostic_msgs.msg import DiagnosticStatus, KeyValue
 
@@ -19,10 +19,6 @@ ERROR, STALE = DiagnosticStatus.ERROR, DiagnosticStatus.STALE
 _WORDS = {OK: "OK", WARN: "Warning", ERROR: "Error", STALE: "Stale"}
 _PACKAGE = "diagnostic_aggregator/"
 _TIMEOUT_S = 5.0
-
-
-class AnalyzerError(ZbotError, ValueError):
-    """An analyzer's parameters cannot be used."""
 
 
 @dataclass
@@ -212,7 +208,7 @@ def read_group(path: str, settings: Mapping[str, Any]) -> AnalyzerGroup:
     """Return the analyzers of parameters such as `motors.type` and `motors.path`.
 
     Raises:
-        AnalyzerError: An analyzer has an unknown type, or no rule for names.
+        WrongValueError: An analyzer has an unknown type, or no rule for names.
     """
     group = AnalyzerGroup(path)
     for prefix, own in _by_analyzer(settings).items():
@@ -223,7 +219,7 @@ def read_group(path: str, settings: Mapping[str, Any]) -> AnalyzerGroup:
         elif kind in {"GenericAnalyzer", "DiscardAnalyzer"}:
             group.analyzers.append(_generic(prefix, kind, own_path, own))
         elif kind != "IgnoreAnalyzer":
-            raise AnalyzerError(
+            raise WrongValueError(
                 f"the analyzer '{prefix}' has the type '{kind}': there are GenericAnalyzer, "
                 "AnalyzerGroup, DiscardAnalyzer and IgnoreAnalyzer"
             )
@@ -260,7 +256,7 @@ def _generic(prefix: str, kind: str, path: str, own: Mapping[str, Any]) -> Analy
     )
     rules = (analyzer.startswith, analyzer.contains, analyzer.names, analyzer.expected)
     if not any(rules) and not analyzer.patterns:
-        raise AnalyzerError(
+        raise WrongValueError(
             f"the analyzer '{prefix}' has no rule for names: set startswith, contains, name, "
             "expected or regex"
         )
@@ -271,4 +267,4 @@ def _pattern(prefix: str, text: str) -> re.Pattern[str]:
     try:
         return re.compile(text)
     except (re.error, OverflowError, RecursionError) as error:
-        raise AnalyzerError(f"the regex '{text}' of '{prefix}' is not valid: {error}") from None
+        raise WrongValueError(f"the regex '{text}' of '{prefix}' is not valid: {error}") from None

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from html import escape
 from typing import Any
 
-from zbot import ZbotError
+from zbot.errors import WrongValueError
 from zbot.yaml_reader import YamlError, read_yaml
 
 _WIDTH, _HEIGHT, _GAP_X, _GAP_Y = 230, 74, 16, 46
@@ -20,11 +20,9 @@ _FACTS = (
 )
 
 
-class FrameTreeError(ZbotError, ValueError):
-    """The list of frames cannot be read."""
-
-    def __init__(self, reason: str) -> None:
-        super().__init__(f"the list of frames cannot be read: {reason}")
+def frame_tree_error(reason: str) -> WrongValueError:
+    """Return the error that the list of frames cannot be read."""
+    return WrongValueError(f"the list of frames cannot be read: {reason}")
 
 
 @dataclass(frozen=True)
@@ -39,18 +37,18 @@ class FrameTree:
         """Return the tree in a text of `Buffer.all_frames_as_yaml`.
 
         Raises:
-            FrameTreeError: The text has another form, e.g. because a frame's name has a quote.
+            WrongValueError: The text has another form, e.g. because a frame's name has a quote.
         """
         try:
             found = read_yaml(yaml) or {}
         except YamlError as error:
-            raise FrameTreeError(str(error)) from None
+            raise frame_tree_error(str(error)) from None
         if not isinstance(found, dict):
-            raise FrameTreeError("it has no frames")
+            raise frame_tree_error("it has no frames")
         keys = ("parent", *(key for _, key in _FACTS))
         for name, facts in found.items():
             if not isinstance(facts, dict) or any(key not in facts for key in keys):
-                raise FrameTreeError(f"a fact about the frame {str(name)[:40]!r} is missing")
+                raise frame_tree_error(f"a fact about the frame {str(name)[:40]!r} is missing")
             facts["parent"] = str(facts["parent"])
         return cls({str(name): facts for name, facts in found.items()}, recorded_s)
 

@@ -11,7 +11,7 @@ import zbot
 from tests.conftest import wait_until
 from tests.integration.actions.conftest import Goal, Pair, compute, done, status_of
 from zbot.action import ActionClient, ActionServer, GoalState
-from zbot.executor.errors import NotCallableError
+from zbot.errors import WrongTypeError
 
 from example_interfaces.action import Fibonacci
 
@@ -97,7 +97,7 @@ def test_a_goal_can_be_executed_without_an_execute_callback(pair: Pair, begin: s
 
 def test_a_server_without_any_callback_is_refused(make_context: MakeContext) -> None:
     node = zbot.Node("idle", context=make_context())
-    with pytest.raises(NotCallableError, match="execute_callback was given None"):
+    with pytest.raises(WrongTypeError, match="execute_callback was given None"):
         ActionServer[Any, Any, Any](node, Fibonacci, "fibonacci")
 
 

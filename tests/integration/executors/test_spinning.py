@@ -12,7 +12,7 @@ import pytest
 import zbot
 from tests.conftest import allowed, wait_until
 from tests.integration.executors.conftest import complete
-from zbot.executor.errors import ExecutorBusyError
+from zbot.errors import WrongStateError
 
 from std_msgs.msg import Int64
 
@@ -196,7 +196,7 @@ def test_a_callback_cannot_spin_its_executor_for_ever(
     node: zbot.Node, single: zbot.Executor
 ) -> None:
     node.create_guard_condition(single.spin).trigger()
-    with pytest.raises(ExecutorBusyError, match="already spinning"):
+    with pytest.raises(WrongStateError, match="already spinning"):
         single.spin_once(timeout_sec=1)
     single.spin_once(timeout_sec=0)
 

@@ -10,9 +10,9 @@ import pytest
 import zbot
 from tests.conftest import wait_until
 from tests.integration.services.conftest import Request, Response, add, client_of
-from zbot.errors import InvalidHandleError, NotInitializedError
+from zbot.errors import InvalidHandleError, NotInitializedError, WrongTypeError
 from zbot.interfaces.errors import NotAMessageTypeError
-from zbot.node.errors import RequestTypeError, ResponseTypeError, ServiceError
+from zbot.node.errors import ServiceError
 
 from example_interfaces.srv import AddTwoInts
 from std_srvs.srv import Trigger
@@ -47,7 +47,7 @@ def test_a_missing_response_is_reported_on_both_sides(
     with pytest.raises(ServiceError, match="return response"):
         client_of(caller).call(Request())
     spinner.join()
-    assert isinstance(spinner.error, ResponseTypeError)
+    assert isinstance(spinner.error, WrongTypeError)
 
 
 def test_a_blocking_call_without_a_server_fails_at_once(caller: zbot.Node) -> None:
@@ -133,7 +133,7 @@ def test_a_request_of_another_type_is_refused(server: zbot.Node, caller: zbot.No
 @pytest.mark.parametrize("wrong", [Response(), None, 5, AddTwoInts])
 def test_an_object_of_another_type_is_refused(wrong: Any, caller: zbot.Node) -> None:
     client = caller.create_client(AddTwoInts, "add")
-    with pytest.raises(RequestTypeError, match="AddTwoInts_Request"):
+    with pytest.raises(WrongTypeError, match="AddTwoInts_Request"):
         client.call_async(wrong)
 
 

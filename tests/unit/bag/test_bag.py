@@ -33,7 +33,7 @@ from zbot.bag.errors import (
     BagExistsError,
     BagNotFoundError,
     BagReadError,
-    BagTopicError,
+    BagValueError,
     BagWriteError,
     NoBagExtraError,
 )
@@ -270,11 +270,11 @@ def test_mistakes_are_one_sentence(path: Path, tmp_path: Path) -> None:
 def test_a_topic_keeps_its_type(path: Path) -> None:
     with Writer(path) as bag:
         bag.write("/a", String())
-        with pytest.raises(BagTopicError, match="its type is std_msgs/msg/String"):
+        with pytest.raises(BagValueError, match="its type is std_msgs/msg/String"):
             bag.write("/a", Float64())
-        with pytest.raises(BagTopicError, match="create_topic"):
+        with pytest.raises(BagValueError, match="create_topic"):
             bag.write_serialized("/b", b"", 1)
-        with pytest.raises(BagTopicError, match="1970"):
+        with pytest.raises(BagValueError, match="1970"):
             bag.write_serialized("/a", b"", -1)
     with pytest.raises(BagWriteError, match="closed"):
         bag.write("/a", String())

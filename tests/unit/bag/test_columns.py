@@ -9,8 +9,8 @@ import pytest
 
 from tests.unit.bag.messages import write
 from zbot.bag import to_numpy, to_pandas
-from zbot.bag.columns import ColumnError, csv_lines, fields_of
-from zbot.bag.errors import BagTopicError
+from zbot.bag.columns import csv_lines, fields_of
+from zbot.bag.errors import BagValueError
 
 from geometry_msgs.msg import Twist, Vector3
 from sensor_msgs.msg import LaserScan
@@ -56,9 +56,9 @@ def test_pandas_gets_a_row_for_each_message(path: Path) -> None:
 
 def test_mistakes_say_what_there_is(path: Path) -> None:
     write(path, TWISTS)
-    with pytest.raises(BagTopicError, match="there are /twist"):
+    with pytest.raises(BagValueError, match="there are /twist"):
         to_numpy(path, "/pose")
-    with pytest.raises(ColumnError, match=r"no field 'x'; it has linear\.x, linear\.y"):
+    with pytest.raises(BagValueError, match=r"no field 'x'; it has linear\.x, linear\.y"):
         to_numpy(path, "/twist", ["x"])
 
 

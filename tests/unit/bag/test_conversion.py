@@ -12,10 +12,11 @@ from tests.unit.bag.messages import (
     write,
 )
 from zbot.bag import Reader, Writer
-from zbot.bag.conversion import OutputOptionsError, convert, read_outputs, reindex
+from zbot.bag.conversion import convert, read_outputs, reindex
 from zbot.bag.description import SORT_KEYS, contributions, description, topic_names
 from zbot.bag.errors import (
     BagReadError,
+    BagValueError,
 )
 
 from geometry_msgs.msg import TwistStamped, Vector3
@@ -100,7 +101,7 @@ def test_convert_merges_and_selects(path: Path, tmp_path: Path) -> None:
 )
 def test_wrong_output_options_are_one_sentence(path: Path, text: str, sentence: str) -> None:
     path.write_text(text)
-    with pytest.raises(OutputOptionsError, match=sentence):
+    with pytest.raises(BagValueError, match=sentence):
         read_outputs(path)
 
 

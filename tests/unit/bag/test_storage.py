@@ -21,7 +21,8 @@ from tests.unit.bag.messages import (
 )
 from zbot.bag import Reader, TopicMetadata, Writer
 from zbot.bag.conversion import reindex
-from zbot.bag.mcap_options import StorageConfigError, read_storage_config
+from zbot.bag.errors import BagValueError
+from zbot.bag.mcap_options import read_storage_config
 from zbot.wire.serialization import serialize_message
 
 from std_msgs.msg import Float64, String
@@ -124,7 +125,7 @@ def test_a_storage_config_selects_the_form_of_the_file(
 def test_a_wrong_storage_config_is_one_sentence(tmp_path: Path, text: str, sentence: str) -> None:
     config = tmp_path / "mcap.yaml"
     config.write_text(text)
-    with pytest.raises(StorageConfigError, match=sentence):
+    with pytest.raises(BagValueError, match=sentence):
         read_storage_config(config, "zstd")
 
 

@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from zbot.classroom.errors import AddressError, CodeError
+from zbot.classroom.errors import ClassValueError
 from zbot.classroom.hub.address import Address
 from zbot.classroom.join_code import PORTS, decode, long_code, looks_like_code, short_code
 
@@ -19,7 +19,7 @@ def address_of(text: str, *own: str) -> list[Address]:
     """Return the address of a code; None if the code has a typo."""
     try:
         return decode(text, own)
-    except CodeError:
+    except ClassValueError:
         return []
 
 
@@ -50,7 +50,7 @@ def test_codes_contain_only_the_usual_ports() -> None:
 
 
 def test_a_code_needs_an_ipv4_address() -> None:
-    with pytest.raises(AddressError, match="IPv4"):
+    with pytest.raises(ClassValueError, match="IPv4"):
         short_code(Address("fe80::1"))
 
 
@@ -101,7 +101,7 @@ def test_most_pairs_of_swapped_characters_are_detected() -> None:
     ],
 )
 def test_an_invalid_code_is_refused_with_the_reason(text: str, reason: str) -> None:
-    with pytest.raises(CodeError, match=reason):
+    with pytest.raises(ClassValueError, match=reason):
         decode(text, ["10.0.0.1"])
 
 
@@ -109,7 +109,7 @@ def test_a_short_code_of_another_network_is_refused_with_a_hint() -> None:
     code = short_code(TEACHER) or ""
     others = [f"{first}.{second}.0.1" for first in (11, 12) for second in range(64)]
     refused = [own for own in others if not address_of(code, own)]
-    with pytest.raises(CodeError, match="another network than the teacher's"):
+    with pytest.raises(ClassValueError, match="another network than the teacher's"):
         decode(code, refused[:3])
 
 

@@ -16,8 +16,8 @@ from zbot.compat.logging_filters import (
     get_filters_from_kwargs,
     supported_filters,
 )
+from zbot.errors import WrongTypeError, WrongValueError
 from zbot.executor.clock import Clock
-from zbot.log.errors import LogOptionError, NotAClockError
 from zbot.time import Time
 
 
@@ -44,7 +44,7 @@ def test_options_switch_filters_on(options: dict[str, Any], expected: list[str])
 
 @pytest.mark.parametrize("options", [{"bogus": 1}, {"throttle_time_source_type": Clock()}])
 def test_options_that_do_not_fit_are_refused(options: dict[str, Any]) -> None:
-    with pytest.raises(LogOptionError):
+    with pytest.raises(WrongTypeError):
         get_filters_from_kwargs(**options)
 
 
@@ -71,9 +71,9 @@ def test_throttle_admits_a_call_when_the_duration_is_over() -> None:
 
 
 def test_a_filter_names_missing_parameters() -> None:
-    with pytest.raises(LogOptionError, match="'once' is missing"):
+    with pytest.raises(WrongTypeError, match="'once' is missing"):
         Once.initialize_context({})
-    with pytest.raises(NotAClockError):
+    with pytest.raises(WrongValueError):
         Throttle.initialize_context({}, throttle_duration_sec=1.0, throttle_time_source_type=3)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from zbot.context.state import ContextState
-from zbot.errors import ContextInitializedError, ForkedProcessError, NotInitializedError
+from zbot.errors import ForkedProcessError, NotInitializedError, WrongStateError
 
 
 class State(ContextState):
@@ -35,10 +35,10 @@ def test_a_context_is_valid_from_init_to_shutdown() -> None:
 
 def test_a_context_is_initialised_once() -> None:
     state = State().begin()
-    with pytest.raises(ContextInitializedError):
+    with pytest.raises(WrongStateError):
         state.begin()
     state.shutdown()
-    with pytest.raises(ContextInitializedError):
+    with pytest.raises(WrongStateError):
         state.begin()
 
 

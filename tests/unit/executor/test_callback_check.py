@@ -9,6 +9,7 @@ from unittest.mock import MagicMock, Mock
 
 import pytest
 
+from zbot.errors import WrongStateError, WrongTypeError
 from zbot.executor.callback_check import (
     always,
     check_callback,
@@ -16,7 +17,6 @@ from zbot.executor.callback_check import (
     never,
     unless_called,
 )
-from zbot.executor.errors import CallbackSignatureError, MethodOfClassError, NotCallableError
 
 MESSAGE = ("(message)", "(message, info)")
 TIMER = ("()", "(timer_info)")
@@ -106,20 +106,20 @@ def test_a_decorator_may_add_an_argument() -> None:
 def test_a_callback_with_other_arguments_is_refused(
     callback: object, forms: tuple[str, ...], text: str
 ) -> None:
-    with pytest.raises(CallbackSignatureError, match=text):
+    with pytest.raises(WrongStateError, match=text):
         called_with(callback, *forms)
 
 
 @pytest.mark.parametrize("method", [Robot.tick, Robot.hear])
 def test_a_method_of_the_class_is_refused(method: Any) -> None:
     text = f"was given Robot.{method.__name__}, .* write self.{method.__name__}$"
-    with pytest.raises(MethodOfClassError, match=text):
+    with pytest.raises(WrongTypeError, match=text):
         called_with(method, *TIMER)
 
 
 def test_the_result_of_a_call_is_refused_in_the_words_of_the_program() -> None:
     with pytest.raises(
-        NotCallableError,
+        WrongTypeError,
         match=r"^check_callback was given None, the result of calling robot.tick: "
         r"write robot.tick without parentheses$",
     ):
@@ -127,7 +127,7 @@ def test_the_result_of_a_call_is_refused_in_the_words_of_the_program() -> None:
 
 
 def test_the_call_may_have_arguments_and_several_lines() -> None:
-    with pytest.raises(NotCallableError, match=r"parentheses, or lambda: robot.move\(0.5\)$"):
+    with pytest.raises(WrongTypeError, match=r"parentheses, or lambda: robot.move\(0.5\)$"):
         check_callback(
             "check_callback",
             robot.move(  # type: ignore[func-returns-value]
@@ -136,16 +136,16 @@ def test_the_call_may_have_arguments_and_several_lines() -> None:
             *TIMER,
             position=1,
         )
-    with pytest.raises(NotCallableError, match=r"or lambda message: robot.hear\(1\)$"):
+    with pytest.raises(WrongTypeError, match=r"or lambda message: robot.hear\(1\)$"):
         check_callback("check_callback", robot.hear(1), *MESSAGE, position=1)  # type: ignore[func-returns-value]
 
 
 @pytest.mark.filterwarnings("error")
 def test_a_coroutine_is_refused_and_closed() -> None:
-    with pytest.raises(NotCallableError, match="was given a coroutine, the result of calling"):
+    with pytest.raises(WrongTypeError, match="was given a coroutine, the result of calling"):
         check_callback("check_callback", robot.wait(), *TIMER, position=1)
     given = robot.wait()
-    with pytest.raises(NotCallableError, match="write the function without parentheses"):
+    with pytest.raises(WrongTypeError, match="write the function without parentheses"):
         check_callback("check_callback", given, *TIMER, position=1)
 
 
@@ -158,7 +158,7 @@ def test_a_coroutine_is_refused_and_closed() -> None:
     ],
 )
 def test_other_things_are_refused(value: object, text: str) -> None:
-    with pytest.raises(NotCallableError, match=text):
+    with pytest.raises(WrongTypeError, match=text):
         called_with(value, *TIMER)
 
 
@@ -168,13 +168,13 @@ def test_none_is_accepted_where_it_means_something() -> None:
     check_callback("guard", nothing, "()", position=1, may_be_none=unless_called)
     check_callback("event", robot.tick(), "()", position=1, may_be_none=always)  # type: ignore[func-returns-value]
     for rule in (if_written, never):
-        with pytest.raises(NotCallableError):
+        with pytest.raises(WrongTypeError):
             check_callback("check_callback", nothing, *TIMER, position=1, may_be_none=rule)
-    with pytest.raises(NotCallableError):
+    with pytest.raises(WrongTypeError):
         check_callback("check_callback", robot.tick(), "()", position=1, may_be_none=unless_called)  # type: ignore[func-returns-value]
 
 
 def test_a_callback_without_a_source_is_refused_too() -> None:
     call = "check_callback('create_timer', robot.tick(), '()', position=1)"
-    with pytest.raises(NotCallableError, match="which is not a function"):
+    with pytest.raises(WrongTypeError, match="which is not a function"):
         eval(call, {"check_callback": check_callback, "robot": robot})

@@ -9,9 +9,8 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 from tests.conftest import allowed
-from zbot.errors import ArgumentTypeError, NotInitializedError, ZbotError
+from zbot.errors import ArgumentTypeError, NotInitializedError, WrongValueError, ZbotError
 from zbot.executor.clock import Clock, ClockChange, JumpThreshold, ROSClock, TimeJump
-from zbot.executor.errors import ClockTypeError, InvalidJumpError
 from zbot.time import ClockType, Duration, Time
 
 if TYPE_CHECKING:
@@ -255,24 +254,24 @@ def test_jump_callback_may_set_the_time_again(simulated: ROSClock) -> None:
     [
         (
             lambda: JumpThreshold(min_forward=Duration(), min_backward=None),
-            InvalidJumpError,
+            WrongValueError,
             "min_forward must be a positive duration",
         ),
         (
             lambda: JumpThreshold(min_forward=None, min_backward=Duration(seconds=1)),
-            InvalidJumpError,
+            WrongValueError,
             "min_backward must be a negative duration",
         ),
         (
             lambda: JumpThreshold(min_forward=None, min_backward=None, on_clock_change=False),
-            InvalidJumpError,
+            WrongValueError,
             "at least one",
         ),
         (
             lambda: Clock().create_jump_callback(
                 JumpThreshold(min_forward=None, min_backward=None)
             ),
-            InvalidJumpError,
+            WrongValueError,
             "pre_callback or post_callback",
         ),
         (
@@ -280,7 +279,7 @@ def test_jump_callback_may_set_the_time_again(simulated: ROSClock) -> None:
                 JumpThreshold(min_forward=None, min_backward=None),
                 post_callback="no",  # type: ignore[arg-type]
             ),
-            InvalidJumpError,
+            WrongValueError,
             "post_callback must be callable",
         ),
         (lambda: TimeJump(2, Duration()), ArgumentTypeError, "clock_change"),  # type: ignore[arg-type]
@@ -348,7 +347,7 @@ def test_simulation_switched_on_or_off_ends_a_sleep(
 
 
 def test_sleep_refuses_a_time_of_another_clock(context: FakeContext) -> None:
-    with pytest.raises(ClockTypeError, match=r"type does not match.*STEADY_TIME.*SYSTEM_TIME"):
+    with pytest.raises(WrongValueError, match=r"type does not match.*STEADY_TIME.*SYSTEM_TIME"):
         Clock().sleep_until(Time(clock_type=STEADY), context)
 
 

@@ -11,9 +11,10 @@ from typing import Any
 import numpy as np
 import pytest
 
+from zbot.errors import WrongTypeError
 from zbot.interfaces import get_action, get_interface, get_message, get_service
 from zbot.interfaces.classes import make_message, module_name
-from zbot.interfaces.errors import FieldTypeError, PositionalFieldError, UnknownFieldError
+from zbot.interfaces.errors import FieldTypeError, UnknownFieldError
 from zbot.interfaces.message import Message
 from zbot.interfaces.parser import parse_message
 from zbot.wire.errors import CodecError
@@ -219,9 +220,7 @@ def test_fields_are_checked_for_any_value_of_check_fields(check_fields: bool) ->
 
 def test_values_without_names_are_refused() -> None:
     cls: Any = get_message("std_msgs/msg/String")
-    with pytest.raises(
-        PositionalFieldError, match=r"give the fields .* by name: String\(data=\.\.\.\)"
-    ):
+    with pytest.raises(WrongTypeError, match=r"give the fields .* by name: String\(data=\.\.\.\)"):
         cls("hi")
 
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 from tests.conftest import in_threads
+from zbot.errors import WrongValueError
 from zbot.interfaces import (
     definition_text,
     get_action,
@@ -19,12 +20,7 @@ from zbot.interfaces import (
     register_spec,
     type_name,
 )
-from zbot.interfaces.errors import (
-    InterfaceConflictError,
-    InterfaceSyntaxError,
-    UnknownInterfaceError,
-    UnknownPackageError,
-)
+from zbot.interfaces.errors import InterfaceSyntaxError, UnknownInterfaceError, UnknownPackageError
 from zbot.interfaces.location import shipped_packages
 from zbot.interfaces.parser import parse, parse_message
 
@@ -271,7 +267,7 @@ def test_definitions_from_elsewhere_can_be_registered() -> None:
 
 def test_a_different_definition_of_a_known_name_is_rejected() -> None:
     register_spec(parse_message("std_msgs/msg/String", "int32 A=1\nstring data 'default'"))
-    with pytest.raises(InterfaceConflictError, match="std_msgs/msg/String is defined differently"):
+    with pytest.raises(WrongValueError, match="std_msgs/msg/String is defined differently"):
         register_spec(parse_message("std_msgs/msg/String", "wstring data"))
 
 

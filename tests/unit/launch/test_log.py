@@ -12,7 +12,7 @@ import pytest
 
 import zbot.compat
 from zbot.launch import log
-from zbot.launch.errors import OutputError
+from zbot.launch.errors import LaunchUsageError
 from zbot.launch.log_writer import LogWriter
 
 if TYPE_CHECKING:
@@ -94,7 +94,7 @@ def test_a_factory_makes_the_handlers_of_files() -> None:
 
 @pytest.mark.parametrize("config", ["everywhere", {"stdin": "log"}, {"both": {"printer"}}])
 def test_an_unknown_output_is_refused(config: object) -> None:
-    with pytest.raises(OutputError):
+    with pytest.raises(LaunchUsageError):
         log.get_output_loggers("talker-1", config)  # type: ignore[arg-type]
 
 

@@ -4,7 +4,8 @@ import math
 
 import pytest
 
-from zbot.libraries.camera_model import CameraModelError, PinholeCameraModel, StereoCameraModel
+from zbot.errors import WrongStateError
+from zbot.libraries.camera_model import PinholeCameraModel, StereoCameraModel
 
 from sensor_msgs.msg import CameraInfo
 
@@ -77,5 +78,5 @@ def test_a_disparity_is_a_depth() -> None:
 
 
 def test_an_empty_model_says_what_to_call() -> None:
-    with pytest.raises(CameraModelError, match="call from_camera_info first"):
+    with pytest.raises(WrongStateError, match="call from_camera_info first"):
         PinholeCameraModel().fx()

@@ -5,12 +5,12 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 import zbot
+from zbot.errors import WrongTypeError
 from zbot.libraries import diagnostic_updater
 from zbot.libraries.diagnostic_updater import (
     CompositeDiagnosticTask,
     DiagnosedPublisher,
     DiagnosticStatusWrapper,
-    DiagnosticTaskError,
     FrequencyStatus,
     FrequencyStatusParam,
     FunctionDiagnosticTask,
@@ -177,7 +177,7 @@ def test_an_updater_without_hardware_id_says_so_once(robot: Robot, logged: list[
 
 def test_a_function_without_return_is_named(robot: Robot) -> None:
     robot.updater.add("motor", lambda _: None)
-    with pytest.raises(DiagnosticTaskError, match="'motor' must end with `return stat`"):
+    with pytest.raises(WrongTypeError, match="'motor' must end with `return stat`"):
         robot.updater.update()
 
 

@@ -4,9 +4,8 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
-from zbot.errors import ArgumentTypeError, ZbotError
+from zbot.errors import ArgumentTypeError, WrongTypeError, WrongValueError, ZbotError
 from zbot.log import LoggingSeverity, get_logger
-from zbot.log.errors import LogCallChangedError, LogOptionError, NotAClockError
 from zbot.time import Time
 
 if TYPE_CHECKING:
@@ -103,17 +102,17 @@ def test_other_name_is_used_for_the_line(capsys: pytest.CaptureFixture[str]) -> 
 @pytest.mark.parametrize(
     ("options", "error", "text"),
     [
-        ({"onse": True}, LogOptionError, "parameter 'onse' is not one of the recognized"),
+        ({"onse": True}, WrongTypeError, "parameter 'onse' is not one of the recognized"),
         (
             {"throttle_time_source_type": FakeClock()},
-            LogOptionError,
+            WrongTypeError,
             "required parameter.*not specified",
         ),
-        ({"severity": ERROR}, LogOptionError, "multiple values for argument 'severity'"),
+        ({"severity": ERROR}, WrongTypeError, "multiple values for argument 'severity'"),
         ({"throttle_duration_sec": "1"}, ArgumentTypeError, "number of seconds"),
         (
             {"throttle_duration_sec": 1, "throttle_time_source_type": "STEADY"},
-            NotAClockError,
+            WrongValueError,
             "'STEADY'",
         ),
     ],
@@ -148,5 +147,5 @@ def test_the_log_call_at_a_place_cannot_change(
 
     assert place(first)
     assert place(first) or "throttle_duration_sec" in first
-    with pytest.raises(LogCallChangedError, match=rf"{what} .*test_filters\.py:\d+"):
+    with pytest.raises(WrongValueError, match=rf"{what} .*test_filters\.py:\d+"):
         place(second)

@@ -6,12 +6,12 @@ from typing import Any
 
 import pytest
 
+from zbot.errors import WrongValueError
 from zbot_nodes.diagnostics.analyzer import (
     ERROR,
     OK,
     STALE,
     WARN,
-    AnalyzerError,
     AnalyzerGroup,
     OtherAnalyzer,
     read_group,
@@ -143,6 +143,6 @@ def test_others_are_reported_only_if_there_are_some() -> None:
     ],
 )
 def test_settings_that_cannot_be_used_are_refused(settings: dict[str, Any], reason: str) -> None:
-    with pytest.raises(AnalyzerError) as caught:
+    with pytest.raises(WrongValueError) as caught:
         read_group("", {f"a.{name}": value for name, value in settings.items()})
     assert reason in str(caught.value)

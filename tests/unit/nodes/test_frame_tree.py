@@ -6,8 +6,9 @@ from xml.etree import ElementTree as ET
 
 import pytest
 
+from zbot.errors import WrongValueError
 from zbot.tf2 import BufferCore
-from zbot_nodes.frames.frame_tree import FrameTree, FrameTreeError
+from zbot_nodes.frames.frame_tree import FrameTree
 
 from geometry_msgs.msg import TransformStamped
 
@@ -53,7 +54,7 @@ def test_a_tree_is_drawn_with_children_below_their_parent() -> None:
     ],
 )
 def test_a_text_that_is_no_list_of_frames_is_refused(text: str, reason: str) -> None:
-    with pytest.raises(FrameTreeError, match=reason):
+    with pytest.raises(WrongValueError, match=reason):
         FrameTree.of(text, 0.0)
 
 

@@ -6,10 +6,9 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 import zbot  # noqa: F401 - makes the message packages importable
-from zbot.errors import ArgumentTypeError
+from zbot.errors import ArgumentTypeError, WrongStateError
 from zbot.parameters.errors import ParametersFileError
 from zbot.parameters.parameter import (
-    NoParametersError,
     Parameter,
     ParameterMismatchError,
     ParameterTypeError,
@@ -179,7 +178,7 @@ def test_a_namespace_is_put_before_the_names(tmp_path: Path) -> None:
 def test_a_file_without_the_node_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "p.yaml"
     path.write_text(FILE)
-    with pytest.raises(NoParametersError, match="does not contain any valid parameters for /x"):
+    with pytest.raises(WrongStateError, match="does not contain any valid parameters for /x"):
         parameter_dict_from_yaml_file(str(path), target_nodes=["x"])
     with pytest.raises(ParametersFileError, match="No such file"):
         parameter_dict_from_yaml_file(str(tmp_path / "none.yaml"))

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from tests.unit.remote.fake_calls import FakeCalls, FakeNode
-from zbot.parameters.errors import ParameterAnswerError
+from zbot.errors import WrongValueError
 from zbot.parameters.parameter import Parameter, UnknownParameterTypeError
 from zbot.remote.parameters import ParameterNotSetError, RemoteParameters
 from zbot.remote.service_calls import NoServiceError
@@ -58,9 +58,9 @@ def test_several_nodes_answer_or_have_an_error() -> None:
 
 def test_an_answer_that_does_not_fit_is_refused() -> None:
     many = [ParameterDescriptor(name="a")] * 2
-    with pytest.raises(ParameterAnswerError, match="/robot gave a wrong answer"):
+    with pytest.raises(WrongValueError, match="/robot gave a wrong answer"):
         remote(answering(descriptors=many)).descriptors("/robot", ["a"])
-    with pytest.raises(ParameterAnswerError):
+    with pytest.raises(WrongValueError):
         remote(answering(results=[])).set("/robot", [Parameter("a", value=1)])
     with pytest.raises(UnknownParameterTypeError):
         remote(answering(values=[ParameterValue(type=99)])).values("/robot", ["a"])

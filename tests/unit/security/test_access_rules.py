@@ -4,7 +4,8 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from zbot.security.access import UserNameError, accepted_users, credentials, teacher_access
+from zbot.security.access import accepted_users, credentials, teacher_access
+from zbot.security.errors import SecurityError
 from zbot.security.secret import Secret
 
 if TYPE_CHECKING:
@@ -15,7 +16,7 @@ if TYPE_CHECKING:
     "name", ["", "a:b", "a\nb", "../17", "a/b", "a b", "<b>", "ä", "x" * 65, "teacher", "lobby"]
 )
 def test_invalid_user_names_are_refused(name: str) -> None:
-    with pytest.raises(UserNameError, match="is not a user name"):
+    with pytest.raises(SecurityError, match="is not a user name"):
         teacher_access({name: 17})
 
 
@@ -36,7 +37,7 @@ def test_the_user_file_is_configured_only_if_there_is_one(tmp_path: Path) -> Non
 
 def test_accepted_users_are_one_per_line() -> None:
     assert accepted_users({"17": Secret("a"), "18": Secret("b")}) == b"17:a\n18:b\n"
-    with pytest.raises(UserNameError):
+    with pytest.raises(SecurityError):
         accepted_users({"17:x\n18": Secret("a")})
 
 

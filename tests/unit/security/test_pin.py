@@ -11,12 +11,10 @@ import pytest
 from zbot.security.key_exchange import exchange_s
 from zbot.security.pin import (
     PROTOCOL,
-    ForeignHubError,
     PinClient,
     PinError,
     PinMessageError,
     PinServer,
-    PinVersionError,
     TooManyGuessesError,
     WrongPinError,
     random_pin,
@@ -200,7 +198,7 @@ BAD_TEXTS = [None, 5, "", "41", "xyz", ["1"], {"a": 1}, "f" * 1_000_000, "\ud800
 @pytest.mark.parametrize("field", ["public", "hub"])
 @pytest.mark.parametrize("bad", BAD_TEXTS, ids=lambda bad: str(bad)[:9].encode("ascii", "replace"))
 def test_an_invalid_hello_is_refused(server: PinServer, field: str, bad: object) -> None:
-    with pytest.raises((PinMessageError, ForeignHubError)):
+    with pytest.raises((PinMessageError, PinError)):
         server.challenge(make_client().hello() | {field: bad})
     with pytest.raises(PinMessageError):
         server.challenge({})
@@ -282,22 +280,21 @@ def test_an_invalid_version_is_refused(server: PinServer, bad: object) -> None:
 @pytest.mark.parametrize(("difference", "older"), [(-1, "this laptop"), (1, "the class")])
 def test_a_class_says_who_is_older(server: PinServer, difference: int, older: str) -> None:
     hello = make_client().hello() | {"protocol": PROTOCOL + difference}
-    with pytest.raises(PinVersionError, match=f"^zbot (on|of) {older} is older") as caught:
+    with pytest.raises(PinError, match=f"^zbot (on|of) {older} is older"):
         server.challenge(hello)
-    assert (caught.value.laptop, caught.value.of_class) == (PROTOCOL + difference, PROTOCOL)
 
 
 @pytest.mark.parametrize(("difference", "older"), [(-1, "the class"), (1, "this laptop")])
 def test_a_laptop_says_who_is_older(server: PinServer, difference: int, older: str) -> None:
     challenge = server.challenge(make_client().hello()) | {"protocol": PROTOCOL + difference}
-    with pytest.raises(PinVersionError, match=f"^zbot (on|of) {older} is older"):
+    with pytest.raises(PinError, match=f"^zbot (on|of) {older} is older"):
         make_client().claim(challenge, REQUEST)
 
 
 def test_documents_of_the_first_version_are_recognized(server: PinServer) -> None:
-    with pytest.raises(PinVersionError, match="on this laptop is older"):
+    with pytest.raises(PinError, match="on this laptop is older"):
         server.challenge({"public": "ab" * 384})
-    with pytest.raises(PinVersionError, match="of the class is older"):
+    with pytest.raises(PinError, match="of the class is older"):
         make_client().claim({"visit": "00" * 16, "salt": "00", "public": "ab" * 384}, REQUEST)
 
 

@@ -7,14 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
-from zbot.security.pin import (
-    ForeignHubError,
-    PinClient,
-    PinError,
-    PinMessageError,
-    PinServer,
-    WrongPinError,
-)
+from zbot.security.pin import PinClient, PinError, PinMessageError, PinServer, WrongPinError
 from zbot.security.secret import Secret
 
 if TYPE_CHECKING:
@@ -124,7 +117,7 @@ def test_a_shorter_or_longer_claim_is_the_one_named_error(
 
 
 def test_a_relay_at_another_address_admits_nobody() -> None:
-    with pytest.raises(ForeignHubError, match="did not dial the class's own machine"):
+    with pytest.raises(PinError, match="did not dial the class's own machine"):
         Join(dialled=RELAY).run()
 
 

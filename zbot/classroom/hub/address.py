@@ -5,7 +5,7 @@ from __future__ import annotations
 import socket
 from dataclasses import dataclass
 
-from zbot.classroom.errors import AddressError
+from zbot.classroom.errors import address_error
 from zbot.transport.config import HUB_PORT
 
 #: Targets for UDP sockets. `connect` of a UDP socket sends nothing, but the system then chooses
@@ -38,13 +38,14 @@ def parse_address(text: str, default_port: int = HUB_PORT) -> Address:
     """Return the address that a text contains: `HOST`, `HOST:PORT`, `[IPv6]` or `[IPv6]:PORT`.
 
     Raises:
-        AddressError: The host is missing or invalid, or the port is not a number from 1 to 65535.
+        ClassValueError: The host is missing or invalid, or the port is not a number from 1 to
+            65535.
     """
     host, port = _split(text.strip())
     if not host or any(char.isspace() or not char.isprintable() for char in host):
-        raise AddressError(text, "write a name or IP address, such as 192.168.1.10")
+        raise address_error(text, "write a name or IP address, such as 192.168.1.10")
     if set(host) & set("/#?;"):
-        raise AddressError(text, "a name or IP address cannot contain / # ? or ;")
+        raise address_error(text, "a name or IP address cannot contain / # ? or ;")
     if port is None:
         return Address(host, default_port)
     if not (
@@ -53,7 +54,7 @@ def parse_address(text: str, default_port: int = HUB_PORT) -> Address:
         and len(port) <= _MAX_DIGITS
         and 0 < int(port) <= _MAX_PORT
     ):
-        raise AddressError(text, f"its port must be a number from 1 to {_MAX_PORT}")
+        raise address_error(text, f"its port must be a number from 1 to {_MAX_PORT}")
     return Address(host, int(port))
 
 

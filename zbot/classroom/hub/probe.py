@@ -11,11 +11,11 @@ import time
 from typing import TYPE_CHECKING
 
 from zbot.classroom.errors import (
-    AddressError,
     BlockedPortError,
     ClassroomError,
     ClosedPortError,
     UnreachableHostError,
+    address_error,
 )
 from zbot.threads.deadline import Deadline
 
@@ -44,7 +44,7 @@ def first_reachable(candidates: Sequence[Address], timeout_s: float = _TIMEOUT_S
         UnreachableHostError: No machine answers.
         BlockedPortError: A machine answers, but a firewall drops the packets to the port.
         ClosedPortError: A machine answers, but no program listens on the port.
-        AddressError: The name is unknown, or no name server answers.
+        ClassValueError: The name is unknown, or no name server answers.
     """
     answers: queue.SimpleQueue[tuple[Address, ClassroomError | None]] = queue.SimpleQueue()
 
@@ -61,7 +61,7 @@ def first_reachable(candidates: Sequence[Address], timeout_s: float = _TIMEOUT_S
         try:
             address, problem = answers.get(timeout=timeout_s + patience_s)
         except queue.Empty:
-            raise AddressError(
+            raise address_error(
                 candidate.host, "no name server answers: use the IP address"
             ) from None
         if problem is None:
@@ -94,7 +94,7 @@ def problem_at(address: Address, timeout_s: float = _TIMEOUT_S) -> ClassroomErro
             with socket.create_connection((address.host, address.port), left):
                 return None
         except socket.gaierror:
-            return AddressError(address.host, "no machine of that name is known here")
+            return address_error(address.host, "no machine of that name is known here")
         except TimeoutError:
             kind = BlockedPortError if other_ports.answered else UnreachableHostError
             return kind(address.host, address.port)

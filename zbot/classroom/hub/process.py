@@ -154,8 +154,7 @@ def serve(
         attach: Adds the parts that this role needs. It is called each time that the hub is opened.
 
     Raises:
-        AlreadyJoinedError: This machine runs a hub already.
-        HubPortError: Another program uses the port.
+        ClassroomError: This machine runs a hub already, or another program uses the port.
     """
     with running_hub.hub_lock(), _signals() as signals:
         report = on_ready

@@ -11,7 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
-from zbot.classroom.errors import HubPortError
+from zbot.classroom.errors import hub_port_error
 from zbot.transport.config import port_of
 from zbot.transport.errors import SessionError
 from zbot.transport.process_facts import process_facts
@@ -87,7 +87,7 @@ def open_router(settings: HubSettings) -> zenoh.Session:
     """Open a hub's session.
 
     Raises:
-        HubPortError: Another program listens on an endpoint.
+        ClassroomError: Another program listens on an endpoint.
     """
     facts = process_facts(__version__)
     try:
@@ -95,7 +95,7 @@ def open_router(settings: HubSettings) -> zenoh.Session:
             list(settings.listen), list(settings.connect), settings.zenoh_settings(), facts
         )
     except SessionError as exc:
-        raise HubPortError(" and ".join(settings.listen), str(exc)) from exc
+        raise hub_port_error(" and ".join(settings.listen), str(exc)) from exc
 
 
 def dialled_links(session: zenoh.Session, settings: HubSettings) -> list[str]:

@@ -16,12 +16,12 @@ import time
 from dataclasses import asdict, dataclass
 from typing import IO, TYPE_CHECKING
 
-from zbot.classroom.errors import AlreadyJoinedError, HubStartError
+from zbot.classroom.errors import already_joined_error, hub_start_error
 from zbot.json_reader import read_json_object
 from zbot.security.secret import make_private_folder, write_private
 from zbot.threads.deadline import poll
 from zbot.transport import background_process, config, router_process
-from zbot.transport.errors import DomainIdError
+from zbot.transport.errors import SettingError
 from zbot.transport.membership import folder
 from zbot.transport.process_space import process_space
 
@@ -66,13 +66,13 @@ def hub_lock() -> Iterator[None]:
     """Hold the lock of this machine's hub during a `with` block.
 
     Raises:
-        AlreadyJoinedError: Another hub runs.
+        ClassroomError: Another hub runs.
     """
     make_private_folder(folder())
     with background_process.hub_lock_path().open("w", encoding="utf-8") as file:
         if not _lock_within_timeout(file):
             running = find()
-            raise AlreadyJoinedError(f"has a hub already ({running.role if running else 'busy'})")
+            raise already_joined_error(f"has a hub already ({running.role if running else 'busy'})")
         try:
             yield
         finally:
@@ -104,7 +104,7 @@ def start(role: str) -> None:
     """Start the hub and wait until it is ready. Its settings are in the membership file.
 
     Raises:
-        HubStartError: The hub ended before it was ready. Its last line of output is the reason.
+        ClassroomError: The hub ended before it was ready. Its last line of output is the reason.
     """
     make_private_folder(folder())
     write_private(log_path(), b"")
@@ -117,7 +117,7 @@ def start(role: str) -> None:
         said = [line.strip() for line in lines]
     if READY not in said:
         process.wait(_STOP_TIMEOUT_S)
-        raise HubStartError(str(log_path()), said[-1] if said else "")
+        raise hub_start_error(str(log_path()), said[-1] if said else "")
     background_process.forget(process)
 
 
@@ -133,7 +133,7 @@ def end_router() -> None:
 
     The router has the former user name and the former port of the hub. Programs start a new router.
     """
-    with contextlib.suppress(DomainIdError):
+    with contextlib.suppress(SettingError):
         domain = config.domain_id()
         number = router_process.pid(domain)
         if number is not None:

@@ -10,11 +10,11 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
 from zbot.classroom.errors import (
-    AlreadyJoinedError,
-    NotJoinedError,
-    OtherClassError,
+    ClassroomError,
     RefusedError,
-    UnlinkedError,
+    already_joined_error,
+    not_joined_error,
+    other_class_error,
 )
 from zbot.classroom.hub import running_hub
 from zbot.classroom.hub.address import Address, own_addresses, parse_address
@@ -64,8 +64,7 @@ def find_hub(target: str) -> Address:
     """Connect to the hub that a code or an address means, and return the hub's address.
 
     Raises:
-        CodeError: The code has a typing error.
-        AddressError: The address is invalid.
+        ClassValueError: The code has a typing error, or the address is invalid.
         UnreachableHostError: No machine answers.
         BlockedPortError: A machine answers, but its port is blocked.
         ClosedPortError: A machine answers, but no program listens on its port.
@@ -105,10 +104,9 @@ def join(
         The membership, and the students who have the same name.
 
     Raises:
-        AlreadyJoinedError: This machine has joined a class or hub, or runs a hub.
-        ClassroomError: The hub cannot be found (see `find_hub`), or it refuses this machine
-            (see `request_membership`).
-        UnlinkedError: The hub admits this machine, but is not linked with it within 20 s.
+        ClassroomError: This machine has joined a class or hub, or runs a hub, or the hub cannot be
+            found (see `find_hub`), or it refuses this machine (see `request_membership`), or the
+            hub admits this machine, but is not linked with it within 20 s.
         SecurityError: This machine and the hub do not accept each other's certificates.
     """
     _check_not_joined()
@@ -140,7 +138,7 @@ def _linked_namesakes(joined: Membership) -> list[int]:
     """Wait until a class or hub has accepted this machine. Return the numbers of namesakes.
 
     Raises:
-        UnlinkedError: This machine's hub was not linked in time.
+        ClassroomError: This machine's hub was not linked in time.
     """
     deadline = Deadline(_LINKED_S)
     while True:
@@ -149,7 +147,10 @@ def _linked_namesakes(joined: Membership) -> list[int]:
         if is_accepted(joined, facts):
             return list((facts.get("of_class") or {}).get("namesakes") or [])
         if hub is None or deadline.is_over:
-            raise UnlinkedError(joined.host, joined.port)
+            raise ClassroomError(
+                f"this machine was not linked with {joined.host}:{joined.port} in time, "
+                "so it has not joined: join again"
+            )
         time.sleep(_LINK_PAUSE_S)
 
 
@@ -160,15 +161,14 @@ def resume() -> None:
     3 s. The hub goes on trying. Do nothing if the hub runs.
 
     Raises:
-        NotJoinedError: This machine has not joined a class or hub.
-        OtherClassError: This machine has a class of its own.
-        HubStartError: The hub cannot be started.
+        ClassroomError: This machine has not joined a class or hub, or this machine has a class of
+            its own, or the hub cannot be started.
     """
     joined = membership.load()
     if joined is None:
-        raise NotJoinedError
+        raise not_joined_error()
     if joined.role == "teacher":
-        raise OtherClassError(joined.class_name)
+        raise other_class_error(joined.class_name)
     if running_hub.find() is None:
         running_hub.start(joined.role)
 
@@ -209,16 +209,16 @@ def _admitted(
 
 
 def _check_not_joined() -> None:
-    """Raise `AlreadyJoinedError` if this machine has opened or joined a class or runs a hub.
+    """Raise `ClassroomError` if this machine has opened or joined a class or runs a hub.
 
     A joined class counts only while this machine's hub runs and is linked with the class.
     """
     present, hub = membership.load(), running_hub.find()
     is_over = hub is None or not hub_facts(hub.pid).get("linked", False)
     if present is not None and (present.role == "teacher" or not is_over):
-        raise AlreadyJoinedError(f"has joined {present.class_name or present.host}")
+        raise already_joined_error(f"has joined {present.class_name or present.host}")
     if present is None and hub is not None:
-        raise AlreadyJoinedError("runs a hub")
+        raise already_joined_error("runs a hub")
 
 
 @contextlib.contextmanager

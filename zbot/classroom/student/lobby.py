@@ -7,7 +7,7 @@ import time
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
-from zbot.classroom.errors import NoHubError, PinNeededError, RefusedError, SilentHubError
+from zbot.classroom.errors import ClassroomError, NoHubError, RefusedError, SilentHubError
 from zbot.classroom.hub.address import Address
 from zbot.classroom.hub.identity import certificate_identity, dialled_identity
 from zbot.classroom.hub.link import PLAINTEXT, Link
@@ -77,7 +77,7 @@ def request_membership(
         NoHubError: The program at the address is not a hub.
         WrongPinError: The PIN is wrong.
         PinError: The PIN could not be checked. The message says why.
-        PinNeededError: `ask_pin` returned `None`.
+        ClassroomError: `ask_pin` returned `None`.
         RefusedError: The number is taken or invalid.
         SilentHubError: The class does not answer.
         ClosedPortError: The hub was closed meanwhile.
@@ -163,7 +163,9 @@ class _JoinQueries:
         class_name = str(hello.get("class"))
         pin = ask_pin(clean_name(class_name)) if hello.get("pin") else ""
         if pin is None:
-            raise PinNeededError
+            raise ClassroomError(
+                "the class requires a PIN: run `zbot join` in a terminal, or set ZBOT_PIN"
+            )
         client = PinClient(Secret(pin), class_name, self._hub)
         challenge = self._ask("enrol", client.hello())
         sealed = self._ask("claim", client.claim(challenge, asdict(request)))

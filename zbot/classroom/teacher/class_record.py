@@ -6,7 +6,7 @@ import json
 from dataclasses import dataclass, field, fields
 from typing import TYPE_CHECKING, Any
 
-from zbot.classroom.errors import ClassroomError, NoClassError
+from zbot.classroom.errors import ClassValueError, no_class_error
 from zbot.classroom.teacher.student_list import StudentList
 from zbot.json_reader import read_json_object
 from zbot.security.secret import make_private_folder, write_private
@@ -17,14 +17,6 @@ if TYPE_CHECKING:
 
 #: Maximum number of notices that are kept for students who join later.
 MAX_NOTICES = 20
-
-
-class RecordError(ClassroomError, ValueError):
-    """The file of an open class is damaged."""
-
-    def __init__(self, path: Path, reason: str) -> None:
-        self.path, self.reason = path, reason
-        super().__init__(f"cannot read {path} ({reason}): remove it with `zbot class stop`")
 
 
 @dataclass
@@ -69,16 +61,18 @@ def load_record() -> ClassRecord:
     """Return the open class.
 
     Raises:
-        NoClassError: No class is open.
-        RecordError: The file is damaged.
+        ClassroomError: No class is open.
+        ClassValueError: The file is damaged.
     """
     path = record_path()
     try:
         return _parsed(read_json_object(path.read_text(encoding="utf-8")))
     except FileNotFoundError as exc:
-        raise NoClassError from exc
+        raise no_class_error() from exc
     except (OSError, ValueError, TypeError, KeyError, AttributeError) as exc:
-        raise RecordError(path, str(exc)) from exc
+        raise ClassValueError(
+            f"cannot read {path} ({exc!s}): remove it with `zbot class stop`"
+        ) from exc
 
 
 def _parsed(document: dict[str, Any]) -> ClassRecord:

@@ -16,7 +16,7 @@ import re
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol
 
-from zbot.classroom.errors import ClassroomError
+from zbot.classroom.errors import ClassValueError
 from zbot.errors import InvalidNameError
 from zbot.errors.suggestion import did_you_mean, question, similar_names
 from zbot.graph.snapshot import full_names
@@ -46,13 +46,10 @@ _RUN = re.compile(r"runs\s+(?P<name>\S+)", re.IGNORECASE | re.ASCII)
 _TYPE = re.compile(r"([A-Za-z]\w*)/(?:(?:msg|srv|action)/)?([A-Za-z]\w*)", re.ASCII)
 
 
-class ExpectationError(ClassroomError, ValueError):
-    """A text is not an expectation."""
-
-    def __init__(self, text: str, reason: str) -> None:
-        self.text, self.reason = text, reason
-        self.hint = 'write it like "publishes std_msgs/String on /student_id at >= 1 Hz"'
-        super().__init__(f"cannot check {text!r}: {reason}")
+def expectation_error(text: str, reason: str) -> ClassValueError:
+    """Return the error that a text is not an expectation."""
+    hint = 'write it like "publishes std_msgs/String on /student_id at >= 1 Hz"'
+    return ClassValueError(f"cannot check {text!r}: {reason}", hint=hint)
 
 
 class Observed(Protocol):
@@ -120,7 +117,7 @@ def parse_expectations(text: str) -> list[Expectation]:
     """Return the expectations that a text contains.
 
     Raises:
-        ExpectationError: A part of the text is not an expectation.
+        ClassValueError: A part of the text is not an expectation.
     """
     # With `\s+`, the time would grow with the square of the number of spaces.
     return [_parse(part.strip()) for part in re.split(r"\sand\s|;", text.strip())]
@@ -132,10 +129,10 @@ def _parse(text: str) -> Expectation:
         return Expectation(EntityKind.NODE, _name(text, match["name"]))
     match = _USE.fullmatch(text)
     if match is None:
-        raise ExpectationError(text, _reason(text))
+        raise expectation_error(text, _reason(text))
     verb = match["verb"].lower()
     if match["rate"] and verb != "publishes":
-        raise ExpectationError(text, "only `publishes` can have a rate")
+        raise expectation_error(text, "only `publishes` can have a rate")
     return Expectation(
         _KINDS[verb],
         _name(text, match["name"]),
@@ -160,14 +157,14 @@ def _name(text: str, name: str) -> str:
     try:
         validate_full_topic_name(full)
     except InvalidNameError as exc:
-        raise ExpectationError(text, exc.error_msg) from exc
+        raise expectation_error(text, exc.error_msg) from exc
     return full
 
 
 def _type_name(text: str, name: str, kind: str) -> str:
     match = _TYPE.fullmatch(name)
     if match is None:
-        raise ExpectationError(text, f"{name!r} is not a type such as std_msgs/String")
+        raise expectation_error(text, f"{name!r} is not a type such as std_msgs/String")
     return f"{match[1]}/{kind}/{match[2]}"
 
 

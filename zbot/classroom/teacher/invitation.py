@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import asdict, dataclass, field
 from typing import TYPE_CHECKING, Any
 
-from zbot.classroom.errors import NoClassError
+from zbot.classroom.errors import no_class_error
 from zbot.classroom.hub.address import Address, own_addresses
 from zbot.classroom.join_code import long_code, short_code
 from zbot.classroom.teacher.class_record import load_record
@@ -64,10 +64,10 @@ def invitation() -> Invitation:
     """Return the invitation to the class that is open on this machine.
 
     Raises:
-        NoClassError: No class is open on this machine.
-        RecordError: The file of the class is damaged.
+        ClassroomError: No class is open on this machine.
+        ClassValueError: The file of the class is damaged.
     """
     opened = membership.load()
     if opened is None or opened.role != "teacher":
-        raise NoClassError
+        raise no_class_error()
     return invitation_to(opened, load_record())

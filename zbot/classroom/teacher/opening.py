@@ -9,11 +9,11 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from zbot.classroom.errors import (
-    AlreadyJoinedError,
     ClassCommandError,
-    NoClassError,
-    OpenClassError,
-    OtherClassError,
+    already_joined_error,
+    no_class_error,
+    open_class_error,
+    other_class_error,
 )
 from zbot.classroom.hub import running_hub
 from zbot.classroom.hub.address import own_addresses
@@ -80,10 +80,9 @@ def start(options: ClassOptions) -> tuple[Membership, ClassRecord]:
         The teacher's membership and the record of the class.
 
     Raises:
-        AlreadyJoinedError: This machine has joined a class or hub, or runs a hub.
-        OtherClassError: Another class is open, or was open when this machine was switched off.
-        OpenClassError: The class has other options.
-        HubStartError: Another program uses the port.
+        ClassroomError: This machine has joined a class or hub, or runs a hub, or another class is
+            open, or was open when this machine was switched off, or the class has other options, or
+            another program uses the port.
         SecurityError: This machine's certificate is not suitable for a class.
     """
     present, runs = membership.load(), running_hub.find() is not None
@@ -93,7 +92,7 @@ def start(options: ClassOptions) -> tuple[Membership, ClassRecord]:
         students = StudentList(secrets.token_hex(_MASTER_BYTES))
         return _open(name, ClassRecord(name, students), options)
     if options.name not in {None, present.class_name}:
-        raise OtherClassError(present.class_name)
+        raise other_class_error(present.class_name)
     record = load_record()
     _check_options(present, record, options, runs=runs)
     if runs and not options.new_pin:
@@ -105,19 +104,19 @@ def start(options: ClassOptions) -> tuple[Membership, ClassRecord]:
 
 def _check_free(present: Membership | None, *, runs: bool) -> None:
     if present is not None:
-        raise AlreadyJoinedError(f"has joined {present.class_name or present.host}")
+        raise already_joined_error(f"has joined {present.class_name or present.host}")
     if runs:
-        raise AlreadyJoinedError("runs a hub")
+        raise already_joined_error("runs a hub")
 
 
 def _check_options(
     present: Membership, record: ClassRecord, options: ClassOptions, *, runs: bool
 ) -> None:
-    """Raise `OpenClassError` if the options do not fit the class that exists."""
+    """Raise `ClassroomError` if the options do not fit the class that exists."""
     if (options.with_pin or options.new_pin) and not record.pin:
-        raise OpenClassError(present.class_name, "has no PIN")
+        raise open_class_error(present.class_name, "has no PIN")
     if options.pin and options.pin != record.pin and not options.new_pin:
-        raise OpenClassError(present.class_name, "has another PIN (`--new-pin` changes it)")
+        raise open_class_error(present.class_name, "has another PIN (`--new-pin` changes it)")
     if not runs:
         return
     keystore = Link.named(options.keystore).keystore
@@ -128,7 +127,7 @@ def _check_options(
     }
     for what, (given, known) in wanted.items():
         if given and given != known:
-            raise OpenClassError(present.class_name, f"has another {what}")
+            raise open_class_error(present.class_name, f"has another {what}")
 
 
 def _open(
@@ -160,11 +159,11 @@ def stop() -> Membership:
     """Close the class that is open on this machine, and return the teacher's membership.
 
     Raises:
-        NoClassError: No class is open.
+        ClassroomError: No class is open.
     """
     present = membership.load()
     if present is None or present.role != "teacher":
-        raise NoClassError
+        raise no_class_error()
     # If the hub does not answer, the class is closed without a notice to the students.
     with contextlib.suppress(ClassCommandError):
         command({"op": "close"})
@@ -183,7 +182,7 @@ def _client() -> zenoh.Session:
     """Open a client session at the class's hub."""
     present = membership.load()
     if present is None or present.role != "teacher":
-        raise NoClassError
+        raise no_class_error()
     # The hub is closed for a moment when its rules change, e.g. after the previous command.
     deadline = Deadline(_REOPENING_S)
     while (session := open_hub_client()) is None:
@@ -206,9 +205,8 @@ def command(question: dict[str, Any]) -> dict[str, Any]:
     """Send a command to the class that is open on this machine, and return the reply.
 
     Raises:
-        NoClassError: No class is open.
-        ClassCommandError: The class does not answer, or refuses the command. The message says
-            why.
+        ClassroomError: No class is open.
+        ClassCommandError: The class does not answer, or refuses the command. The message says why.
     """
     answers = _ask(question)
     if not answers or "error" in answers[0]:
@@ -221,7 +219,7 @@ def check_class(expectations: Sequence[Expectation]) -> list[Verdict]:
     """Return a verdict for each student who has joined.
 
     Raises:
-        NoClassError: No class is open on this machine.
+        ClassroomError: No class is open on this machine.
         ClassCommandError: The class does not run.
     """
     students = command({"op": "list"})["students"]
@@ -233,7 +231,7 @@ def graph_of(number: int) -> Snapshot:
     """Return the graph of a student's domain.
 
     Raises:
-        NoClassError: No class is open on this machine.
+        ClassroomError: No class is open on this machine.
         ClassCommandError: The class does not run.
     """
     with _client() as session:

@@ -6,7 +6,7 @@ import json
 import time
 from typing import TYPE_CHECKING, Any
 
-from zbot.classroom.errors import RobotError
+from zbot.classroom.errors import robot_error
 from zbot.classroom.keys import ROBOTS_KEY
 
 if TYPE_CHECKING:
@@ -43,14 +43,14 @@ class Robots:
         """Give a robot to one student. `None` means that nobody drives the robot.
 
         Raises:
-            RobotError: No bridge of this robot runs.
+            ClassroomError: No bridge of this robot runs.
         """
         connected = self.connected()
         if number is None:
             self._drivers.pop(robot, None)
             return
         if robot not in connected:
-            raise RobotError(robot, connected)
+            raise robot_error(robot, connected)
         self._drivers[robot] = number
 
     def publish(self, session: zenoh.Session) -> None:

@@ -6,7 +6,7 @@ import csv
 import io
 from typing import TYPE_CHECKING
 
-from zbot.classroom.errors import ClassroomError
+from zbot.classroom.errors import ClassValueError
 from zbot.classroom.student_name import clean_name
 from zbot.errors import shortened
 from zbot.transport.config import MAX_DOMAIN_ID
@@ -17,25 +17,22 @@ if TYPE_CHECKING:
 _MAX_DIGITS = 9
 
 
-class RosterError(ClassroomError, ValueError):
-    """A list of students cannot be read."""
-
-    def __init__(self, line: int, reason: str) -> None:
-        self.line, self.reason = line, reason
-        where = f"line {line} of the list of students" if line else "the list of students"
-        super().__init__(f"{where}: {reason} (lines are: number,name)")
+def roster_error(line: int, reason: str) -> ClassValueError:
+    """Return the error that a list of students cannot be read."""
+    where = f"line {line} of the list of students" if line else "the list of students"
+    return ClassValueError(f"{where}: {reason} (lines are: number,name)")
 
 
 def load_roster(path: Path) -> dict[int, str]:
     """Return the names by number from a file with a list of students.
 
     Raises:
-        RosterError: The file cannot be read, or has an error (see `read_roster`).
+        ClassValueError: The file cannot be read, or has an error (see `read_roster`).
     """
     try:
         return read_roster(path.read_text(encoding="utf-8"))
     except (OSError, UnicodeDecodeError) as exc:
-        raise RosterError(0, f"{path}: {getattr(exc, 'strerror', None) or exc}") from exc
+        raise roster_error(0, f"{path}: {getattr(exc, 'strerror', None) or exc}") from exc
 
 
 def read_roster(text: str) -> dict[int, str]:
@@ -44,7 +41,7 @@ def read_roster(text: str) -> dict[int, str]:
     The list has lines of `number,name` or `number;name`, with or without a heading.
 
     Raises:
-        RosterError: A line has no number from 1 to 232, or two lines have the same number.
+        ClassValueError: A line has no number from 1 to 232, or two lines have the same number.
     """
     found: dict[int, str] = {}
     for line, row in enumerate(_rows(text), 1):
@@ -53,11 +50,11 @@ def read_roster(text: str) -> dict[int, str]:
             continue
         number = int(cells[0]) if _is_short_number(cells[0]) else 0
         if not 1 <= number <= MAX_DOMAIN_ID:
-            raise RosterError(
+            raise roster_error(
                 line, f"{shortened(cells[0])} is not a number from 1 to {MAX_DOMAIN_ID}"
             )
         if number in found:
-            raise RosterError(line, f"number {number} appears twice")
+            raise roster_error(line, f"number {number} appears twice")
         found[number] = clean_name(" ".join(cells[1:]))
     return found
 
@@ -73,4 +70,4 @@ def _rows(text: str) -> list[list[str]]:
     try:
         return list(rows)
     except csv.Error as exc:
-        raise RosterError(rows.line_num, str(exc)) from exc
+        raise roster_error(rows.line_num, str(exc)) from exc

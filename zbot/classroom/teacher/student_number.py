@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from zbot.classroom.errors import ClassroomError
+from zbot.classroom.errors import ClassroomError, ClassValueError
 from zbot.classroom.teacher.student import Student
 from zbot.errors.suggestion import nearest
 from zbot.transport.config import MAX_DOMAIN_ID
@@ -28,21 +28,6 @@ class TakenError(ClassroomError):
         )
 
 
-class NumberError(ClassroomError, ValueError):
-    """A student's number is out of range."""
-
-    def __init__(self, number: object) -> None:
-        self.number = number
-        super().__init__(f"a student's number must be from 1 to {MAX_DOMAIN_ID}, not {number!r}")
-
-
-class FullClassError(ClassroomError):
-    """Every number is taken."""
-
-    def __init__(self) -> None:
-        super().__init__(f"the class is full: all {MAX_DOMAIN_ID} numbers are taken")
-
-
 class SimilarNameError(ClassroomError, ValueError):
     """A name is not in the list of students, but a similar name is."""
 
@@ -58,10 +43,12 @@ def validated_number(value: object) -> int:
     """Return a student's number.
 
     Raises:
-        NumberError: The value is not a number from 1 to 232.
+        ClassValueError: The value is not a number from 1 to 232.
     """
     if not isinstance(value, int) or value not in NUMBERS:
-        raise NumberError(value)
+        raise ClassValueError(
+            f"a student's number must be from 1 to {MAX_DOMAIN_ID}, not {value!r}"
+        )
     return value
 
 
@@ -80,9 +67,9 @@ def student_for(
         expected: The names that the teacher expects, by number.
 
     Raises:
-        NumberError: The number is out of range.
+        ClassValueError: The number is out of range.
         TakenError: Another laptop has the number, or the list keeps it for another name.
-        FullClassError: No number is free.
+        ClassroomError: No number is free.
         SimilarNameError: The name is not in the list, but a similar name is. No other laptop has
             the number of the similar name.
     """
@@ -134,5 +121,5 @@ def _number(
     free = (number for number in NUMBERS if number not in students and number not in expected)
     found = next(free, None)
     if found is None:
-        raise FullClassError
+        raise ClassroomError(f"the class is full: all {MAX_DOMAIN_ID} numbers are taken")
     return found

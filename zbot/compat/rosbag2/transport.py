@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from zbot.bag import conversion, player, recorder
-from zbot.bag.errors import BagError
+from zbot.bag.errors import BagValueError
 from zbot.bag.player_services import PlayerServices
 from zbot.bag.reader import Reader
 from zbot.bag.snapshot_buffer import SnapshotBuffer
@@ -34,14 +34,6 @@ _LEVELS = {
 }
 DEFAULT_NAME = "rosbag2_recorder"
 _PLAYER_NAME = "rosbag2_player"
-
-
-class LogLevelError(BagError, ValueError):
-    """A log level is not known."""
-
-    def __init__(self, level: str) -> None:
-        self.level = level
-        super().__init__(f"the log level cannot be {level!r}: choose one of {', '.join(_LEVELS)}")
 
 
 class _Cancellations:
@@ -106,7 +98,7 @@ class Player:
         log_level: `debug`, `info`, `warn`, `error` or `fatal`.
 
     Raises:
-        LogLevelError: There is no such level.
+        BagValueError: There is no such level.
     """
 
     def __init__(self, log_level: str = "info") -> None:
@@ -170,7 +162,7 @@ class Recorder:
         log_level: `debug`, `info`, `warn`, `error` or `fatal`.
 
     Raises:
-        LogLevelError: There is no such level.
+        BagValueError: There is no such level.
     """
 
     def __init__(self, log_level: str = "info") -> None:
@@ -224,7 +216,7 @@ def bag_rewrite(input_options: Sequence[StorageOptions], output_options_path: st
         output_options_path: YAML file with the key `output_bags`.
 
     Raises:
-        OutputOptionsError: The file is not valid.
+        BagValueError: The file is not valid.
         BagNotFoundError: There is no bag.
         BagReadError: A bag cannot be read.
         BagWriteError: A bag cannot be written.
@@ -239,7 +231,7 @@ def bag_rewrite(input_options: Sequence[StorageOptions], output_options_path: st
 def _level(name: str) -> LoggingSeverity:
     level = _LEVELS.get(name)
     if level is None:
-        raise LogLevelError(name)
+        raise BagValueError(f"the log level cannot be {name!r}: choose one of {', '.join(_LEVELS)}")
     return level
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import warnings
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import ZbotError
+from zbot.errors import WrongValueError
 from zbot.interfaces import registry
 from zbot.interfaces.errors import UnknownInterfaceError, UnknownPackageError
 from zbot.interfaces.kinds import KINDS
@@ -19,26 +19,23 @@ if TYPE_CHECKING:
     from zbot.interfaces.slot_type import AbstractNestedType, NamespacedType
 
 
-class InterfaceNameError(ZbotError, ValueError):
-    """A name has the wrong form, or it is the name of an interface of another kind."""
-
-    def __init__(self, wanted: str, name: str) -> None:
-        self.name = name
-        super().__init__(f"Expected the full name of {wanted}, got '{name}'")
+def interface_name_error(wanted: str, name: str) -> WrongValueError:
+    """Return the error that a name has the wrong form, or names another kind of interface."""
+    return WrongValueError(f"Expected the full name of {wanted}, got '{name}'")
 
 
 def get_interface(identifier: str) -> type[Any]:
     """Return the class of a message, a service or an action, e.g. `std_msgs/msg/String`.
 
     Raises:
-        InterfaceNameError: The name does not have 3 parts, or the second is not msg, srv or action.
+        WrongValueError: The name does not have 3 parts, or the second is not msg, srv or action.
         UnknownPackageError: The package does not exist. The error is also a ModuleNotFoundError.
         UnknownInterfaceError: The package has no such interface. The error is also an
             AttributeError.
     """
     parts = identifier.split("/")
     if len(parts) != 3 or not all(parts) or parts[1] not in KINDS:
-        raise InterfaceNameError("an interface", identifier)
+        raise interface_name_error("an interface", identifier)
     return registry.get_interface(identifier)
 
 
@@ -68,10 +65,10 @@ def _of_kind(identifier: str, kind: str, wanted: str) -> Any:
     if len(parts) == 2:
         parts.insert(1, kind)
     if len(parts) != 3 or not all(parts) or parts[1] not in KINDS:
-        raise InterfaceNameError(wanted, identifier)
+        raise interface_name_error(wanted, identifier)
     cls = registry.get_interface("/".join(parts))
     if not _CHECKS[kind](cls):
-        raise InterfaceNameError(wanted, identifier)
+        raise interface_name_error(wanted, identifier)
     return cls
 
 
@@ -148,12 +145,12 @@ def get_interface_path(interface_name: str) -> str:
     """Return the file that defines an interface, e.g. `std_msgs/msg/String` (`.msg` is optional).
 
     Raises:
-        InterfaceNameError: The name does not have three parts.
+        WrongValueError: The name does not have three parts.
         LookupError: The package or the file does not exist.
     """
     parts = interface_name.split("/")
     if len(parts) != 3 or not all(parts):
-        raise InterfaceNameError("an interface", interface_name)
+        raise interface_name_error("an interface", interface_name)
     package, kind, short = parts
     folder = package_folder(package)
     if folder is None:

@@ -10,9 +10,9 @@ from zbot.launch.arguments import declared_arguments
 from zbot.launch.description import LaunchDescription
 from zbot.launch.errors import (
     EntityTypeError,
-    IncludeLoopError,
     LaunchArgumentError,
     LaunchFileError,
+    include_loop_error,
 )
 from zbot.launch.source import LaunchDescriptionSource, file_locals
 from zbot.launch.substitution import is_a_substitution, normalize, perform
@@ -72,7 +72,7 @@ class IncludeLaunchDescription(Action):
 
         Raises:
             AbsentFileError: The file is in a well-known package that does not run in zbot.
-            IncludeLoopError: The file includes itself without end.
+            LaunchError: The file includes itself without end.
             LaunchArgumentError: The include does not give a required argument of the file.
             LaunchFileError: A required argument is missing, and this include is not in a launch
                 file. The error shows the line that declares the argument.
@@ -107,7 +107,7 @@ class IncludeLaunchDescription(Action):
         chain: tuple[tuple[str, str], ...] = context.get_locals_as_dict().get("include_chain", ())
         if link in chain or len(chain) >= _MAX_DEPTH:
             start = chain.index(link) if link in chain else max(0, len(chain) - 3)
-            raise IncludeLoopError([one for one, _ in (*chain[start:], link)])
+            raise include_loop_error([one for one, _ in (*chain[start:], link)])
         return (*chain, link)
 
     def _check(self, description: LaunchDescription, given: Mapping[str, str]) -> None:

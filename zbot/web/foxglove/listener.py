@@ -9,6 +9,7 @@ from zbot.errors import ZbotError
 from zbot.interfaces.set_fields import set_message_fields
 from zbot.json_reader import read_json_object
 from zbot.log import get_logger
+from zbot.web.errors import WebError
 from zbot.wire.serialization import deserialize_message
 
 if TYPE_CHECKING:
@@ -45,7 +46,7 @@ class Listener:
         """Create a publisher for a client."""
         try:
             if channel.encoding not in {"cdr", "json"}:
-                raise EncodingError(channel.topic, channel.encoding)
+                raise WebError(f"the encoding {channel.encoding!r} is not known: use cdr or json")
             reference = self._system.publisher(channel.topic, channel.schema_name)
             cls = self._system.interface(channel.schema_name)
         except ZbotError as error:
@@ -112,14 +113,6 @@ class Listener:
 
     def on_connection_graph_unsubscribe(self) -> None:
         """Do nothing: the server always has the newest graph."""
-
-
-class EncodingError(ZbotError, ValueError):
-    """A client wants to publish in an encoding that zbot does not know."""
-
-    def __init__(self, topic: str, encoding: str) -> None:
-        self.topic, self.encoding = topic, encoding
-        super().__init__(f"the encoding {encoding!r} is not known: use cdr or json")
 
 
 def client_message(data: bytes, cls: Any, encoding: str) -> Any:

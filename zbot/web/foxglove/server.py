@@ -14,6 +14,7 @@ from zbot.log import get_logger
 from zbot.names import fully_qualified, is_hidden
 from zbot.observer.system import System
 from zbot.threads.background_thread import background_thread
+from zbot.web.errors import WebError
 from zbot.web.foxglove.channels import Channels
 from zbot.web.foxglove.guard import FOXGLOVE_ORIGIN, Guard, free_loopback_address
 from zbot.web.foxglove.listener import Listener
@@ -32,27 +33,17 @@ _LOOK_S = 0.3
 _TRIED_PORTS = 20
 
 
-class NoFoxgloveExtraError(ZbotError, ImportError):
-    """The package `foxglove-sdk` is not installed."""
-
-    def __init__(self) -> None:
-        super().__init__('Foxglove needs foxglove-sdk: pip install "zbot[foxglove]"')
-
-
-class NoPortError(ZbotError, OSError):
-    """The server cannot listen."""
-
-    def __init__(self, host: str, port: int, reason: str) -> None:
-        self.host, self.port = host, port
-        super().__init__(f"cannot listen on {host}, port {port}: {reason}")
+def no_port_error(host: str, port: int, reason: str) -> WebError:
+    """Return the error that the server cannot listen."""
+    return WebError(f"cannot listen on {host}, port {port}: {reason}")
 
 
 def check_extra() -> None:
-    """Raise `NoFoxgloveExtraError` if the package `foxglove-sdk` is not installed."""
+    """Raise `WebError` if the package `foxglove-sdk` is not installed."""
     try:
         import foxglove  # noqa: F401, PLC0415 - an extra
     except ImportError:
-        raise NoFoxgloveExtraError from None
+        raise WebError('Foxglove needs foxglove-sdk: pip install "zbot[foxglove]"') from None
 
 
 def serve(
@@ -73,9 +64,8 @@ def serve(
         on_ready: Called with the address of the websocket and the address of the web application.
 
     Raises:
-        NoFoxgloveExtraError: The package `foxglove-sdk` is not installed.
-        NoPortError: The server cannot listen.
-        OriginError: An origin is not the address of a page.
+        WebError: The package `foxglove-sdk` is not installed, or the server cannot listen, or an
+            origin is not the address of a page.
     """
     check_extra()
     allowed = [origin_of(one) for one in origins]
@@ -156,7 +146,7 @@ async def _started(guard: Guard, host: str, port: int) -> asyncio.Server:
             return await asyncio.start_server(guard.serve, host, port)
         except OSError as error:
             if port >= last:
-                raise NoPortError(host, port, error.strerror or str(error)) from error
+                raise no_port_error(host, port, error.strerror or str(error)) from error
             port += 1
 
 

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 
 from nicegui import app, ui
 
-from zbot.errors import ZbotError
 from zbot.errors.suggestion import did_you_mean
 from zbot.version import __version__
+from zbot.web.errors import WebError
 from zbot.web.page.panel import Page
 from zbot.web.panels import PANELS
 
@@ -39,14 +39,11 @@ _ICON = (
 )
 
 
-class UnknownPanelError(ZbotError, ValueError):
-    """The page has no panel with this name."""
-
-    def __init__(self, name: str) -> None:
-        self.name = name
-        known = [panel.path.strip("/") for panel in PANELS]
-        self.hint = did_you_mean(name, known) or f"there are {', '.join(known)}"
-        super().__init__(f"there is no panel {name!r}")
+def unknown_panel_error(name: str) -> WebError:
+    """Return the error that the page has no panel with this name."""
+    known = [panel.path.strip("/") for panel in PANELS]
+    hint = did_you_mean(name, known) or f"there are {', '.join(known)}"
+    return WebError(f"there is no panel {name!r}", hint=hint)
 
 
 def check_path(path: str) -> None:
@@ -56,11 +53,11 @@ def check_path(path: str) -> None:
         path: The path. It may have a query, e.g. `/plot?curve=/pose.x`.
 
     Raises:
-        UnknownPanelError: No panel has this path.
+        WebError: No panel has this path.
     """
     bare = path.partition("?")[0]
     if bare != "/" and bare not in {panel.path for panel in PANELS}:
-        raise UnknownPanelError(bare.strip("/"))
+        raise unknown_panel_error(bare.strip("/"))
 
 
 def add_pages(system: System) -> None:

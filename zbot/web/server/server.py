@@ -9,8 +9,8 @@ import sys
 from typing import TYPE_CHECKING, Any
 
 from zbot.classroom.hub.address import own_addresses
-from zbot.errors import ZbotError
 from zbot.observer.system import System
+from zbot.web.errors import WebError
 from zbot.web.page_address import address, is_loopback, origin_of
 from zbot.web.server.browser import open_page
 from zbot.web.server.page_discovery import announce
@@ -24,12 +24,9 @@ _MOST_PORTS = 100
 _BACKLOG = 128
 
 
-class ServerError(ZbotError, OSError):
-    """The server cannot listen on a host and port."""
-
-    def __init__(self, host: str, port: int, reason: str) -> None:
-        self.host, self.port, self.reason = host, port, reason
-        super().__init__(f"cannot listen on {host}:{port}: {reason}")
+def server_error(host: str, port: int, reason: str) -> WebError:
+    """Return the error that the server cannot listen on a host and port."""
+    return WebError(f"cannot listen on {host}:{port}: {reason}")
 
 
 def serve(
@@ -54,9 +51,8 @@ def serve(
         guests: Addresses of web servers whose pages may also use rosbridge.
 
     Raises:
-        UnknownPanelError: No panel has this path.
-        OriginError: One of `guests` is not an address of a web server.
-        ServerError: The server cannot listen on this host and port.
+        WebError: No panel has this path, or one of `guests` is not an address of a web server, or
+            the server cannot listen on this host and port.
         SessionError: Zenoh cannot open a session.
     """
     # These imports take half a second, and only a running server needs them.
@@ -97,20 +93,20 @@ def listen(host: str, port: int) -> socket.socket:
     """Return a socket that listens on a port. If the port is taken, use the next free port.
 
     Raises:
-        ServerError: The machine does not have the address, or the port and the next 100 are taken.
+        WebError: The machine does not have the address, or the port and the next 100 are taken.
     """
     try:
         family = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)[0][0]
     except OSError as error:
-        raise ServerError(host, port, error.strerror or str(error)) from error
+        raise server_error(host, port, error.strerror or str(error)) from error
     last = port if port == 0 else min(port + _MOST_PORTS, 65_535)
     for candidate in range(port, last + 1):
         try:
             return _bound(family, host, candidate)
         except OSError as error:
             if error.errno not in {errno.EADDRINUSE, errno.EACCES} or candidate == last:
-                raise ServerError(host, candidate, error.strerror or str(error)) from error
-    raise ServerError(host, port, "a port is a number from 0 to 65535")
+                raise server_error(host, candidate, error.strerror or str(error)) from error
+    raise server_error(host, port, "a port is a number from 0 to 65535")
 
 
 def _bound(family: int, host: str, port: int) -> socket.socket:

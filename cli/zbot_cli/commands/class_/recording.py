@@ -60,7 +60,7 @@ class ClassRecording:
         """Record until Ctrl-C.
 
         Raises:
-            NoClassError: No class is open on this machine.
+            ClassroomError: No class is open on this machine.
             CommandError: One of the numbers belongs to no student.
             BagExistsError: The folder exists.
             BagWriteError: The folder cannot be made.

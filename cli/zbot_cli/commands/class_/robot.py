@@ -53,7 +53,7 @@ class RobotSpec:
 
 
 def check_rclpy() -> None:
-    """Check that this Python can import a genuine rclpy. Raise `NoRclpyError` if it cannot."""
+    """Check that this Python can import a genuine rclpy. Raise `BridgeError` if it cannot."""
     import_rclpy()
 
 

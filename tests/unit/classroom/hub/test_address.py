@@ -8,7 +8,7 @@ from typing import Any
 import ifaddr
 import pytest
 
-from zbot.classroom.errors import AddressError
+from zbot.classroom.errors import ClassValueError
 from zbot.classroom.hub import address
 from zbot.classroom.hub.address import Address, own_addresses, parse_address
 
@@ -44,7 +44,7 @@ def test_addresses_are_read(text: str, host: str, port: int) -> None:
     ],
 )
 def test_an_invalid_address_is_refused(text: str) -> None:
-    with pytest.raises(AddressError):
+    with pytest.raises(ClassValueError):
         parse_address(text)
 
 
@@ -96,5 +96,5 @@ def test_the_library_is_imported_when_addresses_are_needed() -> None:
 
 
 def test_a_port_with_thousands_of_digits_is_one_error() -> None:
-    with pytest.raises(AddressError):
+    with pytest.raises(ClassValueError):
         parse_address("teacher:" + "9" * 5000)

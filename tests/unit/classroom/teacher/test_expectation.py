@@ -5,7 +5,8 @@ import time
 import pytest
 
 from tests.unit.tokens import STRING, endpoint_token
-from zbot.classroom.teacher.expectation import Expectation, ExpectationError, parse_expectations
+from zbot.classroom.errors import ClassValueError
+from zbot.classroom.teacher.expectation import Expectation, parse_expectations
 from zbot.graph.snapshot import Snapshot
 from zbot.wire.tokens import EndpointToken, EntityKind, NodeToken
 
@@ -111,7 +112,7 @@ def test_expectations_are_parsed() -> None:
     ],
 )
 def test_an_invalid_expectation_is_refused_with_the_reason(text: str, reason: str) -> None:
-    with pytest.raises(ExpectationError, match=reason):
+    with pytest.raises(ClassValueError, match=reason):
         parse_expectations(text)
 
 

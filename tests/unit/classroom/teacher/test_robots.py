@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from zbot.classroom.errors import RobotError
+from zbot.classroom.errors import ClassroomError
 from zbot.classroom.teacher.robots import Robots, driver_in
 
 
@@ -24,7 +24,7 @@ def test_a_robot_without_a_bridge_cannot_be_given(connected: list[str], advice: 
     robots = Robots()
     for name in connected:
         robots.note(name)
-    with pytest.raises(RobotError, match=advice):
+    with pytest.raises(ClassroomError, match=advice):
         robots.give("robot", 17)
 
 

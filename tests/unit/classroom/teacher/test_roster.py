@@ -4,7 +4,8 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from zbot.classroom.teacher.roster import RosterError, load_roster, read_roster
+from zbot.classroom.errors import ClassValueError
+from zbot.classroom.teacher.roster import load_roster, read_roster
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -30,21 +31,21 @@ def test_a_list_may_have_semicolons_and_no_header() -> None:
     ],
 )
 def test_an_invalid_list_is_refused_with_the_line(text: str, reason: str) -> None:
-    with pytest.raises(RosterError, match=reason):
+    with pytest.raises(ClassValueError, match=reason):
         read_roster(text)
 
 
 def test_a_missing_list_is_refused(tmp_path: Path) -> None:
-    with pytest.raises(RosterError, match="No such file"):
+    with pytest.raises(ClassValueError, match="No such file"):
         load_roster(tmp_path / "nowhere.csv")
 
 
 def test_a_roster_with_an_odd_line_end_is_one_error() -> None:
-    with pytest.raises(RosterError, match="line 1 of the list"):
+    with pytest.raises(ClassValueError, match="line 1 of the list"):
         read_roster("1,Ana\r2,Ben\n")
 
 
 def test_a_roster_with_thousands_of_digits_is_one_error() -> None:
-    with pytest.raises(RosterError, match="is not a number from 1 to 232") as caught:
+    with pytest.raises(ClassValueError, match="is not a number from 1 to 232") as caught:
         read_roster("9" * 5000 + ",Ana\n")
     assert len(str(caught.value)) < 300

@@ -4,15 +4,11 @@ import json
 
 import pytest
 
+from zbot.classroom.errors import ClassroomError, ClassValueError
 from zbot.classroom.join_request import JoinRequest
 from zbot.classroom.teacher import student_list
 from zbot.classroom.teacher.student_list import StudentList
-from zbot.classroom.teacher.student_number import (
-    FullClassError,
-    NumberError,
-    SimilarNameError,
-    TakenError,
-)
+from zbot.classroom.teacher.student_number import SimilarNameError, TakenError
 
 
 @pytest.fixture
@@ -68,7 +64,7 @@ def test_a_freed_number_can_be_claimed(students: StudentList) -> None:
 
 @pytest.mark.parametrize("number", [0, -1, 233, 10**9])
 def test_numbers_are_domains(students: StudentList, number: int) -> None:
-    with pytest.raises(NumberError, match="from 1 to 232"):
+    with pytest.raises(ClassValueError, match="from 1 to 232"):
         students.admit(JoinRequest("laptop", "host", None, number))
 
 
@@ -76,7 +72,7 @@ def test_a_claim_after_the_last_number_is_refused() -> None:
     students = StudentList("master")
     numbers = [students.admit(JoinRequest(f"laptop{k}", "host")).number for k in range(232)]
     assert sorted(numbers) == list(range(1, 233))
-    with pytest.raises(FullClassError):
+    with pytest.raises(ClassroomError):
         students.admit(JoinRequest("one more", "host"))
 
 

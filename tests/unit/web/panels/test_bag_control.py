@@ -6,8 +6,10 @@ from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any
 
 import pytest
+from zbot.web.bag_control import BagControl
 
 from zbot.bag import Writer
+from zbot.bag.errors import BagValueError
 from zbot.web.panels.bags import bag_control
 from zbot.web.panels.bags.bag_control import BagControl, BagNameError
 
@@ -39,7 +41,7 @@ def test_a_bag_that_is_listed_is_found(tmp_path: Path, name: str) -> None:
 def test_a_path_to_elsewhere_is_no_bag(tmp_path: Path, name: str) -> None:
     write(tmp_path / "other")
     (tmp_path / "other" / "inner").mkdir()
-    with pytest.raises(BagNameError, match="there is no bag"):
+    with pytest.raises(BagValueError, match="there is no bag"):
         control(tmp_path / "other").path(name)
 
 

@@ -7,8 +7,10 @@ from typing import TYPE_CHECKING
 
 import pytest
 from PIL import Image
+from zbot.web.bag_export import export_video
 
 from zbot.bag import Writer
+from zbot.bag.errors import BagValueError
 from zbot.web.panels.bags.bag_export import ExportError, export_video
 
 from sensor_msgs.msg import CompressedImage
@@ -35,5 +37,5 @@ def png() -> bytes:
 def test_a_damaged_image_is_named_as_the_reason(tmp_path: Path, data: bytes) -> None:
     with Writer(tmp_path / "bag") as writer:
         writer.write("/image", CompressedImage(data=data), 1)
-    with pytest.raises(ExportError, match="an image cannot be read"):
+    with pytest.raises(BagValueError, match="an image cannot be read"):
         export_video(tmp_path / "bag", "/image", 0, 2)

@@ -14,13 +14,14 @@ from typing import TYPE_CHECKING
 from weakref import WeakKeyDictionary
 
 from zbot.bag.background import BackgroundPlayback, BackgroundRecording
-from zbot.bag.errors import BagError
+from zbot.bag.errors import BagError, BagValueError
 from zbot.bag.play_options import PlayOptions
 from zbot.bag.reader import Reader
 from zbot.bag.selection import Selection
 from zbot.errors import ZbotError
 from zbot.observer.system import ReadOnlyError, System
 from zbot.time import S_TO_NS
+from zbot.web.system import System, read_only_error
 
 if TYPE_CHECKING:
     from collections.abc import Collection
@@ -32,19 +33,9 @@ _SUFFIXES = (".mcap", ".db3", ".bag")
 _MOST_BAGS = 500
 
 
-class BagNameError(BagError, ValueError):
-    """A name is not the name of a bag in the page's folder."""
-
-    def __init__(self, name: str, reason: str) -> None:
-        self.name = name
-        super().__init__(f"'{name}' is no name for a bag: {reason}")
-
-
-class BusyError(BagError):
-    """A recording runs already."""
-
-    def __init__(self, path: Path) -> None:
-        super().__init__(f"the page records '{path.name}' already: stop this recording first")
+def bag_name_error(name: str, reason: str) -> BagValueError:
+    """Return the error that a name is not the name of a bag in the page's folder."""
+    return BagValueError(f"'{name}' is no name for a bag: {reason}")
 
 
 @dataclass(frozen=True)
@@ -90,23 +81,23 @@ class BagControl:
         """Return the path of a bag in the folder.
 
         Raises:
-            BagNameError: There is no such bag in the folder.
+            BagValueError: There is no such bag in the folder.
         """
         # A bag of another program may have any name, e.g. with spaces, so `_checked` is not used.
         # The name `..` is not found, because the folder does not list it.
         path = next((one for one in self.folder.iterdir() if one.name == name), None)
         if path is None or not _is_bag(path):
-            raise BagNameError(name, "there is no bag with this name")
+            raise bag_name_error(name, "there is no bag with this name")
         return path
 
     def record(self, name: str, topics: Collection[str] | None) -> None:
         """Begin to record topics. `None` means all topics, also topics that appear later.
 
         Raises:
-            ReadOnlyError: The page is read-only.
-            BagNameError: The name has characters of a path, or is empty.
+            WebError: The page is read-only.
+            BagValueError: The name has characters of a path, or is empty.
             BagExistsError: There is a file or a folder with this name already.
-            BusyError: A recording runs already.
+            BagError: A recording runs already.
         """
         self._check_writable("recording")
         path = self.folder / _checked(name)
@@ -118,13 +109,16 @@ class BagControl:
         )
         with self._lock:
             if self.recording is not None and self.recording.is_running:
-                raise BusyError(self.recording.path)
+                raise BagError(
+                    f"the page records '{self.recording.path.name}' already: "
+                    "stop this recording first"
+                )
             self.recording = BackgroundRecording(path, selection, self._system.domain_id)
         if self.recording.error:
             raise BagError(self.recording.error)
 
     def stop_recording(self) -> None:
-        """End the recording. Raise `ReadOnlyError` if the page is read-only."""
+        """End the recording. Raise `WebError` if the page is read-only."""
         self._check_writable("recording")
         if self.recording is not None:
             self.recording.stop()
@@ -141,8 +135,8 @@ class BagControl:
             topics: Names of topics. `None` means all topics.
 
         Raises:
-            ReadOnlyError: The page is read-only.
-            BagNameError: There is no such bag.
+            WebError: The page is read-only.
+            BagValueError: There is no such bag.
             BagError: The bag cannot be played.
         """
         self._check_writable("playing")
@@ -171,7 +165,7 @@ class BagControl:
         return playback
 
     def stop_playing(self) -> None:
-        """End the playback. Raise `ReadOnlyError` if the page is read-only."""
+        """End the playback. Raise `WebError` if the page is read-only."""
         self._check_writable("playing")
         with self._lock:
             self._stop_playing()
@@ -182,7 +176,7 @@ class BagControl:
         If this bag is not being played, do nothing.
 
         Raises:
-            ReadOnlyError: The page is read-only.
+            WebError: The page is read-only.
         """
         self._check_writable("playing")
         playback = self.playing(name)
@@ -195,7 +189,7 @@ class BagControl:
         return shutil.disk_usage(self.folder).free
 
     def check_player(self) -> None:
-        """Raise `ReadOnlyError` if the page may not control the playback."""
+        """Raise `WebError` if the page may not control the playback."""
         self._check_writable("playing")
 
     def close(self) -> None:
@@ -211,7 +205,7 @@ class BagControl:
 
     def _check_writable(self, what: str) -> None:
         if self._system.read_only:
-            raise ReadOnlyError(what)
+            raise read_only_error(what)
 
     def _look(self, path: Path) -> FoundBag:
         state = _state(path)
@@ -241,7 +235,7 @@ def control_of(system: System) -> BagControl:
 
 def _checked(name: str) -> str:
     if not _NAME.fullmatch(name):
-        raise BagNameError(name, "use letters, digits, underscores, dots and dashes")
+        raise bag_name_error(name, "use letters, digits, underscores, dots and dashes")
     return name
 
 

@@ -8,9 +8,9 @@ from nicegui import ui
 
 from zbot.bag.columns import fields_of, topic_columns
 from zbot.bag.player import PlayerStatus
-from zbot.errors import ZbotError
 from zbot.observer.curve import thinned
 from zbot.time import S_TO_NS
+from zbot.web.errors import WebError
 from zbot.web.page.command_line import command_line
 from zbot.web.page.service_call import run_in_thread, with_errors_shown
 from zbot.web.panels.bags.bag_export import IMAGE_TYPES, export_csv, export_video
@@ -230,7 +230,7 @@ class BagDetails:
         times, columns = topic_columns(self.control.path(self.name), topic, [field])
         values = columns[field]
         if not all(isinstance(one, int | float) for one in values):
-            raise NotNumbersError(name)
+            raise WebError(f"{name} cannot be plotted: its values are not single numbers")
         start_ns = self.metadata.start_ns if self.metadata else 0
         seconds = [(time_ns - start_ns) / S_TO_NS for time_ns in times]
         return {"name": name, "data": thinned(seconds, values, _PLOT_POINTS)}
@@ -259,13 +259,6 @@ class BagDetails:
         data = await run_in_thread(export, self.control.path(self.name), topic, *part)
         name = topic.strip("/").replace("/", "_")
         ui.download(data, f"{self.name}_{name}.{suffix}", media_type)
-
-
-class NotNumbersError(ZbotError, ValueError):
-    """A field cannot be plotted."""
-
-    def __init__(self, name: str) -> None:
-        super().__init__(f"{name} cannot be plotted: its values are not single numbers")
 
 
 def _chart(series: list[dict[str, Any]], duration_s: float) -> dict[str, Any]:

@@ -7,7 +7,7 @@ import tempfile
 from typing import TYPE_CHECKING, Any
 
 from zbot.bag.columns import csv_lines
-from zbot.bag.errors import BagError
+from zbot.bag.errors import BagValueError
 from zbot.bag.reader import Reader
 from zbot.bag.video import VideoTooLongError, write_video
 from zbot.time import S_TO_NS
@@ -24,15 +24,11 @@ _MOST_MEMORY = 50_000_000
 _JPEG_QUALITY = 90
 
 
-class ExportError(BagError, ValueError):
-    """A part of a bag cannot be exported."""
-
-
 def export_csv(path: Path, topic: str, start_ns: int, end_ns: int) -> bytes:
     """Return a part of a topic as CSV.
 
     Raises:
-        ExportError: The CSV has more than 500 MB.
+        BagValueError: The CSV has more than 500 MB.
         BagError: The bag cannot be read.
     """
     parts, total = [], 0
@@ -40,7 +36,7 @@ def export_csv(path: Path, topic: str, start_ns: int, end_ns: int) -> bytes:
         data = line.encode()
         total += len(data)
         if total > _MOST_BYTES:
-            raise ExportError("the table is larger than 500 MB: choose a shorter part")
+            raise BagValueError("the table is larger than 500 MB: choose a shorter part")
         parts.append(data)
     return b"".join(parts)
 
@@ -51,7 +47,7 @@ def export_video(path: Path, topic: str, start_ns: int, end_ns: int) -> bytes:
     The frame rate of the video is the mean rate of the images.
 
     Raises:
-        ExportError: There are no images, an image cannot be read, the images do not all have the
+        BagValueError: There are no images, an image cannot be read, the images do not all have the
             same size, or the video is too long.
         BagError: The bag cannot be read.
         ImageError: An encoding is not known.
@@ -59,7 +55,7 @@ def export_video(path: Path, topic: str, start_ns: int, end_ns: int) -> bytes:
     with Reader(path) as bag:
         times = [one.log_ns for one in bag.messages([topic], start_ns, end_ns)]
         if not times:
-            raise ExportError(f"topic '{topic}' has no images in this part")
+            raise BagValueError(f"topic '{topic}' has no images in this part")
         seconds = (times[-1] - times[0]) / S_TO_NS
         rate_hz = (len(times) - 1) / seconds if seconds > 0 else 10.0
         pictures = _pictures(bag, topic, start_ns, end_ns)
@@ -70,7 +66,7 @@ def export_video(path: Path, topic: str, start_ns: int, end_ns: int) -> bytes:
                 everything = _same_size(first, pictures, width, height)
                 write_video(stream, everything, width, height, rate_hz)  # type: ignore[arg-type]
             except VideoTooLongError as error:
-                raise ExportError(str(error)) from error
+                raise BagValueError(str(error)) from error
             stream.seek(0)
             return stream.read()
 
@@ -95,7 +91,7 @@ def _jpeg(data: bytes) -> bytes:
             picture.convert("RGB").save(file, "JPEG", quality=_JPEG_QUALITY)
             return file.getvalue()
     except Exception as error:  # damaged images raise errors of any type
-        raise ExportError(f"an image cannot be read: {error}") from error
+        raise BagValueError(f"an image cannot be read: {error}") from error
 
 
 def _size(jpeg: bytes) -> tuple[int, int]:
@@ -110,5 +106,5 @@ def _same_size(first: bytes, others: Iterator[bytes], width: int, height: int) -
     yield first
     for one in others:
         if _size(one) != (width, height):
-            raise ExportError("the images change their size: choose a shorter part")
+            raise BagValueError("the images change their size: choose a shorter part")
         yield one

@@ -83,7 +83,7 @@ def load(parameters: RemoteParameters, node: str) -> list[DescribedParameter]:
     Raises:
         NoServiceError: The node has ended.
         NoAnswerError: The node does not answer.
-        ParameterAnswerError: The node's answer does not fit the request.
+        WrongValueError: The node's answer does not fit the request.
         UnknownParameterTypeError: A value has an unknown type.
     """
     names = parameters.names(node)
@@ -97,10 +97,10 @@ def set_value(system: System, node: str, parameter: Parameter[Any]) -> str:
     """Set one parameter. Return the node's reason if it refuses, otherwise an empty string.
 
     Raises:
-        ReadOnlyError: The page is read-only.
-        NoServiceError: The node has ended.
+        WebError: The page is read-only.
         NoAnswerError: The node does not answer.
-        ParameterAnswerError: The node's answer does not fit the request.
+        NoServiceError: The node has ended.
+        WrongValueError: The node's answer does not fit the request.
     """
     (result,) = system.set_parameters(node, [parameter])
     return "" if result.successful else result.reason or "the node refused the value"

@@ -15,6 +15,7 @@ from zbot.web.page.panel import Page, Panel
 from zbot.web.page.service_call import run_in_thread, with_errors_shown
 from zbot.web.page.table import Cell, Column
 from zbot.web.panels.processes.process_list import ProcessList, RunningProcess, stop
+from zbot.web.system import read_only_error
 
 if TYPE_CHECKING:
     from zbot.graph.snapshot import Snapshot
@@ -135,11 +136,10 @@ class _Details:
         """Stop the process.
 
         Raises:
-            ReadOnlyError: The page is read-only.
-            StopError: The process cannot be stopped from this machine.
+            WebError: The page is read-only, or the process cannot be stopped from this machine.
         """
         if self.section.page.read_only:
-            raise ReadOnlyError("stopping processes")
+            raise read_only_error("stopping processes")
         if self.one is not None:
             words = ["node", "kill", *(["--force"] if force else []), self.one.nodes[0]]
             self.section.page.show_command(command_line(*words))

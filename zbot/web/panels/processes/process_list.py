@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 
 import psutil
 
-from zbot.errors import ZbotError
 from zbot.graph.snapshot import full_names, processes
+from zbot.web.errors import WebError
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -21,10 +21,6 @@ if TYPE_CHECKING:
 
 #: Tolerance between the start of a process and the start that its session reports.
 _SLACK_S = 2.0
-
-
-class StopError(ZbotError):
-    """The user of this machine cannot stop a process."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,10 +104,10 @@ def stop(process: RunningProcess, *, force: bool = False) -> None:
     """Stop a process of this machine with SIGINT, as Ctrl-C does. `force` uses SIGKILL instead.
 
     Raises:
-        StopError: The process runs on another machine, belongs to another user, or has ended.
+        WebError: The process runs on another machine, belongs to another user, or has ended.
     """
     if not process.is_here:
-        raise StopError(f"process {process.pid} runs on {process.host}: stop it there")
+        raise WebError(f"process {process.pid} runs on {process.host}: stop it there")
     try:
         running = psutil.Process(process.pid)
         is_same = running.create_time() <= process.started_ns / 1e9 + _SLACK_S
@@ -124,6 +120,6 @@ def stop(process: RunningProcess, *, force: bool = False) -> None:
     except psutil.NoSuchProcess:
         is_same = False
     except psutil.AccessDenied:
-        raise StopError(f"process {process.pid} belongs to another user") from None
+        raise WebError(f"process {process.pid} belongs to another user") from None
     if not is_same:  # another process may have the same number now
-        raise StopError(f"process {process.pid} has ended already")
+        raise WebError(f"process {process.pid} has ended already")

@@ -15,6 +15,7 @@ from zbot.parameters.parameter import Parameter
 from zbot.web.forms.form import Form
 from zbot.web.page.command_line import command_line
 from zbot.web.page.service_call import call, run_in_thread
+from zbot.web.system import await_future, read_only_error
 
 if TYPE_CHECKING:
     from zbot.action import ActionClient
@@ -109,10 +110,10 @@ class TurtleControl:
         """Give a turtle a velocity (m/s, rad/s) for 1 s.
 
         Raises:
-            ReadOnlyError: The page is read-only.
+            WebError: The page is read-only.
         """
         if self._system.read_only:
-            raise ReadOnlyError("driving")
+            raise read_only_error("driving")
         twist: Any = get_message(_TWIST)()
         twist.linear.x, twist.angular.z = forward, turn
         topic = self.simulator.name(f"{turtle}/cmd_vel")
@@ -151,11 +152,11 @@ class TurtleControl:
         """Turn a turtle to a heading in rad.
 
         Raises:
-            ReadOnlyError: The page is read-only.
+            WebError: The page is read-only.
             ServiceError: The turtle does not exist any more.
         """
         if self._system.read_only:
-            raise ReadOnlyError("turning")
+            raise read_only_error("turning")
         values = f"{{theta: {theta}}}"
         self._show("action", "send_goal", self._rotation(turtle), _ROTATE, values)
         self.prepare(turtle)
