@@ -6,14 +6,13 @@ import time
 from typing import TYPE_CHECKING, Any
 
 import pytest
-from zbot.web.system import System, await_future
 
 import zbot
 from tests.conftest import wait_until
 from zbot.node.errors import ServiceError
-from zbot.observer.system import ReadOnlyError, System, await_future
+from zbot.observer.errors import ViewerError
+from zbot.observer.system import System, await_future
 from zbot.remote.types import UnknownTypeError
-from zbot.web.errors import WebError
 
 from std_msgs.msg import Float64, String
 from std_srvs.srv import SetBool
@@ -225,7 +224,7 @@ def test_read_only_refuses_to_change_anything(domain: int) -> None:
             lambda: system.client("/switch", "std_srvs/srv/SetBool"),
             lambda: system.action_client("/fibonacci", "example_interfaces/action/Fibonacci"),
         ):
-            with pytest.raises(WebError, match="read-only"):
+            with pytest.raises(ViewerError, match="read-only"):
                 make()
 
 

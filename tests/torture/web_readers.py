@@ -10,7 +10,7 @@ from tests.torture.reader import Reader
 from zbot.errors import ZbotError
 from zbot.interfaces import get_message
 from zbot.interfaces.plain_value import json_value
-from zbot.web.errors import WebError
+from zbot.observer.errors import ViewerError
 from zbot.web.foxglove.guard import Guard
 from zbot.web.foxglove.listener import client_message
 from zbot.web.page_address import origin_of
@@ -123,7 +123,7 @@ WEB_READERS = (
         "web_origin",
         ("zbot.web.page_address",),
         lambda data: origin_of(_text(data)),
-        (WebError,),
+        (ViewerError,),
         (b"http://localhost:8000", b"https://[::1]:443/a", b"http://a:99999"),
     ),
 )

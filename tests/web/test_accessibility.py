@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 import pytest
 
@@ -29,7 +29,11 @@ _WITHOUT_BAR = {"exclude": [["#q-loading-bar"]]}
 
 
 #: Themes by the width of the window. The colours do not depend on the width.
-_THEMES = {390: ("light",), 1024: ("light", "dark"), 1920: ("light",)}
+_THEMES: dict[int, tuple[Literal["light", "dark"], ...]] = {
+    390: ("light",),
+    1024: ("light", "dark"),
+    1920: ("light",),
+}
 
 
 @pytest.mark.usefixtures("turtlesim")

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Protocol
 
 from zbot.interfaces.field_path import FieldPath, FieldPathError
+from zbot.observer.errors import ViewerError
 from zbot.observer.value_text import tree
-from zbot.web.errors import WebError
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
@@ -28,10 +28,10 @@ class Watcher(Protocol):
         raise NotImplementedError
 
 
-def curve_error(word: str, reason: str) -> WebError:
+def curve_error(word: str, reason: str) -> ViewerError:
     """Return the error that a text is not the name of a curve."""
     hint = "write a topic and one of its numeric fields: /turtle1/pose.x"
-    return WebError(f"{word!r} is not a curve: {reason}", hint=hint)
+    return ViewerError(f"{word!r} is not a curve: {reason}", hint=hint)
 
 
 def split_curve(word: str, topics: Iterable[str]) -> tuple[str, str]:
@@ -42,7 +42,7 @@ def split_curve(word: str, topics: Iterable[str]) -> tuple[str, str]:
         topics: The present topics. They show which part of `/turtle1/pose/x` is the topic.
 
     Raises:
-        WebError: The topic is missing.
+        ViewerError: The topic is missing.
         FieldPathError: The field is not a valid path.
     """
     name, _, field = word.strip().partition(".")

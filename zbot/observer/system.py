@@ -16,6 +16,7 @@ from zbot.interfaces import get_interface
 from zbot.log import LoggingSeverity, get_logger, set_logger_level
 from zbot.names import ROSOUT_TOPIC
 from zbot.node.node import Node
+from zbot.observer.errors import ViewerError
 from zbot.observer.log_ring import LogRing
 from zbot.observer.payload_subscription import QUEUE_DEPTH, subscribe_to_payloads
 from zbot.observer.repeated_publishing import RepeatedPublishing
@@ -26,7 +27,6 @@ from zbot.remote.parameters import RemoteParameters
 from zbot.remote.profiles import profile_to_show
 from zbot.remote.service_calls import ServiceCalls
 from zbot.remote.types import interface
-from zbot.web.errors import WebError
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -48,9 +48,9 @@ _END_S = 2.0  #: longest wait for a callback at the end
 PATIENCE_S = 10.0
 
 
-def read_only_error(what: str) -> WebError:
+def read_only_error(what: str) -> ViewerError:
     """Return the error that a read-only page tried to change something."""
-    return WebError(f"this page is read-only: {what} is not possible (zbot web --read-only)")
+    return ViewerError(f"this page is read-only: {what} is not possible (zbot web --read-only)")
 
 
 class System:
@@ -262,7 +262,7 @@ class System:
         """Return a reference to a publisher.
 
         Raises:
-            WebError: The page is read-only.
+            ViewerError: The page is read-only.
             UnknownTypeError: No definition of the type was found.
             InvalidTopicNameError: The name is not valid in ROS 2.
         """
@@ -286,7 +286,7 @@ class System:
             rate_hz: Messages a second.
 
         Raises:
-            WebError: The page is read-only.
+            ViewerError: The page is read-only.
             UnknownTypeError: No definition of the type was found.
         """
         return RepeatedPublishing(self.node, self.publisher(topic, type_name), make, rate_hz)
@@ -295,7 +295,7 @@ class System:
         """Return a reference to a service's client. Await its futures with `await_future`.
 
         Raises:
-            WebError: The page is read-only.
+            ViewerError: The page is read-only.
             UnknownTypeError: No definition of the type was found.
         """
         self._check_writable("calling services")
@@ -323,7 +323,7 @@ class System:
         """Set parameters of a node, and return a result for each. See `RemoteParameters.set`.
 
         Raises:
-            WebError: The page is read-only.
+            ViewerError: The page is read-only.
         """
         self._check_writable("setting parameters")
         return self.parameters.set(node, parameters)
@@ -334,7 +334,7 @@ class System:
         """Return a reference to an action's client. Await its futures with `await_future`.
 
         Raises:
-            WebError: The page is read-only.
+            ViewerError: The page is read-only.
             UnknownTypeError: No definition of the type was found.
         """
         self._check_writable("sending goals")

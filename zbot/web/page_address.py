@@ -5,7 +5,7 @@ from __future__ import annotations
 import ipaddress
 from urllib.parse import urlencode, urlsplit
 
-from zbot.web.errors import WebError
+from zbot.observer.errors import ViewerError
 
 #: Parameter of the query that contains the token.
 TOKEN_PARAMETER = "token"  # noqa: S105 - a name, not a token
@@ -13,9 +13,9 @@ TOKEN_PARAMETER = "token"  # noqa: S105 - a name, not a token
 ROSBRIDGE_PATHS = ("/", "/rosbridge")
 
 
-def origin_error(text: str) -> WebError:
+def origin_error(text: str) -> ViewerError:
     """Return the error that a text is not the address of a page that a web server serves."""
-    return WebError(
+    return ViewerError(
         f"{text!r} is not the address of a page on a web server, e.g. http://localhost:8000"
     )
 
@@ -41,7 +41,7 @@ def origin_of(address: str) -> str:
     """Return the origin in an address of a page, e.g. `http://localhost:8000`.
 
     Raises:
-        WebError: The text is not an address of a page on a web server.
+        ViewerError: The text is not an address of a page on a web server.
     """
     try:
         parts = urlsplit(address)

@@ -4,13 +4,12 @@ import math
 from typing import TYPE_CHECKING, Any
 
 import pytest
-from zbot.web.curve import Curves, numeric_fields, split_curve, value_at
 
 import zbot  # noqa: F401 - makes the message packages importable
 from zbot.interfaces.field_path import FieldPath, FieldPathError
-from zbot.observer.curve import CurveError, Curves, numeric_fields, split_curve, value_at
+from zbot.observer.curve import Curves, numeric_fields, split_curve, value_at
+from zbot.observer.errors import ViewerError
 from zbot.observer.watch import Record
-from zbot.web.errors import WebError
 
 from geometry_msgs.msg import Twist
 from sensor_msgs.msg import LaserScan
@@ -42,7 +41,7 @@ def test_curve_name_is_split_into_topic_and_field(word: str, expected: tuple[str
 
 @pytest.mark.parametrize("word", ["", ".x", "/"])
 def test_curve_name_without_a_topic_is_refused(word: str) -> None:
-    with pytest.raises(WebError, match="topic is missing"):
+    with pytest.raises(ViewerError, match="topic is missing"):
         split_curve(word, TOPICS)
 
 

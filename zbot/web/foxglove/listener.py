@@ -9,7 +9,7 @@ from zbot.errors import ZbotError
 from zbot.interfaces.set_fields import set_message_fields
 from zbot.json_reader import read_json_object
 from zbot.log import get_logger
-from zbot.web.errors import WebError
+from zbot.observer.errors import ViewerError
 from zbot.wire.serialization import deserialize_message
 
 if TYPE_CHECKING:
@@ -46,7 +46,9 @@ class Listener:
         """Create a publisher for a client."""
         try:
             if channel.encoding not in {"cdr", "json"}:
-                raise WebError(f"the encoding {channel.encoding!r} is not known: use cdr or json")
+                raise ViewerError(
+                    f"the encoding {channel.encoding!r} is not known: use cdr or json"
+                )
             reference = self._system.publisher(channel.topic, channel.schema_name)
             cls = self._system.interface(channel.schema_name)
         except ZbotError as error:

@@ -12,9 +12,9 @@ from urllib.parse import urlencode
 from zbot.errors import ZbotError
 from zbot.log import get_logger
 from zbot.names import fully_qualified, is_hidden
+from zbot.observer.errors import ViewerError
 from zbot.observer.system import System
 from zbot.threads.background_thread import background_thread
-from zbot.web.errors import WebError
 from zbot.web.foxglove.channels import Channels
 from zbot.web.foxglove.guard import FOXGLOVE_ORIGIN, Guard, free_loopback_address
 from zbot.web.foxglove.listener import Listener
@@ -33,17 +33,17 @@ _LOOK_S = 0.3
 _TRIED_PORTS = 20
 
 
-def no_port_error(host: str, port: int, reason: str) -> WebError:
+def no_port_error(host: str, port: int, reason: str) -> ViewerError:
     """Return the error that the server cannot listen."""
-    return WebError(f"cannot listen on {host}, port {port}: {reason}")
+    return ViewerError(f"cannot listen on {host}, port {port}: {reason}")
 
 
 def check_extra() -> None:
-    """Raise `WebError` if the package `foxglove-sdk` is not installed."""
+    """Raise `ViewerError` if the package `foxglove-sdk` is not installed."""
     try:
         import foxglove  # noqa: F401, PLC0415 - an extra
     except ImportError:
-        raise WebError('Foxglove needs foxglove-sdk: pip install "zbot[foxglove]"') from None
+        raise ViewerError('Foxglove needs foxglove-sdk: pip install "zbot[foxglove]"') from None
 
 
 def serve(
@@ -64,7 +64,7 @@ def serve(
         on_ready: Called with the address of the websocket and the address of the web application.
 
     Raises:
-        WebError: The package `foxglove-sdk` is not installed, or the server cannot listen, or an
+        ViewerError: The package `foxglove-sdk` is not installed, or the server cannot listen, or an
             origin is not the address of a page.
     """
     check_extra()

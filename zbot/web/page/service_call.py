@@ -40,7 +40,7 @@ async def call(
         timeout_s: The longest wait, in seconds.
 
     Raises:
-        WebError: The page is read-only, and `changes` is true.
+        ViewerError: The page is read-only, and `changes` is true.
         NoAnswerError: The server did not answer in time.
         ServiceError: There is no server, its callback raised an error, or the server ended.
         UnknownTypeError: No definition of the type was found.

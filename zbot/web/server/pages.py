@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 from nicegui import app, ui
 
 from zbot.errors.suggestion import did_you_mean
+from zbot.observer.errors import ViewerError
 from zbot.version import __version__
-from zbot.web.errors import WebError
 from zbot.web.page.panel import Page
 from zbot.web.panels import PANELS
 
@@ -39,11 +39,11 @@ _ICON = (
 )
 
 
-def unknown_panel_error(name: str) -> WebError:
+def unknown_panel_error(name: str) -> ViewerError:
     """Return the error that the page has no panel with this name."""
     known = [panel.path.strip("/") for panel in PANELS]
     hint = did_you_mean(name, known) or f"there are {', '.join(known)}"
-    return WebError(f"there is no panel {name!r}", hint=hint)
+    return ViewerError(f"there is no panel {name!r}", hint=hint)
 
 
 def check_path(path: str) -> None:
@@ -53,7 +53,7 @@ def check_path(path: str) -> None:
         path: The path. It may have a query, e.g. `/plot?curve=/pose.x`.
 
     Raises:
-        WebError: No panel has this path.
+        ViewerError: No panel has this path.
     """
     bare = path.partition("?")[0]
     if bare != "/" and bare not in {panel.path for panel in PANELS}:

@@ -9,8 +9,8 @@ import sys
 from typing import TYPE_CHECKING, Any
 
 from zbot.classroom.hub.address import own_addresses
+from zbot.observer.errors import ViewerError
 from zbot.observer.system import System
-from zbot.web.errors import WebError
 from zbot.web.page_address import address, is_loopback, origin_of
 from zbot.web.server.browser import open_page
 from zbot.web.server.page_discovery import announce
@@ -24,9 +24,9 @@ _MOST_PORTS = 100
 _BACKLOG = 128
 
 
-def server_error(host: str, port: int, reason: str) -> WebError:
+def server_error(host: str, port: int, reason: str) -> ViewerError:
     """Return the error that the server cannot listen on a host and port."""
-    return WebError(f"cannot listen on {host}:{port}: {reason}")
+    return ViewerError(f"cannot listen on {host}:{port}: {reason}")
 
 
 def serve(
@@ -51,8 +51,8 @@ def serve(
         guests: Addresses of web servers whose pages may also use rosbridge.
 
     Raises:
-        WebError: No panel has this path, or one of `guests` is not an address of a web server, or
-            the server cannot listen on this host and port.
+        ViewerError: No panel has this path, or one of `guests` is not an address of a web server,
+            or the server cannot listen on this host and port.
         SessionError: Zenoh cannot open a session.
     """
     # These imports take half a second, and only a running server needs them.
@@ -93,7 +93,7 @@ def listen(host: str, port: int) -> socket.socket:
     """Return a socket that listens on a port. If the port is taken, use the next free port.
 
     Raises:
-        WebError: The machine does not have the address, or the port and the next 100 are taken.
+        ViewerError: The machine does not have the address, or the port and the next 100 are taken.
     """
     try:
         family = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)[0][0]

@@ -6,12 +6,11 @@ from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any
 
 import pytest
-from zbot.web.bag_control import BagControl
 
 from zbot.bag import Writer
 from zbot.bag.errors import BagValueError
 from zbot.web.panels.bags import bag_control
-from zbot.web.panels.bags.bag_control import BagControl, BagNameError
+from zbot.web.panels.bags.bag_control import BagControl
 
 from std_msgs.msg import String
 

@@ -7,11 +7,10 @@ from typing import TYPE_CHECKING
 
 import pytest
 from PIL import Image
-from zbot.web.bag_export import export_video
 
 from zbot.bag import Writer
 from zbot.bag.errors import BagValueError
-from zbot.web.panels.bags.bag_export import ExportError, export_video
+from zbot.web.panels.bags.bag_export import export_video
 
 from sensor_msgs.msg import CompressedImage
 

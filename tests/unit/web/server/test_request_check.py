@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
-from zbot.web.errors import WebError
+from zbot.observer.errors import ViewerError
 from zbot.web.page_address import ROSBRIDGE_PATHS, address, is_loopback, origin_of
 from zbot.web.server.request_check import RequestCheck
 
@@ -224,5 +224,5 @@ def test_origin_of_a_page(given: str, expected: str) -> None:
     ["null", "", "*", "localhost:8000", "file:///a.html", "http://", "http://a:b", "ws://a"],
 )
 def test_other_texts_have_no_origin(given: str) -> None:
-    with pytest.raises(WebError, match="not the address of a page"):
+    with pytest.raises(ViewerError, match="not the address of a page"):
         origin_of(given)

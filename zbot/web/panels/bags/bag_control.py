@@ -19,9 +19,8 @@ from zbot.bag.play_options import PlayOptions
 from zbot.bag.reader import Reader
 from zbot.bag.selection import Selection
 from zbot.errors import ZbotError
-from zbot.observer.system import ReadOnlyError, System
+from zbot.observer.system import System, read_only_error
 from zbot.time import S_TO_NS
-from zbot.web.system import System, read_only_error
 
 if TYPE_CHECKING:
     from collections.abc import Collection
@@ -94,7 +93,7 @@ class BagControl:
         """Begin to record topics. `None` means all topics, also topics that appear later.
 
         Raises:
-            WebError: The page is read-only.
+            ViewerError: The page is read-only.
             BagValueError: The name has characters of a path, or is empty.
             BagExistsError: There is a file or a folder with this name already.
             BagError: A recording runs already.
@@ -118,7 +117,7 @@ class BagControl:
             raise BagError(self.recording.error)
 
     def stop_recording(self) -> None:
-        """End the recording. Raise `WebError` if the page is read-only."""
+        """End the recording. Raise `ViewerError` if the page is read-only."""
         self._check_writable("recording")
         if self.recording is not None:
             self.recording.stop()
@@ -135,7 +134,7 @@ class BagControl:
             topics: Names of topics. `None` means all topics.
 
         Raises:
-            WebError: The page is read-only.
+            ViewerError: The page is read-only.
             BagValueError: There is no such bag.
             BagError: The bag cannot be played.
         """
@@ -165,7 +164,7 @@ class BagControl:
         return playback
 
     def stop_playing(self) -> None:
-        """End the playback. Raise `WebError` if the page is read-only."""
+        """End the playback. Raise `ViewerError` if the page is read-only."""
         self._check_writable("playing")
         with self._lock:
             self._stop_playing()
@@ -176,7 +175,7 @@ class BagControl:
         If this bag is not being played, do nothing.
 
         Raises:
-            WebError: The page is read-only.
+            ViewerError: The page is read-only.
         """
         self._check_writable("playing")
         playback = self.playing(name)
@@ -189,7 +188,7 @@ class BagControl:
         return shutil.disk_usage(self.folder).free
 
     def check_player(self) -> None:
-        """Raise `WebError` if the page may not control the playback."""
+        """Raise `ViewerError` if the page may not control the playback."""
         self._check_writable("playing")
 
     def close(self) -> None:

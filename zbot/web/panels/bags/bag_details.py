@@ -9,8 +9,8 @@ from nicegui import ui
 from zbot.bag.columns import fields_of, topic_columns
 from zbot.bag.player import PlayerStatus
 from zbot.observer.curve import thinned
+from zbot.observer.errors import ViewerError
 from zbot.time import S_TO_NS
-from zbot.web.errors import WebError
 from zbot.web.page.command_line import command_line
 from zbot.web.page.service_call import run_in_thread, with_errors_shown
 from zbot.web.panels.bags.bag_export import IMAGE_TYPES, export_csv, export_video
@@ -230,7 +230,7 @@ class BagDetails:
         times, columns = topic_columns(self.control.path(self.name), topic, [field])
         values = columns[field]
         if not all(isinstance(one, int | float) for one in values):
-            raise WebError(f"{name} cannot be plotted: its values are not single numbers")
+            raise ViewerError(f"{name} cannot be plotted: its values are not single numbers")
         start_ns = self.metadata.start_ns if self.metadata else 0
         seconds = [(time_ns - start_ns) / S_TO_NS for time_ns in times]
         return {"name": name, "data": thinned(seconds, values, _PLOT_POINTS)}

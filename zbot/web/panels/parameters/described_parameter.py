@@ -97,7 +97,7 @@ def set_value(system: System, node: str, parameter: Parameter[Any]) -> str:
     """Set one parameter. Return the node's reason if it refuses, otherwise an empty string.
 
     Raises:
-        WebError: The page is read-only.
+        ViewerError: The page is read-only.
         NoAnswerError: The node does not answer.
         NoServiceError: The node has ended.
         WrongValueError: The node's answer does not fit the request.

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from nicegui import background_tasks, ui
 
-from zbot.observer.system import ReadOnlyError
+from zbot.observer.system import read_only_error
 from zbot.observer.value_text import amount
 from zbot.web.page.command_line import command_line
 from zbot.web.page.list_panel import ListPanel
@@ -15,7 +15,6 @@ from zbot.web.page.panel import Page, Panel
 from zbot.web.page.service_call import run_in_thread, with_errors_shown
 from zbot.web.page.table import Cell, Column
 from zbot.web.panels.processes.process_list import ProcessList, RunningProcess, stop
-from zbot.web.system import read_only_error
 
 if TYPE_CHECKING:
     from zbot.graph.snapshot import Snapshot
@@ -136,7 +135,7 @@ class _Details:
         """Stop the process.
 
         Raises:
-            WebError: The page is read-only, or the process cannot be stopped from this machine.
+            ViewerError: The page is read-only, or the process cannot be stopped from this machine.
         """
         if self.section.page.read_only:
             raise read_only_error("stopping processes")

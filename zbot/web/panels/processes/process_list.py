@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import psutil
 
 from zbot.graph.snapshot import full_names, processes
-from zbot.web.errors import WebError
+from zbot.observer.errors import ViewerError
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -104,10 +104,10 @@ def stop(process: RunningProcess, *, force: bool = False) -> None:
     """Stop a process of this machine with SIGINT, as Ctrl-C does. `force` uses SIGKILL instead.
 
     Raises:
-        WebError: The process runs on another machine, belongs to another user, or has ended.
+        ViewerError: The process runs on another machine, belongs to another user, or has ended.
     """
     if not process.is_here:
-        raise WebError(f"process {process.pid} runs on {process.host}: stop it there")
+        raise ViewerError(f"process {process.pid} runs on {process.host}: stop it there")
     try:
         running = psutil.Process(process.pid)
         is_same = running.create_time() <= process.started_ns / 1e9 + _SLACK_S
@@ -120,6 +120,6 @@ def stop(process: RunningProcess, *, force: bool = False) -> None:
     except psutil.NoSuchProcess:
         is_same = False
     except psutil.AccessDenied:
-        raise WebError(f"process {process.pid} belongs to another user") from None
+        raise ViewerError(f"process {process.pid} belongs to another user") from None
     if not is_same:  # another process may have the same number now
-        raise WebError(f"process {process.pid} has ended already")
+        raise ViewerError(f"process {process.pid} has ended already")

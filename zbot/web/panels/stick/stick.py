@@ -48,7 +48,7 @@ class Stick:
         """Move a stick: `x` from -1 (left) to 1, `y` from -1 (down) to 1.
 
         Raises:
-            WebError: The page is read-only.
+            ViewerError: The page is read-only.
         """
         across, along = STICKS[stick]
         for axis in across:
@@ -61,7 +61,7 @@ class Stick:
         """Press or release a button.
 
         Raises:
-            WebError: The page is read-only.
+            ViewerError: The page is read-only.
         """
         self.buttons[button] = int(is_pressed)
         self._publish()

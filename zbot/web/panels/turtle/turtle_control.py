@@ -10,12 +10,11 @@ from zbot.graph.snapshot import full_names
 from zbot.interfaces import get_action, get_message, get_service
 from zbot.names import fully_qualified
 from zbot.node.node import Node
-from zbot.observer.system import ReadOnlyError, await_future
+from zbot.observer.system import await_future, read_only_error
 from zbot.parameters.parameter import Parameter
 from zbot.web.forms.form import Form
 from zbot.web.page.command_line import command_line
 from zbot.web.page.service_call import call, run_in_thread
-from zbot.web.system import await_future, read_only_error
 
 if TYPE_CHECKING:
     from zbot.action import ActionClient
@@ -110,7 +109,7 @@ class TurtleControl:
         """Give a turtle a velocity (m/s, rad/s) for 1 s.
 
         Raises:
-            WebError: The page is read-only.
+            ViewerError: The page is read-only.
         """
         if self._system.read_only:
             raise read_only_error("driving")
@@ -152,7 +151,7 @@ class TurtleControl:
         """Turn a turtle to a heading in rad.
 
         Raises:
-            WebError: The page is read-only.
+            ViewerError: The page is read-only.
             ServiceError: The turtle does not exist any more.
         """
         if self._system.read_only:
