@@ -24,7 +24,8 @@ OTHERS = {
     "COLCON_IGNORE",
     "AMENT_CMAKE",
     "AMENT_PYTHON",
-    "ROS_TIME",  # constants
+    "AMENT_PREFIX_PATH_ENV_VAR",  # constants
+    "ROS_TIME",
     "ROS_TIME_NO_CHANGE",
     "ROS_TIME_ACTIVATED",
     "ROS_TIME_DEACTIVATED",

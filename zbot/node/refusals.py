@@ -23,18 +23,13 @@ class Refusals:
         dialect: The format of keys and attachments.
         token: The subscription's token.
         logger_name: Name of the node's logger.
-        checks_types: Whether a sample of another type is refused. A subscription that takes bytes
-            accepts all types.
     """
 
-    def __init__(
-        self, dialect: Dialect, token: EndpointToken, logger_name: str, *, checks_types: bool
-    ) -> None:
+    def __init__(self, dialect: Dialect, token: EndpointToken, logger_name: str) -> None:
         self.count = 0  #: messages that could not be decoded, or had another type
         self._dialect = dialect
         self._token = token
         self._logger_name = logger_name
-        self._checks_types = checks_types
         #: Whether the type of each message must be checked, not only of each publisher.
         self.checks_keys = dialect.refuses_keys(token)
         self._logged: set[str] = set()
@@ -46,8 +41,6 @@ class Refusals:
 
     def reason_of_type(self, sample: zenoh.Sample) -> str:
         """Return why a sample's type is wrong, or an empty string if it is right or unknown."""
-        if not self._checks_types:
-            return ""
         return self._dialect.refusal(sample.key_expr, sample.encoding, self._token.type_name)
 
     def add(self, reason: str) -> None:

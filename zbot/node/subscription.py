@@ -112,7 +112,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         self._token = token
         self._logger_name = logger_name
         dialect = context.dialect
-        self._refusals = Refusals(dialect, token, logger_name, checks_types=not raw)
+        self._refusals = Refusals(dialect, token, logger_name)
         self._losses = LostMessages(token, logger_name)
         self._sources = MessageSources(token, context.graph.find, self._refusals, self._losses)
         self._source_of = self._sources.by_gid.get

@@ -30,9 +30,6 @@ def subscribe_to_payloads(
     The decoder for the payloads is `context.dialect.codec_for(message_type).decode`.
     """
     subscription = node.create_subscription(message_type, topic, take, profile, raw="payload")
-    # With `raw = False`, the subscription checks the type of each sample. A raw subscription does
-    # not check it, and messages of other types on the topic would be decoded as zeros.
-    subscription.raw = False
     subscription.report_losses_to(_ignore)
     return subscription
 

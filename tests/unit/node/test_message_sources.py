@@ -34,7 +34,7 @@ def sources_of(
     token = endpoint_token(TOPIC, qos=qos)
     publisher = endpoint_token(TOPIC, qos=QoSProfile(depth=1, lifespan=publisher_lifespan))
     losses = LostMessages(token, "listener")
-    refusals = Refusals(NATIVE, token, "listener", checks_types=True)
+    refusals = Refusals(NATIVE, token, "listener")
     sources = MessageSources(token, {publisher.gid: publisher}.get, refusals, losses)
     return SimpleNamespace(
         admits=sources.admits,

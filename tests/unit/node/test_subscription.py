@@ -200,11 +200,14 @@ def test_a_text_that_is_not_utf8_arrives_with_one_warning(
     assert len(logged) == (not raw)
 
 
-def test_a_subscription_of_bytes_gets_what_was_sent_of_any_type() -> None:
+def test_a_subscription_of_bytes_gets_what_was_sent_with_its_type() -> None:
     inbox = list[bytes]()
     listener = subscription(inbox.append, raw="payload")
-    received(listener, sample(b"\xc1 not MessagePack", 1, encoding=FLOAT32))
+    received(listener, sample(b"\xc1 not MessagePack", 1))
     assert inbox == [b"\xc1 not MessagePack"]
+    other = subscription(inbox.append, raw="payload")
+    received(other, sample(b"\xc1 not MessagePack", 1, encoding=FLOAT32))
+    assert len(inbox) == other.refused_count == 1
 
 
 # -- content filter --------------------------------------------------------------------------------
