@@ -115,9 +115,9 @@ class GraphQueries:
         try:
             full = self.resolve_service_name(name) if is_service else self.resolve_topic_name(name)
         except InvalidNameError as error:
-            raise InvalidNameError(
-                error.name_type, error.name, error.error_msg, error.invalid_index
-            ) from None
+            # rclpy's sentence for a query differs from that for a new entity.
+            error.args = (f"{error.name_type} {error.name!r} is invalid: {error.error_msg}",)
+            raise
         return self.context.graph.snapshot().on(full, kind)
 
     def _zbot_infos(self, kind: EntityKind, topic: str) -> list[TopicEndpointInfo]:

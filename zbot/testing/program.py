@@ -158,7 +158,7 @@ class Program:
             self.stop(timeout=_END_S)
         except subprocess.TimeoutExpired:
             self.process.kill()
-            self.process.wait(_END_S)
+            self.wait(_END_S)
 
 
 def _of_this_python(command: Sequence[str]) -> list[str]:
