@@ -105,6 +105,12 @@ def action_server(node: Any, execute: Any = None, **options: Any) -> Any:
         (lambda n: n.create_client(String, "s"), "it is a message, not a service"),
         (lambda n: n.create_publisher(Fibonacci, "t", 10), "it is an action, not a message"),
         (lambda n: n.create_publisher(String, "t", None), "write the depth, e.g. 10"),
+        (
+            lambda n: n.create_publisher(String, "t", 10).publish("hi"),
+            r"given str: 'hi': write publish\(String\(data='hi'\)\)$",
+        ),
+        (lambda n: n.create_publisher(String, "t", 10).publish(3), "was given int: 3$"),
+        (lambda n: n.create_publisher(SetBool.Request, "t", 10).publish([]), r"given list: \[\]$"),
         (lambda n: n.create_publisher(String, "t", QoSProfile), "received the class QoSProfile"),
         (
             lambda n: n.create_timer(1, n.tick, ReentrantCallbackGroup),
@@ -137,6 +143,11 @@ def test_a_mistake_is_refused(robot: Any, call: Callable[[Any], Any], text: str)
     assert caught.value.__class__ is not ZbotError
     left = len(list(robot.timers)), len(list(robot.subscriptions)), len(list(robot.services))
     assert left == before
+
+
+def test_a_missing_argument_is_said_of_the_class_that_users_know(robot: Any) -> None:
+    with pytest.raises(TypeError, match=r"^Node.create_subscription\(\) missing .* 'qos_profile'$"):
+        robot.create_subscription(String, "t", print)
 
 
 def without_init(base: Any) -> Any:

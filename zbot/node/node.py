@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from types import FunctionType
 from typing import TYPE_CHECKING, Any, cast
 
 from zbot.context import get_default_context
@@ -37,6 +38,13 @@ if TYPE_CHECKING:
     from zbot.executor.executor import Executor
     from zbot.log import Logger
     from zbot.parameters.parameter import Parameter
+
+
+# Python's errors name the class of a method: `Node.create_timer() missing ...`. Users know only Node.
+for _base in (GraphQueries, NodeEntities, NodeParameters):
+    for _member in vars(_base).values():
+        if isinstance(_member, FunctionType):
+            _member.__qualname__ = f"Node.{_member.__name__}"
 
 
 class Node(GraphQueries, NodeEntities, NodeParameters):

@@ -18,6 +18,7 @@ from zbot.process import blocked_put, fork, signals
 from zbot.process.memory import LARGE_BYTES, keep_freed_memory
 from zbot.qos import DurabilityPolicy, ReliabilityPolicy
 from zbot.wire.attachment import GID_LENGTH, LAYOUT
+from zbot.wire.errors import CodecError
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -160,8 +161,20 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
             return self._encode(msg)
         raise WrongTypeError(
             f"{self.topic_name} carries {self._token.type_name}, "
-            f"but publish() was given {type(msg).__name__}: {msg!r}"
+            f"but publish() was given {type(msg).__name__}: {msg!r}{self._right_call(msg)}"
         )
+
+    def _right_call(self, msg: Any) -> str:
+        """Return what to write for the value of a message's only field, e.g. for `"hello"`."""
+        fields: dict[str, str] = getattr(self.msg_type, "get_fields_and_field_types", dict)()
+        if len(fields) != 1 or not isinstance(msg, (str, bool, int, float)):
+            return ""
+        (field,) = fields
+        try:
+            self._encode(self.msg_type(**{field: msg}))
+        except (CodecError, TypeError, ValueError):  # the value does not fit the field
+            return ""
+        return f": write publish({self.msg_type.__name__}({field}={msg!r}))"
 
     def _is_same_type(self, msg: Any) -> bool:
         try:

@@ -29,6 +29,7 @@ _TIMEOUT_S = 1.25
 _LOOK_UP_S = 0.3
 _LATE_S = 5.0  # longest delay of a thread on a busy machine
 _PAUSE_S = 0.05  # between attempts if the port refuses the connection
+_REOPENING_S = 3.0  # a hub that is opened again is closed for up to 1 s, on a busy machine longer
 # A machine that is on usually accepts or refuses a connection on at least one of these ports.
 _COMMON_PORTS = (22, 80, 135, 445, 5000, 7)
 _REFUSED = {errno.ECONNREFUSED, getattr(errno, "WSAECONNREFUSED", errno.ECONNREFUSED)}
@@ -49,7 +50,7 @@ def first_reachable(candidates: Sequence[Address], timeout_s: float = _TIMEOUT_S
     answers: queue.SimpleQueue[tuple[Address, ClassroomError | None]] = queue.SimpleQueue()
 
     def look(address: Address) -> None:
-        answers.put((address, problem_at(address, timeout_s)))
+        answers.put((address, problem_at(address, timeout_s, max(timeout_s, _REOPENING_S))))
 
     for candidate in candidates:
         threading.Thread(target=look, args=(candidate,), daemon=True).start()
@@ -59,7 +60,7 @@ def first_reachable(candidates: Sequence[Address], timeout_s: float = _TIMEOUT_S
     problems: list[ClassroomError] = []
     for candidate in candidates:
         try:
-            address, problem = answers.get(timeout=timeout_s + patience_s)
+            address, problem = answers.get(timeout=max(timeout_s, _REOPENING_S) + patience_s)
         except queue.Empty:
             raise address_error(
                 candidate.host, "no name server answers: use the IP address"
@@ -84,10 +85,19 @@ def _rank(problem: ClassroomError) -> int:
     return next((place for place, kind in enumerate(order) if isinstance(problem, kind)), 9)
 
 
-def problem_at(address: Address, timeout_s: float = _TIMEOUT_S) -> ClassroomError | None:
-    """Return why an address cannot be reached, or `None`. `timeout_s` excludes name look-ups."""
+def problem_at(
+    address: Address, timeout_s: float = _TIMEOUT_S, refused_s: float | None = None
+) -> ClassroomError | None:
+    """Return why an address cannot be reached, or `None`.
+
+    Args:
+        address: The address.
+        timeout_s: How long to wait for an answer. The time of a name look-up is not counted.
+        refused_s: How long to try again if the port refuses. `None` means `timeout_s`.
+    """
     other_ports = _OtherPorts(address.host)
     deadline = Deadline(timeout_s)
+    reopened = Deadline(timeout_s if refused_s is None else refused_s)
     while True:
         try:
             left = max(deadline.left_s, _PAUSE_S)
@@ -102,7 +112,7 @@ def problem_at(address: Address, timeout_s: float = _TIMEOUT_S) -> ClassroomErro
             if exc.errno not in _REFUSED:
                 return UnreachableHostError(address.host, address.port)
         # Try again, because a teacher's hub is closed for a moment when its access rules change.
-        if deadline.left_s < _PAUSE_S:
+        if reopened.left_s < _PAUSE_S:
             return ClosedPortError(address.host, address.port)
         time.sleep(_PAUSE_S)
 
