@@ -432,6 +432,12 @@ def test_a_wrong_command_line_is_refused(words: list[str], text: str) -> None:
     assert outcome.out == ""
 
 
+def test_a_similar_file_is_suggested(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "chat.launch.py").touch()
+    monkeypatch.chdir(tmp_path)
+    assert zbot("launch", "./chat.launch").err.endswith("did you mean './chat.launch.py'?\n")
+
+
 def test_words_are_completed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)  # a checkout in a folder `zbot` is itself a package of this name
     assert "talker_listener" in zbot("complete", "--", "launch", "talker").out.split()

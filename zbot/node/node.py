@@ -40,7 +40,7 @@ if TYPE_CHECKING:
     from zbot.parameters.parameter import Parameter
 
 
-# Python's errors name the class of a method: `Node.create_timer() missing ...`. Users know only Node.
+# Python's errors name the class of a method: `Node.create_timer() missing ...`. Users know Node.
 for _base in (GraphQueries, NodeEntities, NodeParameters):
     for _member in vars(_base).values():
         if isinstance(_member, FunctionType):

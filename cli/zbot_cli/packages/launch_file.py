@@ -121,7 +121,9 @@ def _is_launch_file(path: Path) -> bool:
 
 def _not_found(word: str) -> LaunchFileNotFoundError:
     if os.sep in word or word.endswith(_ENDINGS):
-        return LaunchFileNotFoundError(f"launch file '{word}' not found")
+        folder, slash, _ = word.rpartition("/")
+        hint = did_you_mean(word, paths(f"{folder}{slash}"))
+        return LaunchFileNotFoundError(f"launch file '{word}' not found", hint=hint)
     try:
         inside = [path.name for path in launch_files(word)]
     except PackageNotFoundError:
