@@ -244,13 +244,13 @@ def test_a_type_of_the_workspace_needs_no_build(workspace: Path, zbot_command: C
     package = workspace / "cli_interfaces"
     (package / "msg").mkdir(parents=True)
     (package / "package.xml").write_text("<package><name>cli_interfaces</name></package>")
-    (package / "msg" / "Wheel.msg").write_text("# one wheel\nfloat32 speed 1.5 # m/s\n")
+    (package / "msg" / "Caster.msg").write_text("# one caster\nfloat32 speed 1.5 # m/s\n")
     assert (
-        zbot_command("interface", "package", "cli_interfaces").out == "cli_interfaces/msg/Wheel\n"
+        zbot_command("interface", "package", "cli_interfaces").out == "cli_interfaces/msg/Caster\n"
     )
-    shown = zbot_command("interface", "show", "cli_interfaces/msg/Wheel").out
-    assert shown == "# one wheel\nfloat32 speed 1.5 # m/s\n"
-    assert zbot_command("interface", "proto", "Wheel", "--no-quotes").out == "speed: 1.5\n\n"
+    shown = zbot_command("interface", "show", "cli_interfaces/msg/Caster").out
+    assert shown == "# one caster\nfloat32 speed 1.5 # m/s\n"
+    assert zbot_command("interface", "proto", "Caster", "--no-quotes").out == "speed: 1.5\n\n"
 
 
 # -- words for types -------------------------------------------------------------------------------
