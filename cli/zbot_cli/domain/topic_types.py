@@ -99,15 +99,25 @@ def hint_if_silent(
     from zbot.executor.clock import Clock  # noqa: PLC0415 - needed only by commands that listen
     from zbot.time import ClockType  # noqa: PLC0415 - as above
 
+    silent, missing = list(names), set[str]()
+
     def check() -> None:
-        timer.cancel()
-        if is_silent():
+        if not is_silent():
+            timer.cancel()
+            return
+        if not missing:
             print_stopped_programs()
-            graph = node.context.graph.snapshot()
-            for name in names:
-                print_missing(graph, name, EntityKind.PUBLISHER)
-                if is_measured and (publishers := graph.publishers(name)):
+        graph = node.context.graph.snapshot()
+        for name in tuple(silent):
+            if publishers := graph.publishers(name):
+                silent.remove(name)
+                if is_measured:
                     print_silent(name, publishers)
+            elif name not in missing:
+                missing.add(name)
+                print_missing(graph, name, EntityKind.PUBLISHER)
+        if not (silent and is_measured):  # a measured topic may get a publisher that sends nothing
+            timer.cancel()
 
     timer = node.create_timer(HINT_DELAY_S, check, clock=Clock(clock_type=ClockType.STEADY_TIME))
 
