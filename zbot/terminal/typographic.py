@@ -67,6 +67,9 @@ def advice_for_syntax(message: str, line: str) -> str:
     if "unterminated string" in message:
         quote = re.search(f"[{''.join(_QUOTES)}]", line)
         return _advice_for(quote[0]) if quote else ""
+    if "decimal literal" in message:  # Python 3.10 says so of a character after a number
+        found = re.search(rf"\d({_ANY.pattern})", line)
+        return _advice_for(found[1]) if found else ""
     if "tabs and spaces" in message:
         return "indent this line with the same spaces as the lines around it"
     return ""
