@@ -87,14 +87,15 @@ def hint_if_silent(
 ) -> None:
     """After two seconds without a message, print on stderr which topics have no publisher.
 
-    The node's executor must spin.
+    The node's executor must spin. Each topic is named at most once for each of both reasons.
 
     Args:
         node: The node of the command.
         names: The topics that the command listens to.
         is_silent: Function that returns whether no message has arrived. Messages may arrive from
             plain Zenoh programs, which do not appear in the graph.
-        is_measured: Whether a topic is named too if it has a publisher that has sent nothing.
+        is_measured: Whether a topic is named too if it has a publisher that has sent nothing, also
+            if this publisher comes later.
     """
     from zbot.executor.clock import Clock  # noqa: PLC0415 - needed only by commands that listen
     from zbot.time import ClockType  # noqa: PLC0415 - as above

@@ -48,9 +48,10 @@ def first_reachable(candidates: Sequence[Address], timeout_s: float = _TIMEOUT_S
         ClassValueError: The name is unknown, or no name server answers.
     """
     answers: queue.SimpleQueue[tuple[Address, ClassroomError | None]] = queue.SimpleQueue()
+    refused_s = max(timeout_s, _REOPENING_S)
 
     def look(address: Address) -> None:
-        answers.put((address, problem_at(address, timeout_s, max(timeout_s, _REOPENING_S))))
+        answers.put((address, problem_at(address, timeout_s, refused_s)))
 
     for candidate in candidates:
         threading.Thread(target=look, args=(candidate,), daemon=True).start()
@@ -60,7 +61,7 @@ def first_reachable(candidates: Sequence[Address], timeout_s: float = _TIMEOUT_S
     problems: list[ClassroomError] = []
     for candidate in candidates:
         try:
-            address, problem = answers.get(timeout=max(timeout_s, _REOPENING_S) + patience_s)
+            address, problem = answers.get(timeout=refused_s + patience_s)
         except queue.Empty:
             raise address_error(
                 candidate.host, "no name server answers: use the IP address"
