@@ -1,13 +1,18 @@
-.PHONY: check docs pictures test bench bags classroom torture chaos soak ends holders churn periods zenoh-faults
+.PHONY: check mypy pyright docs pictures test bench bags classroom torture chaos soak ends holders churn periods nightly zenoh-faults
 
 # Tests use what only POSIX has. What is shipped is checked for Windows and macOS, too.
 SHIPPED = zbot cli nodes
 check:
 	ruff format --check . && ruff check . && PYTHONPATH=cli:nodes lint-imports
-	mypy && pyright
-	mypy --platform darwin --cache-dir .mypy_cache/darwin
+	$(MAKE) --jobs=2 --output-sync=target mypy pyright
+
+mypy:
+	mypy
+	mypy --platform darwin --cache-dir .mypy_cache/darwin $(SHIPPED)
 	mypy --platform win32 --cache-dir .mypy_cache/win32 $(SHIPPED)
-	pyright --pythonplatform Darwin $(SHIPPED)
+
+pyright:
+	pyright
 	pyright --pythonplatform Windows $(SHIPPED)
 
 # The site, in build/site. A warning is an error.
@@ -61,6 +66,10 @@ churn:
 periods: ROUNDS = 20
 periods:
 	python -m tests.torture.periods --rounds $(ROUNDS) --seed "$(SEED)"
+
+# All of these runs in one hour, with a report of one page. Needs root for the class and stuck routers.
+nightly:
+	python -m tests.torture.nightly --minutes $(MINUTES)
 
 # Which faults of Zenoh are still there (docs/design/zenoh-faults.md).
 zenoh-faults:

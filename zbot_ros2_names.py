@@ -4,7 +4,8 @@ Python imports this module when it starts, because `zbot_ros2_names.pth` is inst
 The module must be small and must import nothing: it also runs before programs that do not use zbot.
 
 The finder is the first on `sys.meta_path`, because Python's own finder accepts any folder named
-`launch`, and most packages have such a folder. If a real ROS 2 is installed, its packages are used.
+`launch`, and most packages have such a folder. If a real ROS 2 is installed, its packages are used,
+except in programs of `zbot run`, `zbot launch` and `zbot test`, which set ZBOT_RCLPY.
 At the first import of a ROS 2 name that is not installed, the finder loads `zbot.compat`, which has
 finders of its own, and removes itself. If ZBOT_WORKSPACE is set, as after `source
 install/setup.bash`, any name that Python does not find may be a package of the workspace.
@@ -32,8 +33,9 @@ NAMES = frozenset({
 })  # fmt: skip
 #: Ends of the names of packages with messages, also of students' own packages, and of wrong names.
 _SUFFIXES = ("_msgs", "_interfaces", "_srvs", "_msg", "_interface", "_srv")
-#: Modules that Python looks for at each start. Few machines have them.
-_OF_SITE = ("sitecustomize", "usercustomize")
+#: Modules that Python looks for at each start, the last one on Debian and Ubuntu. Few machines have
+#: them.
+_OF_SITE = ("sitecustomize", "usercustomize", "apport_python_hook")
 #: The last slash makes these paths different from the path that `zbot.compat` searches.
 _TYPES = ("/zbot/stubs/", "/zbot/compat/packages/")
 
@@ -60,12 +62,12 @@ class _Finder:
         if fullname == "zbot":
             return _other_spec(fullname, target)  # type: ignore[no-untyped-call]
         installed = _other_spec(fullname, target)  # type: ignore[no-untyped-call]
-        if installed is not None and installed.origin is not None:
+        if installed is not None and installed.origin is not None and not _prefers_zbot():
             return installed
         import zbot.compat  # noqa: F401, PLC0415 - only for programs that use ROS 2's names
 
         remove()  # zbot's finders are asked now, and may themselves ask all finders
-        return _other_spec(fullname, target)  # type: ignore[no-untyped-call]
+        return _spec_of_zbot(fullname, target)  # type: ignore[no-untyped-call]
 
 
 class _Nothing:
@@ -85,9 +87,26 @@ def _other_spec(name, target):  # type: ignore[no-untyped-def]  # noqa: ANN001, 
     return None
 
 
+def _spec_of_zbot(name, target):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202 - as above
+    # From Python 3.14 on, an import does not ask the finders that were added while it searches.
+    # `zbot.import_finder` knows this function by its name, and raises its errors here.
+    for finder in sys.meta_path:
+        spec = finder.find_spec(name, None, target)
+        if spec is not None:
+            return spec
+    return None
+
+
 def is_known(name: str) -> bool:
     """Return whether zbot may have a top-level package of this name."""
     return name in NAMES or name.endswith(_SUFFIXES)
+
+
+def _prefers_zbot() -> bool:
+    """Return whether zbot's packages win over those of a real ROS 2. See `zbot.import_finder`."""
+    import os  # noqa: PLC0415 - Python has loaded it, except with -S
+
+    return os.environ.get("ZBOT_RCLPY") == "zbot"
 
 
 def _is_sourced(name: str) -> bool:

@@ -21,6 +21,7 @@ from benchmarks import (
     busy_waiting,
     cdr,
     comparison,
+    delays,
     dialect,
     jitter,
     nodes,
@@ -66,6 +67,7 @@ def results(report: Report, options: argparse.Namespace) -> None:
     report.say(f"\n![messages per second against the size of a message]({PICTURE})")
     round_trips.trips_table(report, rounds)
     round_trips.service_table(report, rounds)
+    delays.table(report, rounds)
     busy_waiting.table(report, rounds)
     cdr.table(report)
     dialect.table(report, rounds)

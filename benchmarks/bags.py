@@ -169,28 +169,28 @@ def rates(bench: Bench) -> None:
         senders = [
             bench.program("send", load.topics, load.rate, seconds, load.size) for load in loads
         ]
-        names = [name for one in senders for name in _line(one)["ready"]]
+        names = [name for sender in senders for name in _line(sender)["ready"]]
         with bench.recorder("--topics", *names) as recording:
             recording.wait_for("Subscribed to topic", len(names))
             recording.watch()
             before, begun = recording.cpu_s, time.monotonic()
-            for one in senders:
-                _tell(one)
+            for sender in senders:
+                _tell(sender)
             while time.monotonic() < begun + seconds:
                 recording.watch()
                 time.sleep(0.1)
-            sent = sum(sum(_line(one).values()) for one in senders)
+            sent = sum(sum(_line(sender).values()) for sender in senders)
             time.sleep(1)
             recording.watch()
             cpu = (recording.cpu_s - before) / (time.monotonic() - begun)
             recording.stop()
             lost = recording.lost()
-        for one in senders:
-            _tell(one)
-            one.wait(20)
+        for sender in senders:
+            _tell(sender)
+            sender.wait(20)
         with zbot.bag.Reader(recording.path) as bag:
             recorded = bag.metadata.message_count
-            size_mb = sum(len(one.data) for one in bag.messages()) / 1e6
+            size_mb = sum(len(message.data) for message in bag.messages()) / 1e6
         missing = sent - recorded - lost
         bench.report.row(
             " and ".join(load.text for load in loads),
@@ -218,7 +218,7 @@ def kills(bench: Bench) -> None:
             recording.process.kill()
             recording.process.wait()
         with zbot.bag.Reader(recording.path) as bag:
-            times = [one.log_ns / 1e9 for one in bag.messages()]
+            times = [message.log_ns / 1e9 for message in bag.messages()]
             numbers = [int(m.data.split()[0]) for _, m, _ in zbot.bag.read(recording.path)]
         is_whole = (
             numbers == list(range(numbers[0], numbers[0] + len(numbers)))
@@ -324,7 +324,7 @@ def timing(bench: Bench) -> None:
     # The middle of all offsets is the unknown time of the start.
     offsets = sorted(heard - planned for planned, heard in found)
     middle = offsets[len(offsets) // 2]
-    late = [abs(one - middle) * 1000 for one in offsets]
+    late = [abs(offset - middle) * 1000 for offset in offsets]
     p50, p99 = percentile(late, 0.5), percentile(late, 0.99)
     bench.report.head(
         "Timing of play, 50 topics, 5,000 messages a second",
@@ -387,7 +387,7 @@ def main(words: Sequence[str] | None = None) -> int:
     options = parser.parse_args(words)
     extent = QUICK if options.quick else WHOLE
     given = {name: getattr(options, name) for name in ("seconds", "kills", "gigabytes")}
-    extent = replace(extent, **{name: one for name, one in given.items() if one is not None})
+    extent = replace(extent, **{name: value for name, value in given.items() if value is not None})
     if options.seconds is not None:
         extent = replace(extent, play_seconds=options.seconds)
     with tempfile.TemporaryDirectory(prefix="zbot-bags-") as folder:

@@ -79,11 +79,13 @@ def _seconds(function: Callable[[Any], Any], argument: Any, calls: int) -> float
 
 def fastest(functions: list[tuple[Callable[[Any], Any], Any]]) -> list[float]:
     """Return the shortest time of each call in seconds. The rounds of the functions alternate."""
-    calls = [max(1, int(_ROUND_S / _seconds(one, argument, 3))) for one, argument in functions]
+    calls = [
+        max(1, int(_ROUND_S / _seconds(function, argument, 3))) for function, argument in functions
+    ]
     best = [math.inf] * len(functions)
     for _ in range(_ROUNDS):
-        for index, (one, argument) in enumerate(functions):
-            best[index] = min(best[index], _seconds(one, argument, calls[index]))
+        for index, (function, argument) in enumerate(functions):
+            best[index] = min(best[index], _seconds(function, argument, calls[index]))
     return best
 
 

@@ -240,7 +240,7 @@ def measure_flood(report: Report, lesson: Lesson) -> None:
     # The flood's schedule (flood.py): seconds in which it begins or ends are not counted.
     with_flood, without = (by_second(heard["delays_us"], phase) for phase in (1, 3))
     p99 = [
-        percentile([one for second in part for one in second], 0.99) / 1000
+        percentile([delay for second in part for delay in second], 0.99) / 1000
         for part in (with_flood, without)
     ]
     # Other work only adds delay: the best quarter of the seconds has the least of it.
@@ -280,9 +280,9 @@ def by_second(delays_us: dict[str, list[int]], phase: int) -> list[list[int]]:
 
 def measure_end(report: Report, lesson: Lesson) -> None:
     heard = lesson.end_nodes()
-    delays = [delay for one in heard for delay in one.delays_us]
-    report.row("local messages lost in the rows above", sum(one.lost for one in heard), 0, "")
-    report.row("local messages received", sum(one.received for one in heard), None, "")
+    delays = [delay for node in heard for delay in node.delays_us]
+    report.row("local messages lost in the rows above", sum(node.lost for node in heard), 0, "")
+    report.row("local messages received", sum(node.received for node in heard), None, "")
     report.row("delay of local messages, p50", percentile(delays, 0.5) / 1000, None, "ms")
     report.row("delay of local messages, p99", percentile(delays, 0.99) / 1000, None, "ms")
 
@@ -302,7 +302,7 @@ def measure_sleep(report: Report, lesson: Lesson, nodes: int) -> None:
     back = time_until_back(lesson, laptop.wake_up)
     report.row(f"until a laptop is back after {ASLEEP_S:.0f} s of sleep", back)
     time.sleep(AWAKE_S)
-    lost = sum(one.lost for one in lesson.end_nodes())
+    lost = sum(node.lost for node in lesson.end_nodes())
     report.row("local messages that it lost because its links expired", lost, None, "")
 
 

@@ -7,7 +7,7 @@ import statistics
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from benchmarks import busy_waiting, jitter, nodes, round_trips, start, throughput
+from benchmarks import busy_waiting, delays, jitter, nodes, round_trips, start, throughput
 from benchmarks.contestant import ZBOT
 from benchmarks.interleaving import quiet_run
 
@@ -27,6 +27,7 @@ def rows(crowds: Iterable[int]) -> list[Row]:
         round_trips.service_row(),
         *throughput.type_rows(),
         *throughput.size_rows(),
+        *delays.rows(),
         *busy_waiting.rows(),
         *jitter.rows(),
         *start.rows(),
@@ -44,7 +45,7 @@ def compare(report: Report, other: Path, rows: Iterable[Row], rounds: int) -> No
     for row in rows:
         pairs = [_pair(row, contestants, turn) for turn in range(rounds)]
         for metric in pairs[0][0]:
-            here, there = ([one[metric] for one in side] for side in zip(*pairs, strict=True))
+            here, there = ([cell[metric] for cell in side] for side in zip(*pairs, strict=True))
             ratios = [a / b for a, b in zip(here, there, strict=True) if b]
             report.row(
                 row.label,

@@ -64,6 +64,9 @@ RAW_WAYS = tuple(
     )
 )
 POLLING = Contestant("raw, channel that polls", "raw_program.py", {"way": "poll"})
+#: As a user would write it: the default settings, and a put of bytes.
+PLAIN = Contestant("raw, plain put", "raw_program.py", {"way": "direct", "is_plain": True})
+WAKE = Contestant("raw, direct and main thread", "raw_program.py", {"way": "wake"})
 RCLPY = [Contestant("rclpy", "rclpy_program.py", python=ROS2_PYTHON)] if ROS2_PYTHON else []
 
 

@@ -62,7 +62,9 @@ def table(report: Report, rounds: int) -> None:
         report.row(
             name,
             f"{flood.median(name, 'rate'):,.0f}",
-            "most" if name in [one.name for one in RCLPY] else lost,  # see rclpy_program.py
+            "most"
+            if name in [contestant.name for contestant in RCLPY]
+            else lost,  # see rclpy_program.py
             f"{flood.median(name, 'cpu'):.1f}",
             *(f"{time:.0f}" for time in times),
             f"{at_rate.median(name, 'sum'):.1f}",

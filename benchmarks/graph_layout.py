@@ -29,12 +29,12 @@ MOVED = 5.0  # px: a smaller movement is not noticed
 def first_graph(rng: random.Random) -> Graph:
     """Return as many nodes as topics. A topic has one publisher and up to two subscribers."""
     size = rng.choice((4, 6, 10, 15))
-    items = [Item(f"n{one}", 140, 46) for one in range(size)]
-    items += [Item(f"t{one}", 120, 34) for one in range(size)]
-    links = [Link(f"n{rng.randrange(size)}", f"t{one}") for one in range(size)]
-    for one in range(size):
+    items = [Item(f"n{number}", 140, 46) for number in range(size)]
+    items += [Item(f"t{number}", 120, 34) for number in range(size)]
+    links = [Link(f"n{rng.randrange(size)}", f"t{number}") for number in range(size)]
+    for number in range(size):
         readers = rng.choice((0, 1, 1, 2))
-        links += [Link(f"t{one}", f"n{rng.randrange(size)}") for _ in range(readers)]
+        links += [Link(f"t{number}", f"n{rng.randrange(size)}") for _ in range(readers)]
     return items, list(dict.fromkeys(links))
 
 
@@ -50,7 +50,9 @@ def next_graph(rng: random.Random, items: list[Item], links: list[Link]) -> Grap
 def ours(before: Graph, after: Graph) -> tuple[Places, Places, float]:
     old = lay_out(*before)
     new = lay_out(*after, old)
-    places = [{key: (one.x, one.y) for key, one in each.places.items()} for each in (old, new)]
+    places = [
+        {key: (place.x, place.y) for key, place in each.places.items()} for each in (old, new)
+    ]
     return places[0], places[1], new.crossings
 
 

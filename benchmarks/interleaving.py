@@ -6,6 +6,7 @@ programs disturb is repeated. The value of a cell is the median over the turns.
 
 from __future__ import annotations
 
+import math
 import statistics
 import sys
 import time
@@ -75,8 +76,10 @@ class Cells:
         return list(self._samples)
 
     def median(self, contestant: Contestant | str, metric: str) -> float:
+        """Return the median of a contestant, or NaN if none of its runs had a result."""
         name = contestant if isinstance(contestant, str) else contestant.name
-        return statistics.median(sample[metric] for sample in self._samples[name])
+        values = [sample[metric] for sample in self._samples[name]]
+        return statistics.median(values) if values else math.nan
 
     def total(self, contestant: Contestant, metric: str) -> float:
         return sum(sample[metric] for sample in self._samples[contestant.name])
@@ -95,4 +98,5 @@ def measured(row: Row, contestants: Sequence[Contestant], rounds: int) -> Cells:
 
 
 def percentile(values: Sequence[float], share: float) -> float:
-    return sorted(values)[min(int(len(values) * share), len(values) - 1)]
+    """Return the value below which a share of the values is, or NaN if there is none."""
+    return sorted(values)[min(int(len(values) * share), len(values) - 1)] if values else math.nan

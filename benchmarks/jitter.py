@@ -34,7 +34,7 @@ def lateness(contestant: Contestant, rate: float, *, with_flood: bool) -> Sample
             flood.tell()
         options = {"rate": rate, "seconds": SECONDS}
         with Program(contestant, "timer", environment(contestant), **options) as program:
-            late = [abs(one) / 1000 for one in program.read()["late"]]
+            late = [abs(delay) / 1000 for delay in program.read()["late"]]
     return {"p50": percentile(late, 0.5), "p99": percentile(late, 0.99), "max": max(late)}
 
 

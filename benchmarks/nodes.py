@@ -45,11 +45,11 @@ def crowd(contestant: Contestant, count: int) -> Sample:
             for number in range(count):
                 if number >= _AT_ONCE:
                     nodes[number - _AT_ONCE].read()
-                one = Program(contestant, "idle", env, node=f"idle_{number}")
-                nodes.append(stack.enter_context(one))
+                program = Program(contestant, "idle", env, node=f"idle_{number}")
+                nodes.append(stack.enter_context(program))
             started = time.time()
             listed = observer.ask(until=count)["at"] - started
-        pids = [one.pid for one in nodes]
+        pids = [node.pid for node in nodes]
         return {"listed after s": listed, **_lists(env, count), **_idle(env, pids)}
 
 

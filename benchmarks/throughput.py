@@ -101,7 +101,7 @@ def types_table(report: Report, rounds: int) -> None:
     facts = type_facts()
     for row in type_rows():
         cells, raw = _measured(row, rounds)
-        rates = [cells.median(one, "rate") for one in (raw, ZBOT)]
+        rates = [cells.median(contestant, "rate") for contestant in (raw, ZBOT)]
         report.row(
             row.label,
             f"{facts[row.label]['bytes']:,}",
@@ -109,7 +109,7 @@ def types_table(report: Report, rounds: int) -> None:
             f"{rates[1]:,.0f}",
             f"{cells.total(raw, 'lost') + cells.total(ZBOT, 'lost'):.0f}",
             f"{rates[1] / rates[0]:.2f}",
-            *(f"{cells.median(one, 'cpu'):.1f}" for one in (raw, ZBOT)),
+            *(f"{cells.median(contestant, 'cpu'):.1f}" for contestant in (raw, ZBOT)),
         )
 
 

@@ -58,7 +58,7 @@ def list_guides(_app: object, name: str, content: list[str]) -> None:
     lists = [content[0], *(path.read_text("utf-8") for path in _DOCS.glob("*/index.md"))]
     listed = set(re.findall(r"^(?:\.\./)?([\w-]+)$", "\n".join(lists), re.MULTILINE))
     others = sorted({path.stem for path in _DOCS.glob("*.md")} - listed - {"index"})
-    content[0] = content[0].replace("\n*\n", "\n" + "".join(f"{one}\n" for one in others))
+    content[0] = content[0].replace("\n*\n", "\n" + "".join(f"{other}\n" for other in others))
 
 
 def setup(app: "Sphinx") -> None:

@@ -50,6 +50,8 @@ _ROOT = Path(__file__).parents[1]
 os.environ["PYTHONPATH"] = os.pathsep.join(str(_ROOT / folder) for folder in ("", "cli", "nodes"))
 
 _test_numbers = itertools.count()
+#: Whose rclpy the tests use in a Python that also has a genuine one.
+_RCLPY = os.environ.get("ZBOT_RCLPY", "")
 _PREFIXES = ("ZBOT_", "ROS_", "RCUTILS_", "RMW_", "ZENOH_", "AMENT_", "COLCON_")
 
 
@@ -81,6 +83,9 @@ def clean_environment(
     for name in list(os.environ):
         if name.startswith(_PREFIXES) and name != "ZBOT_ROS2_PREFIX":
             monkeypatch.delenv(name)
+    if _RCLPY:
+        monkeypatch.setenv("ZBOT_RCLPY", _RCLPY)
+    monkeypatch.setattr("zbot.import_finder._prefers_zbot", _RCLPY == "zbot")
     if pytestconfig.getoption("--rmw"):
         monkeypatch.setenv(RMW_VARIABLE, RMW_ZENOH)
     monkeypatch.setenv("ZBOT_NO_BROWSER", "1")  # open no pages on this desktop

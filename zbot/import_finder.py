@@ -9,10 +9,15 @@ module, which wins. The sources after `PYTHON` are asked only if no other finder
 Python asks the finder at every import, so this module is small and a source loads what it needs
 when it needs it. `zbot_ros2_names` and `zbot_name_clash` have finders of their own: they run before
 `import zbot`, and must not import it in programs that do not use it.
+
+If a genuine ROS 2 is installed beside zbot, its packages win over zbot's packages of the same
+names. `prefer_zbot()` reverses this for a process. The environment variable ZBOT_RCLPY does so for
+a process and its child processes. `zbot run`, `zbot launch` and `zbot test` set this variable.
 """
 
 from __future__ import annotations
 
+import os
 import sys
 from importlib.machinery import PathFinder
 from typing import TYPE_CHECKING
@@ -30,8 +35,8 @@ if TYPE_CHECKING:
 
 PYTHON = "all other finders, e.g. those for installed packages and for the files of a program"
 ORDER = (
-    "ROS 2's names",  # `rclpy`, if there is no real one: zbot.compat
-    "interfaces",  # `std_msgs.msg`, if there is no real one: zbot.interfaces
+    "ROS 2's names",  # `rclpy`, if there is no real one or zbot's is preferred: zbot.compat
+    "interfaces",  # `std_msgs.msg`, with the same condition: zbot.interfaces
     "workspace",  # Python packages that are not installed: zbot.package
     PYTHON,
     "packages of interfaces",  # `std_msgs`, and `std_msgs.msg._string`: zbot.interfaces
@@ -81,6 +86,20 @@ class ImportFinder:
 
 
 _first, _last = ImportFinder(), ImportFinder()
+#: Environment variable that says whose `rclpy` programs import: `zbot` or `genuine`.
+VARIABLE = "ZBOT_RCLPY"
+_prefers_zbot = os.environ.get(VARIABLE) == "zbot"
+
+
+def prefers_zbot() -> bool:
+    """Return whether zbot's packages win over the packages of an installed ROS 2."""
+    return _prefers_zbot
+
+
+def prefer_zbot(wanted: bool = True) -> None:
+    """Let zbot's packages win over the packages of an installed ROS 2 in this process, or not."""
+    global _prefers_zbot  # noqa: PLW0603 - there is one order per process
+    _prefers_zbot = wanted
 
 
 def add(name: str, source: Source) -> None:
@@ -92,7 +111,7 @@ def add(name: str, source: Source) -> None:
     """
     finder = _first if ORDER.index(name) < ORDER.index(PYTHON) else _last
     found = {**finder.sources, name: source}
-    finder.sources = {one: found[one] for one in ORDER if one in found}
+    finder.sources = {source: found[source] for source in ORDER if source in found}
     _install()
 
 
@@ -131,15 +150,26 @@ def is_installed(
         path: The path of the package of which the module is a part. None for a top-level module.
         among: The folders that Python's own finder searches in place of `path`.
     """
+    return installed_spec(fullname, path, among=among) is not None
+
+
+def installed_spec(
+    fullname: str, path: Sequence[str] | None = None, *, among: Sequence[str] | None = None
+) -> ModuleSpec | None:
+    """Return the spec of a real module of a finder that is not zbot's, or None. See above."""
     for finder in sys.meta_path:
         if not isinstance(finder, ImportFinder):
             where = path if among is None or finder is not PathFinder else among
-            if is_real(finder.find_spec(fullname, where)):
-                return True
-    return False
+            spec = finder.find_spec(fullname, where)
+            if is_real(spec):
+                return spec
+    return None
 
 
 def _is_import_statement() -> bool:
     """Return whether Python imports a module. `importlib.util.find_spec` only asks for one."""
-    # The callers: find_spec, importlib's _find_spec, and the function that called it.
-    return sys._getframe(3).f_code.co_name == "_find_and_load_unlocked"  # noqa: SLF001 - documented
+    # The callers: find_spec, importlib's _find_spec, and the function that called it. At the first
+    # import of a name of ROS 2, two functions of `zbot_ros2_names` are between the first two.
+    is_first = sys._getframe(2).f_code.co_name == "_spec_of_zbot"  # noqa: SLF001 - documented
+    caller = sys._getframe(5 if is_first else 3)  # noqa: SLF001 - as above
+    return caller.f_code.co_name == "_find_and_load_unlocked"

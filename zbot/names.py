@@ -19,6 +19,7 @@ from zbot.errors import (
 )
 
 __all__ = [
+    "KINDS",
     "ROSOUT_TOPIC",
     "SEND_GOAL",
     "expand_topic_name",
@@ -32,10 +33,13 @@ __all__ = [
     "validate_topic_name",
 ]
 
+#: kinds of interfaces: folders in a package, extensions of files, middle parts of full names
+KINDS = ("msg", "srv", "action")
 #: topic on which nodes publish their log lines
 ROSOUT_TOPIC = "/rosout"
-#: the name of an action's send-goal service is the action's name and this suffix
-SEND_GOAL = "/_action/send_goal"
+#: the names of an action's topics and services are the action's name, this part, and a last part
+ACTION_PART = "/_action/"
+SEND_GOAL = f"{ACTION_PART}send_goal"  #: the end of the name of an action's send-goal service
 
 MAX_TOPIC_NAME_LENGTH = 247  # as in ROS 2: 255 minus 8 for a middleware's own prefix
 MAX_NODE_NAME_LENGTH = 255

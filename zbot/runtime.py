@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.context import get_default_context
 from zbot.errors import NotInitializedError
-from zbot.executor.errors import ExecutorArgumentError
+from zbot.executor.errors import not_an_executor_error
 from zbot.executor.single_threaded_executor import SingleThreadedExecutor
 from zbot.executor.spinnable import check_node
 from zbot.interfaces.unknown_field import add_advice
@@ -129,7 +129,7 @@ def _spin(node: Node, executor: Executor | None, run: Callable[[Executor], None]
     if executor is None:
         executor = _executor_of(node)
     elif not hasattr(executor, "spin_once"):
-        raise ExecutorArgumentError(executor)
+        raise not_an_executor_error(executor)
     before = node.executor
     added = executor.add_node(node)
     try:

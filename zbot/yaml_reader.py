@@ -21,6 +21,14 @@ _MAX_LEVELS = 100
 _MAX_NODES = 1_000_000  #: number of values after each alias is replaced by its value
 # `int` takes very long for such texts. `:` occurs in numbers to the base 60, such as `1:30`.
 _LONG_NUMBER = re.compile(r"[-+]?[0-9][0-9_:.]{400,}\Z")
+_ADVICE = {
+    "mapping values are not allowed here": (
+        "; a line before it needs a colon at its end, or a text with a colon needs quotes"
+    ),
+    "expected alphabetic or numeric character, but found '*'": (
+        "; a text that begins with * needs quotes, and all nodes are /**"
+    ),
+}
 _TAB_PROBLEM = "found character '\\t' that cannot start any token"
 #: Exceptions of PyYAML for scalars such as `2024-13-01`, `!!bool x`, `!!int ""`.
 _SCALAR_ERRORS = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError)
@@ -209,4 +217,4 @@ def _yaml_error(error: Any) -> YamlError:
         return YamlError(problem or " ".join(str(error).split()))
     if problem == _TAB_PROBLEM:
         problem = "found a tab: write spaces in its place"
-    return YamlError(str(problem), mark.line, mark.column)
+    return YamlError(f"{problem}{_ADVICE.get(problem, '')}", mark.line, mark.column)

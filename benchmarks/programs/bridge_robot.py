@@ -47,7 +47,7 @@ def publish(kind, topics, hertz, seconds, size):
     node = rclpy.create_node("robot")
     profile = QoSProfile(depth=100)
     publishers = [node.create_publisher(_TYPES[kind], f"/m{i}", profile) for i in range(topics)]
-    while not all(one.get_subscription_count() for one in publishers):
+    while not all(publisher.get_subscription_count() for publisher in publishers):
         time.sleep(0.1)
     time.sleep(2)
     print("begin", flush=True)

@@ -81,6 +81,27 @@ class Tally:
         return {**found, "arrival": arrival, **cpu()}
 
 
+class Delays:
+    """Times from a message's publish() to the subscriber's callback, in another process.
+
+    All processes of a machine have the same monotonic clock.
+    """
+
+    def __init__(self) -> None:
+        self._delays: list[int] = []
+
+    def note(self, sent_ns: int) -> None:
+        self._delays.append(time.monotonic_ns() - sent_ns)
+
+    def result(self, until: int) -> dict[str, Any]:
+        """Wait for `until` messages. Return their delays in nanoseconds, and the CPU time."""
+        end = time.monotonic() + _NO_PROGRESS_S
+        while len(self._delays) < until and time.monotonic() < end:
+            time.sleep(_PAUSE_S)
+        delays, self._delays = self._delays, []
+        return {"delays": delays, **cpu()}
+
+
 class Trips:
     """Times round trips. Each trip begins when the trip before it has ended.
 

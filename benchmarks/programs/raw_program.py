@@ -3,7 +3,8 @@
 A session has the settings, and a message has the attachment, that zbot gives them. Messages are
 received in one of these ways: `direct` is a function that Zenoh's network thread calls, `thread` is
 a function that a thread of the Python binding calls, `channel` is a queue that the main thread
-reads. With `poll`, the main thread never sleeps.
+reads. With `wake`, the network thread wakes the main thread. With `poll`, the main thread never
+sleeps.
 """
 
 from __future__ import annotations
@@ -13,12 +14,14 @@ import struct
 import threading
 import time
 from functools import partial
+from queue import SimpleQueue
 from typing import TYPE_CHECKING, Any
 
 import zenoh
 from zenoh.shm import ShmProvider
 
 from program_control import (
+    Delays,
     Tally,
     Trips,
     arguments,
@@ -33,11 +36,13 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
 FACTS = struct.Struct("<qqB16s")  # docs/wire.md: number, time, length of the id, id
+STAMP = struct.Struct("<q")
 GID = bytes(range(16))
 LARGE_BYTES = 128 * 1024  # from this size on, zbot writes messages into shared memory itself
 POOL_BYTES = 16 * 1024 * 1024
 ENDPOINT = f"tcp/127.0.0.1:{os.environ.get('BENCH_PORT', '0')}"
 _PAUSE_S = 0.01
+_DEPTH = 10  # of a usual topic
 _yield = getattr(os, "sched_yield", partial(time.sleep, 0))
 
 
@@ -120,20 +125,47 @@ class Reader:
             if number != self._next:
                 self.missing += number - self._next
             self._next = number + 1
+        self.read_payload(sample)
+
+    def read_payload(self, sample: zenoh.Sample) -> None:
         self._use(sample.payload.to_bytes())
 
 
 def receive(
-    session: zenoh.Session, key: str, use: Callable[[bytes], object], way: str, queue: int
+    session: zenoh.Session,
+    key: str,
+    use: Callable[[bytes], object],
+    way: str,
+    queue: int,
+    *,
+    is_plain: bool = False,
 ) -> Callable[[Callable[[], bool]], None]:
     """Subscribe. Return a function that runs until another function returns true."""
-    read = Reader(use).read
+    reader = Reader(use)
+    read: Callable[[Any], None] = reader.read_payload if is_plain else reader.read
+    if way == "wake":
+        return _wake(session, key, read)
     if way in {"direct", "thread"}:
         handler = zenoh.handlers.Callback(read, indirect=way == "thread")
         subscriber: Any = session.declare_subscriber(key, handler)
         return partial(_sleep, subscriber)
     channel = session.declare_subscriber(key, zenoh.handlers.FifoChannel(queue))
     return partial(_poll if way == "poll" else _drain, channel, read)
+
+
+def _wake(
+    session: zenoh.Session, key: str, read: Callable[[Any], None]
+) -> Callable[[Callable[[], bool]], None]:
+    arrived: SimpleQueue[zenoh.Sample] = SimpleQueue()
+    handler = zenoh.handlers.Callback(arrived.put, indirect=False)
+    subscriber: Any = session.declare_subscriber(key, handler)
+
+    def run(is_done: Callable[[], bool]) -> None:
+        assert subscriber
+        while not is_done():
+            read(arrived.get())
+
+    return run
 
 
 def _sleep(_: object, is_done: Callable[[], bool]) -> None:
@@ -172,6 +204,32 @@ def flood(session: zenoh.Session, size: int, seconds: float, rate: float = 0.0, 
     publisher = Publisher(session, "flood", blocks=True, large=size >= LARGE_BYTES)
     publisher.wait_for_subscriber()
     publish_for(partial(publisher.publish, bytes(size)), seconds, rate)
+
+
+def listener(session: zenoh.Session, way: str, *, is_plain: bool = False) -> None:
+    delays = Delays()
+
+    def note(payload: bytes) -> None:
+        delays.note(STAMP.unpack(payload)[0])
+
+    run = receive(session, "time", note, way, _DEPTH, is_plain=is_plain)
+    serve(delays.result)
+    run(never)
+
+
+def talker(
+    session: zenoh.Session, seconds: float, rate: float, *, is_plain: bool = False, **_: Any
+) -> None:
+    if is_plain:
+        declared: Any = session.declare_publisher("time")
+        publish: Callable[[bytes], None] = declared.put
+        while not declared.matching_status.matching:
+            time.sleep(_PAUSE_S)
+    else:
+        publisher = Publisher(session, "time", blocks=False, large=False)
+        publish = publisher.publish
+        publisher.wait_for_subscriber()
+    publish_for(lambda: publish(STAMP.pack(time.monotonic_ns())), seconds, rate)
 
 
 def echo(session: zenoh.Session, size: int, way: str, queue: int) -> None:
@@ -225,8 +283,10 @@ def main() -> None:
         return
     if options.get("size", 0) >= LARGE_BYTES:
         bytes(32 * 1024 * 1024 - 8192)  # as zbot/process/memory.py: glibc keeps freed blocks
-    roles = {one.__name__: one for one in (sink, flood, echo, ping, server, caller)}
-    with open_session(listens=role in {"sink", "ping", "caller"}) as session:
+    roles = {
+        role.__name__: role for role in (sink, flood, listener, talker, echo, ping, server, caller)
+    }
+    with open_session(listens=role in {"sink", "listener", "ping", "caller"}) as session:
         roles[role](session, **options)
 
 

@@ -12,9 +12,18 @@ from functools import partial
 from typing import Any
 
 import rclpy
-from program_control import Tally, Trips, arguments, call_repeatedly, cpu, publish_for, serve
+from program_control import (
+    Delays,
+    Tally,
+    Trips,
+    arguments,
+    call_repeatedly,
+    cpu,
+    publish_for,
+    serve,
+)
 from sensor_msgs.msg import Imu
-from std_msgs.msg import UInt8MultiArray
+from std_msgs.msg import Int64, UInt8MultiArray
 from std_srvs.srv import SetBool
 
 _PAUSE_S = 0.05
@@ -40,6 +49,22 @@ def flood(node: Any, kind: str | int, seconds: float, rate: float = 0.0) -> None
         time.sleep(_PAUSE_S)
     time.sleep(_DISCOVERY_S)
     publish_for(partial(publisher.publish, msg), seconds, rate)
+
+
+def listener(node: Any) -> None:
+    delays = Delays()
+    note = delays.note
+    node.create_subscription(Int64, "time", lambda message: note(message.data), 10)
+    serve(delays.result)
+    rclpy.spin(node)
+
+
+def talker(node: Any, seconds: float, rate: float) -> None:
+    publisher = node.create_publisher(Int64, "time", 10)
+    while not node.count_subscribers("time"):
+        time.sleep(_PAUSE_S)
+    time.sleep(_DISCOVERY_S)
+    publish_for(lambda: publisher.publish(Int64(data=time.monotonic_ns())), seconds, rate)
 
 
 def echo(node: Any, kind: int) -> None:  # noqa: ARG001 - as in the other programs
@@ -87,7 +112,9 @@ def caller(node: Any, count: int) -> None:
 def main() -> None:
     role, options = arguments()
     rclpy.init()
-    roles = {one.__name__: one for one in (sink, flood, echo, ping, server, caller)}
+    roles = {
+        role.__name__: role for role in (sink, flood, listener, talker, echo, ping, server, caller)
+    }
     roles[role](rclpy.create_node(role), **options)
 
 

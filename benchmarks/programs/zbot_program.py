@@ -8,6 +8,7 @@ from typing import Any
 
 import zbot
 from program_control import (
+    Delays,
     Tally,
     Trips,
     arguments,
@@ -23,7 +24,7 @@ from zbot.threads.wakeup import BusyWait
 from zbot.wire.messagepack.codec import messagepack_codec_for
 
 from example_interfaces.srv import AddTwoInts
-from std_msgs.msg import String
+from std_msgs.msg import Int64, String
 
 KEEP_ALL = zbot.QoSProfile(history=zbot.HistoryPolicy.KEEP_ALL)
 _PAUSE_S = 0.01
@@ -42,6 +43,21 @@ def flood(node: zbot.Node, kind: str | int, seconds: float, rate: float = 0.0) -
     while not node.count_subscribers("flood"):
         time.sleep(_PAUSE_S)
     publish_for(partial(publisher.publish, msg), seconds, rate)
+
+
+def listener(node: zbot.Node) -> None:
+    delays = Delays()
+    note = delays.note
+    node.create_subscription(Int64, "time", lambda message: note(message.data), 10)
+    serve(delays.result)
+    zbot.spin(node)
+
+
+def talker(node: zbot.Node, seconds: float, rate: float) -> None:
+    publisher = node.create_publisher(Int64, "time", 10)
+    while not node.count_subscribers("time"):
+        time.sleep(_PAUSE_S)
+    publish_for(lambda: publisher.publish(Int64(data=time.monotonic_ns())), seconds, rate)
 
 
 def echo(node: zbot.Node, kind: str | int) -> None:
@@ -136,8 +152,20 @@ def main() -> None:
         # zbot has no setting for this: only the benchmark replaces the method.
         BusyWait.begin = sleep_at_once  # type: ignore[method-assign,assignment]
     roles = {
-        one.__name__: one
-        for one in (sink, flood, echo, ping, server, caller, timer, idle, observer)
+        role.__name__: role
+        for role in (
+            sink,
+            flood,
+            listener,
+            talker,
+            echo,
+            ping,
+            server,
+            caller,
+            timer,
+            idle,
+            observer,
+        )
     }
     with zbot.init(args=[]):
         node = zbot.Node(options.pop("node", role))

@@ -35,36 +35,53 @@ NOUNS = {
     "launch": "Run a launch file",
     "leave": "Leave the class or the other machine",
     "lifecycle": "Look at managed nodes and change their states",
+    "mqtt": "Connect an MQTT broker of a smart home",
     "node": "Look at nodes",
     "param": "Look at parameters and set them",
     "pkg": "Find and create packages",
     "plot": "Plot numeric fields of topics",
     "run": "Run a node",
     "security": "Make certificates for machines",
+    "serial": "Connect a board on a USB cable",
     "service": "Look at services and call them",
     "setup-shell": "Make ros2, colcon and rqt_graph run zbot",
     "share": "Let one student read another's topics",
+    "sim": "Simulate robots in a world",
     "status": "Show the class or the other machine",
     "test": "Run tests, also those of launch files",
     "topic": "Look at topics, print and publish messages",
+    "view": "Show the robot in 3D in a browser",
     "web": "Show the running system in a browser",
 }
 _ALIASES = {"wtf": "doctor"}
 _HIDDEN = {"complete"}
 #: Nouns that run the user's own programs in this process.
 _RUNS_PROGRAMS = {"launch", "run", "test"}
+#: Nouns that use an installed ROS 2 in this process. All others use only zbot's messages.
+_USES_ROS2 = {"bridge", "class"}
 #: Commands of ROS 2 that zbot does not have, and what to type instead.
 _ELSEWHERE = {
+    "catkin_make": "zbot needs no catkin_make: type 'zbot build' to check the packages.",
     "colcon": "Type 'zbot build' instead of 'colcon build', and 'zbot test' for 'colcon test'.",
     "component": "zbot has no components: run each node with 'zbot run', or use a launch file.",
+    "control": "Type 'zbot run controller_manager spawner NAME' to load and start a controller.",
     "multicast": "zbot needs no multicast: type 'zbot doctor' to check the network.",
     "ros2": "Leave out 'ros2': type 'zbot topic list' instead of 'ros2 topic list'.",
-    "rosdep": "zbot needs no rosdep: install Python packages with 'pip install'.",
+    "rosbag": "Type 'zbot bag' instead of 'rosbag'.",
+    "roscore": "zbot needs no roscore: run a node, e.g. 'zbot run sensor'.",
+    "rosdep": "zbot needs no rosdep: install Python packages with 'python -m pip install NAME'.",
+    "roslaunch": "Type 'zbot launch' instead of 'roslaunch'.",
+    "rosmsg": "Type 'zbot interface' instead of 'rosmsg'.",
+    "rosnode": "Type 'zbot node' instead of 'rosnode'.",
+    "rosparam": "Type 'zbot param' instead of 'rosparam'.",
+    "rosrun": "Type 'zbot run' instead of 'rosrun'.",
+    "rosservice": "Type 'zbot service' instead of 'rosservice'.",
+    "rostopic": "Type 'zbot topic' instead of 'rostopic'.",
     "rqt": "Type 'zbot web' to see the running system in a browser.",
     "rqt_console": "Type 'zbot web console' to see log lines in a browser.",
     "rqt_graph": "Type 'zbot web graph' for a picture in a browser, or 'zbot graph' for text.",
     "rqt_plot": "Type 'zbot plot TOPIC' to plot the numbers of a topic.",
-    "rviz2": "zbot has no 3D view: type 'zbot web' to see topics, plots and images in a browser.",
+    "rviz2": "Type 'zbot view' to see the robot in 3D in a browser.",
 }
 
 
@@ -143,9 +160,9 @@ def _use_domain(text: str) -> None:
 
     os.environ[config.COMMAND_DOMAIN] = text
     config.domain_id()  # raises an error for an invalid domain, before the command starts
-    for one in environment.differences():
-        if one.setting.startswith("--domain"):
-            print(one.text, file=sys.stderr)
+    for difference in environment.differences():
+        if difference.setting.startswith("--domain"):
+            print(difference.text, file=sys.stderr)
 
 
 def _use_rmw(word: str) -> None:
@@ -184,7 +201,10 @@ def _print_and_exit(text: str) -> NoReturn:
 
 
 def _exit_with_usage_error(text: str) -> NoReturn:
-    print(f"Error: {text}\nTry 'zbot --help' for help.", file=sys.stderr)
+    from zbot.errors.installation import with_typed_command  # noqa: PLC0415 - only for mistakes
+
+    text = with_typed_command(f"Error: {text}\nTry 'zbot --help' for help.")
+    print(text, file=sys.stderr)
     sys.exit(Status.USAGE)
 
 
@@ -193,7 +213,10 @@ def _run_noun(words: list[str]) -> int | Callable[[], NoReturn]:
     if noun in _ELSEWHERE:
         _exit_with_usage_error(_ELSEWHERE[noun])
     if noun not in NOUNS and noun not in _HIDDEN:
-        _exit_unknown_noun(words[0])
+        _exit_unknown_noun(words)
+    from zbot.import_finder import prefer_zbot  # noqa: PLC0415 - not needed by `zbot --help`
+
+    prefer_zbot(noun not in _USES_ROS2)
     if noun in _RUNS_PROGRAMS:
         standard_streams.restore()
         # This line raises an error before the program starts, if the current folder was deleted.
@@ -222,11 +245,11 @@ def _run_noun(words: list[str]) -> int | Callable[[], NoReturn]:
     except Exception as error:
         if not hasattr(error, "exit_code"):
             raise
-        return _report_usage(error)
+        return _report_usage(error, words)
     return code if isinstance(code, int) else Status.OK
 
 
-def _report_usage(error: Any) -> int:
+def _report_usage(error: Any, words: list[str]) -> int:
     # typer contains a copy of click, and the module name of the copy depends on typer's version.
     # So click's error classes cannot be imported, and their attributes are used instead.
     if type(error).__name__ == "NoArgsIsHelpError":
@@ -235,17 +258,41 @@ def _report_usage(error: Any) -> int:
     error.show(sys.stderr)
     from zbot.terminal.typographic import advice_for_words  # noqa: PLC0415 - only for mistakes
 
-    hint = advice_for_words(sys.argv[1:])
+    hint = advice_for_words(sys.argv[1:]) or _advice_for_usage(error, words)
     if hint:
-        print(f"\nhint: {hint}", file=sys.stderr)
+        from zbot.errors.installation import with_typed_command  # noqa: PLC0415 - only for mistakes
+
+        print(f"\nhint: {with_typed_command(hint)}", file=sys.stderr)
     return int(error.exit_code)
 
 
-def _exit_unknown_noun(word: str) -> NoReturn:
-    from zbot.errors.suggestion import did_you_mean  # noqa: PLC0415 - only for mistakes
+def _advice_for_usage(error: Any, words: list[str]) -> str:
+    """Return what to type in place of an unknown verb, or an example of the verb."""
+    from zbot_cli.commands.wrong_command import advice_for_verb  # noqa: PLC0415 - only for mistakes
+    from zbot_cli.output.examples import EXAMPLES  # noqa: PLC0415 - as above
 
-    hint = did_you_mean(word, NOUNS, before=" ").replace("did", "Did", 1)  # as typer does for verbs
-    _exit_with_usage_error(f"No such command '{word}'.{hint}")
+    message = error.format_message()
+    if message.startswith("No such command"):
+        return advice_for_verb(words[0], words[1:], has_suggestion="Did you mean" in message)
+    example = EXAMPLES.get(" ".join(words[:2])) or EXAMPLES.get(words[0])
+    if message.startswith("Got unexpected extra argument") and example:
+        if words[1:2] == ["list"] and words[-1].isdigit():
+            return f"write the domain of a student with a slash: /{words[-1]}"
+        return f"put words that belong together in quotes; for example: {example}"
+    is_missing = message.startswith(("Missing argument", "Missing option")) and example
+    return f"for example: {example}" if is_missing else ""
+
+
+def _exit_unknown_noun(words: list[str]) -> NoReturn:
+    from zbot.errors.suggestion import did_you_mean  # noqa: PLC0415 - only for mistakes
+    from zbot_cli.commands.wrong_command import advice_for_noun  # noqa: PLC0415 - as above
+
+    text = f"No such command '{words[0]}'."
+    if advice := advice_for_noun(words, NOUNS):
+        print(f"Error: {text}\n\nhint: {advice}", file=sys.stderr)
+        sys.exit(Status.USAGE)
+    hint = did_you_mean(words[0], NOUNS, before=" ")
+    _exit_with_usage_error(text + hint.replace("did", "Did", 1))  # as typer does for verbs
 
 
 def _has_current_folder() -> bool:
@@ -280,7 +327,7 @@ def run_command(words: list[str]) -> int | Callable[[], NoReturn]:
     except ZbotError as error:
         if options.debug:
             raise
-        from zbot_cli.output.report import report  # noqa: PLC0415 - only for errors
+        from zbot_cli.output.standard_streams import report  # noqa: PLC0415 - only for errors
 
         _name_workspace(error)
         return report(error)
@@ -297,7 +344,9 @@ def run_command(words: list[str]) -> int | Callable[[], NoReturn]:
 
 def _report_system_error(error: OSError) -> int:
     if isinstance(error, FileNotFoundError) and not _has_current_folder():
-        print("the current folder was deleted: go to another folder with `cd`", file=sys.stderr)
+        standard_streams.print_error(
+            "the current folder was deleted: go to another folder with `cd`"
+        )
         return Status.ERROR
     return standard_streams.report_fault(error)
 

@@ -37,8 +37,8 @@ def load(noun: str, words: Sequence[str] = ()) -> Any:
     if not {"-h", "--help"}.isdisjoint(words):
         from zbot_cli.output.examples import epilog  # noqa: PLC0415 - needed only for help
 
-        for name, one in (found or {"": command}).items():
-            one.epilog = epilog(f"{noun} {name}".strip())
+        for name, child in (found or {"": command}).items():
+            child.epilog = epilog(f"{noun} {name}".strip())
     return command
 
 

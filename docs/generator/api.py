@@ -71,7 +71,7 @@ def _class(path: str, value: type) -> Iterator[str]:
         yield f"Bases: {', '.join(f'`{base}`' for base in bases)}\n"
     yield f"{_text(value)}\n"
     if issubclass(value, enum.Enum):
-        yield "".join(f"- `{one.name}` = `{one.value!r}`\n" for one in value)
+        yield "".join(f"- `{member.name}` = `{member.value!r}`\n" for member in value)
     for name, member in _members(value):
         if isinstance(member, property):
             yield f"### {name}\n\nProperty. {_text(member)}\n"
@@ -105,9 +105,9 @@ def _signature(name: str, value: Any) -> str:
     except (TypeError, ValueError):  # some classes have none, e.g. enumerations
         return f"```text\n{name}\n```"
     parameters = [
-        one.replace(annotation=_verbatim(one.annotation))
-        for one in signature.parameters.values()
-        if one.name != "self"
+        parameter.replace(annotation=_verbatim(parameter.annotation))
+        for parameter in signature.parameters.values()
+        if parameter.name != "self"
     ]
     returned = inspect.Signature.empty if inspect.isclass(value) else signature.return_annotation
     text = str(signature.replace(parameters=parameters, return_annotation=_verbatim(returned)))

@@ -51,9 +51,11 @@ def _run_usage() -> Iterator[str]:
 
 
 def _verb(words: str, command: Any) -> Iterator[str]:
-    parameters = [one for one in command.params if not getattr(one, "hidden", False)]
-    arguments = [one for one in parameters if one.param_type_name == "argument"]
-    options = [one for one in parameters if one.param_type_name == "option"]
+    parameters = [
+        parameter for parameter in command.params if not getattr(parameter, "hidden", False)
+    ]
+    arguments = [parameter for parameter in parameters if parameter.param_type_name == "argument"]
+    options = [parameter for parameter in parameters if parameter.param_type_name == "option"]
     usage = " ".join(["zbot", words, *(["[OPTIONS]"] if options else []), *map(_usage, arguments)])
     yield f"```text\n{usage}\n```\n"
     yield f"{_text(command.help)}\n"

@@ -1,4 +1,4 @@
-"""Pictures of the page in `docs/images/`, taken from a running system: `make pictures`.
+"""Pictures in `docs/images/` of the page and the view of a running system: `make pictures`.
 
 It needs a Chromium on this machine. Playwright drives it, and downloads nothing.
 """
@@ -6,6 +6,7 @@ It needs a Chromium on this machine. Playwright drives it, and downloads nothing
 from __future__ import annotations
 
 import io
+import json
 import os
 import re
 import shutil
@@ -14,6 +15,7 @@ import sys
 from contextlib import ExitStack
 from pathlib import Path
 from typing import TYPE_CHECKING
+from urllib.parse import quote
 
 from PIL import Image
 from playwright.sync_api import sync_playwright
@@ -24,23 +26,28 @@ if TYPE_CHECKING:
 IMAGES = Path(__file__).parents[1] / "images"
 SIZE = {"width": 1120, "height": 640}
 DOMAIN = "105"
+#: The view needs WebGL, also on a machine without a graphics card.
+ARGUMENTS = ["--no-sandbox", "--enable-unsafe-swiftshader"]
 NODES = (
     ("turtlesim", "turtlesim_node", "--no-browser"),
     ("turtlesim", "draw_square"),
     ("robot_base",),
     ("robot_laser",),
+    ("robot_camera",),
     ("talker",),
     ("listener",),
 )
+VIEW_DOMAIN = "106"  # an own domain: the robot has a whole launch file
+
 #: How long the turtle draws before the first picture, and a plot fills, in milliseconds.
 DRAWING_MS = 20_000
 
 
-def start(stack: ExitStack, *words: str) -> subprocess.Popen[str]:
+def start(stack: ExitStack, *words: str, domain: str = DOMAIN) -> subprocess.Popen[str]:
     """Start a command of zbot, which ends with the stack."""
     process = subprocess.Popen(  # noqa: S603 - the words are those of this module
         [sys.executable, "-m", "zbot_cli", *words],
-        env={**os.environ, "ZBOT_DOMAIN_ID": DOMAIN},
+        env={**os.environ, "ZBOT_DOMAIN_ID": domain},
         stdout=subprocess.PIPE,
         stderr=subprocess.DEVNULL,
         text=True,
@@ -50,39 +57,76 @@ def start(stack: ExitStack, *words: str) -> subprocess.Popen[str]:
     return process
 
 
-def address_of_page(stack: ExitStack) -> str:
-    """Start the page, and return its address."""
-    server = start(stack, "web", "--no-browser", "--port", "0")
+def address_of(stack: ExitStack, command: str, domain: str = DOMAIN) -> str:
+    """Start `zbot web` or `zbot view`, and return its address."""
+    server = start(stack, command, "--no-browser", "--port", "0", domain=domain)
     assert server.stdout is not None
     for line in server.stdout:
         found = re.search(r"http://[\d.:]+", line)
         if found:
             return found[0]
-    raise SystemExit("`zbot web` has ended: install zbot[web]")
+    raise SystemExit(f"`zbot {command}` has ended: install zbot[{command}]")
 
 
 def save(page: Page, name: str) -> None:
     """Save the visible part of the page with 256 colours, which makes the file small."""
     picture = Image.open(io.BytesIO(page.screenshot())).convert("RGB").quantize(256)
-    picture.save(IMAGES / f"page-{name}.png", optimize=True)
+    picture.save(IMAGES / f"{name}.png", optimize=True)
 
 
 def take_pictures(page: Page, address: str) -> None:
     """Visit the panels, and save each."""
     page.goto(f"{address}/turtle")
     page.wait_for_timeout(DRAWING_MS)
-    save(page, "turtle")
+    save(page, "page-turtle")
     page.goto(f"{address}/graph")
     page.locator("svg text", has_text="/listener").first.wait_for()
     page.wait_for_timeout(2000)  # the layout moves its items into their places
-    save(page, "graph")
+    save(page, "page-graph")
     page.goto(f"{address}/topics")
     page.locator(".zb-list tr[data-key='/scan']").click()
     page.wait_for_timeout(5000)  # rates are those of the last seconds
-    save(page, "topics")
+    save(page, "page-topics")
+    page.goto(f"{address}/drive?topic=/cmd_vel")
+    page.get_by_alt_text("The last image").wait_for()
+    page.keyboard.down("w")
+    page.wait_for_timeout(1000)  # until the velocity is shown
+    save(page, "page-drive")
+    page.keyboard.up("w")
     page.goto(f"{address}/plot?curve=/turtle1/pose.x,/turtle1/pose.y")
     page.wait_for_timeout(DRAWING_MS)
-    save(page, "plot")
+    save(page, "page-plot")
+
+
+def take_picture_of_view(page: Page, address: str) -> None:
+    """Look at the simulated robot in 3D."""
+    page.goto(address)
+    page.get_by_text("The fixed frame is odom.").wait_for()
+    page.get_by_text("Settings", exact=True).first.click()
+    page.get_by_label("names", exact=True).uncheck()
+    page.get_by_text("Settings", exact=True).first.click()
+    page.get_by_label("/odom").check()
+    page.wait_for_timeout(DRAWING_MS)
+    for close in page.locator(".mantine-Notification-closeButton").all():
+        close.click()  # the notice that WebGL runs in software
+    page.get_by_text("The fixed frame is odom.").scroll_into_view_if_needed()
+    page.mouse.move(400, 320)
+    page.mouse.wheel(0, -600)  # closer
+    page.wait_for_timeout(2000)
+    save(page, "view")
+
+
+def take_picture_of_layout(page: Page, address: str) -> None:
+    """Look at the simulated robot on a page of one's own."""
+    rows = [["view", "pictures"], ["graph", "topics?topic=/odom"]]
+    page.set_viewport_size({"width": SIZE["width"] + 320, "height": SIZE["height"] + 180})
+    page.goto(f"{address}/layout?layout={quote(json.dumps({'rows': rows}))}")
+    view = page.frame_locator("iframe[title^=View]").frame_locator("iframe")
+    view.get_by_text("The fixed frame is odom.").wait_for()
+    for close in view.locator(".mantine-Notification-closeButton").all():
+        close.click()
+    page.wait_for_timeout(DRAWING_MS)
+    save(page, "page-layout")
 
 
 def main() -> None:
@@ -93,11 +137,17 @@ def main() -> None:
     with ExitStack() as stack:
         for words in NODES:
             start(stack, "run", *words)
-        address = address_of_page(stack)
+        start(stack, "launch", "zbot_nodes", "robot.launch.py", domain=VIEW_DOMAIN)
+        address = address_of(stack, "web")
+        view = address_of(stack, "view", VIEW_DOMAIN)
+        page_of_robot = address_of(stack, "web", VIEW_DOMAIN)
         play = stack.enter_context(sync_playwright())
-        chromium = play.chromium.launch(executable_path=browser, args=["--no-sandbox"])
+        chromium = play.chromium.launch(executable_path=browser, args=ARGUMENTS)
         stack.callback(chromium.close)
-        take_pictures(chromium.new_page(viewport=SIZE), address)  # type: ignore[arg-type]
+        page = chromium.new_page(viewport=SIZE)  # type: ignore[arg-type]
+        take_picture_of_view(page, view)
+        take_pictures(page, address)
+        take_picture_of_layout(page, page_of_robot)
 
 
 if __name__ == "__main__":

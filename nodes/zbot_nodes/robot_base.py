@@ -1,5 +1,7 @@
 """Drive a simulated robot on two wheels, and publish its pose.
 
+With the extra `sim`, the robot has mass, and its wheels push it. Without, it moves as commanded.
+
 Run:        zbot run robot_base
 Subscribes: cmd_vel (geometry_msgs/Twist); without a command for a second, the robot stops
 Publishes:  odom (nav_msgs/Odometry), joint_states (sensor_msgs/JointState) and
@@ -7,26 +9,24 @@ Publishes:  odom (nav_msgs/Odometry), joint_states (sensor_msgs/JointState) and
 Try:        zbot topic pub --rate 5 /cmd_vel geometry_msgs/msg/Twist "{linear: {x: 0.3}}"
 """
 
-import math
-
 import zbot
 from zbot.qos import DurabilityPolicy, QoSProfile
-from zbot_nodes.robot.pose import TRUTH, Pose, to_quaternion, turn_to
-from zbot_nodes.robot.world import is_free
+from zbot_nodes.robot.motion import new_motion
+from zbot_nodes.robot.pose import TRUTH, to_quaternion
+from zbot_nodes.robot.state import PERIOD_S, State
 
 from geometry_msgs.msg import Quaternion, TransformStamped, Twist, Vector3
 from nav_msgs.msg import Odometry
 from sensor_msgs.msg import JointState
 from tf2_msgs.msg import TFMessage
 
-PERIOD_S = 0.02
 COMMAND_LASTS_S = 1.0
 MAX_SPEED_M_S = 1.0
 MAX_TURN_RAD_S = 2.0
-WHEEL_RADIUS_M = 0.05
-WHEEL_DISTANCE_M = 0.3
 #: Positions of the sensors, in metres ahead of and above the robot's centre.
 MOUNTS = {"laser": (0.0, 0.2), "imu_link": (0.0, 0.1), "camera_link": (0.15, 0.3)}
+#: Frame of images in the frame of the camera: z is the direction of view, and y is down.
+OPTICAL = Quaternion(x=-0.5, y=0.5, z=-0.5, w=0.5)
 
 
 class Base(zbot.Node):
@@ -34,10 +34,10 @@ class Base(zbot.Node):
 
     def __init__(self) -> None:
         super().__init__("base_controller")
-        self.pose = Pose()
+        self.motion = new_motion()
         self.speed = 0.0
         self.turn = 0.0
-        self.wheels = [0.0, 0.0]
+        self.wheels = (0.0, 0.0)
         self.is_blocked = False
         self.last_command = self.get_clock().now()
         self.odom_publisher = self.create_publisher(Odometry, "odom", 10)
@@ -46,7 +46,8 @@ class Base(zbot.Node):
         self.tf_publisher = self.create_publisher(TFMessage, "/tf", 100)
         latched = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
         self.mount_publisher = self.create_publisher(TFMessage, "/tf_static", latched)
-        self.mount_publisher.publish(TFMessage(transforms=[*map(self.mount, MOUNTS)]))
+        optical = self.transform("camera_link", "camera_optical_frame", Vector3(), OPTICAL)
+        self.mount_publisher.publish(TFMessage(transforms=[*map(self.mount, MOUNTS), optical]))
         self.subscription = self.create_subscription(Twist, "cmd_vel", self.accept, 10)
         self.timer = self.create_timer(PERIOD_S, self.step)
         self.get_logger().info("Base ready: commands on /cmd_vel")
@@ -62,47 +63,40 @@ class Base(zbot.Node):
         age = self.get_clock().now() - self.last_command
         if age.nanoseconds > COMMAND_LASTS_S * 1e9:
             self.speed = self.turn = 0.0
-        speed = self.move()
-        self.publish_pose(speed)
-        self.publish_wheels(speed)
+        state = self.motion.move(self.speed, self.turn)
+        self.warn(state)
+        self.publish_pose(state)
+        self.publish_wheels(state)
 
-    def move(self) -> float:
-        """Turn, and move ahead unless a wall is there. Return the speed."""
-        x, y, yaw = self.pose
-        yaw = turn_to(yaw + self.turn * PERIOD_S)
-        ahead_x = x + self.speed * PERIOD_S * math.cos(yaw)
-        ahead_y = y + self.speed * PERIOD_S * math.sin(yaw)
-        blocked = not is_free(ahead_x, ahead_y)
-        if blocked and not self.is_blocked:
+    def warn(self, state: State) -> None:
+        """Say once that something is in the way."""
+        if state.is_blocked and not self.is_blocked:
+            x, y, _ = state.pose
             self.get_logger().warn(f"Bump: something is in the way at ({x:.2f}, {y:.2f})")
-        self.is_blocked = blocked
-        self.pose = Pose(x, y, yaw) if blocked else Pose(ahead_x, ahead_y, yaw)
-        return 0.0 if blocked else self.speed
+        self.is_blocked = state.is_blocked
 
-    def publish_pose(self, speed: float) -> None:
+    def publish_pose(self, state: State) -> None:
         """Publish the pose, the speed and the transform."""
         odom = Odometry(child_frame_id="base_link")
         odom.header.stamp = self.get_clock().now().to_msg()
         odom.header.frame_id = "odom"
-        odom.pose.pose.position.x, odom.pose.pose.position.y, yaw = self.pose
+        odom.pose.pose.position.x, odom.pose.pose.position.y, yaw = state.pose
         odom.pose.pose.orientation = to_quaternion(yaw)
-        odom.twist.twist.linear.x = speed
-        odom.twist.twist.angular.z = self.turn
+        odom.twist.twist.linear.x = state.speed
+        odom.twist.twist.angular.z = state.turn
         self.odom_publisher.publish(odom)
         self.truth_publisher.publish(odom)
-        at = Vector3(x=self.pose.x, y=self.pose.y)
+        at = Vector3(x=state.pose.x, y=state.pose.y)
         moved = self.transform("odom", "base_link", at, odom.pose.pose.orientation)
         self.tf_publisher.publish(TFMessage(transforms=[moved]))
 
-    def publish_wheels(self, speed: float) -> None:
+    def publish_wheels(self, state: State) -> None:
         """Publish the angle and speed of each wheel."""
-        msg = JointState(name=["wheel_left_joint", "wheel_right_joint"])
+        msg = JointState(name=["wheel_left_joint", "wheel_right_joint"], position=state.wheels)
         msg.header.stamp = self.get_clock().now().to_msg()
-        for wheel, side in enumerate((-1, 1)):
-            velocity = (speed + side * self.turn * WHEEL_DISTANCE_M / 2) / WHEEL_RADIUS_M
-            self.wheels[wheel] += velocity * PERIOD_S
-            msg.velocity.append(velocity)
-        msg.position = self.wheels
+        before, self.wheels = self.wheels, state.wheels
+        pairs = zip(before, state.wheels, strict=True)
+        msg.velocity = [(after - old) / PERIOD_S for old, after in pairs]
         self.joint_publisher.publish(msg)
 
     def mount(self, sensor: str) -> TransformStamped:

@@ -56,7 +56,7 @@ class Camera(zbot.Node):
         """Publish one image and the camera's parameters."""
         image = Image(width=WIDTH, height=HEIGHT, encoding="rgb8", step=3 * WIDTH)
         image.header.stamp = self.get_clock().now().to_msg()
-        image.header.frame_id = "camera_link"
+        image.header.frame_id = "camera_optical_frame"
         image.data = self.draw()
         self.image_publisher.publish(image)
         info = CameraInfo(header=image.header, width=WIDTH, height=HEIGHT)

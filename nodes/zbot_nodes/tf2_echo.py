@@ -10,8 +10,9 @@ from typing import Any
 
 import zbot
 from zbot.parameters.ros_args import remove_ros_args
-from zbot.tf2 import Buffer, TransformException, TransformListener
-from zbot.tf2.rigid import Quaternion, Vector, rotate
+from zbot.tf2 import Buffer, TransformException
+from zbot.tf2.diagnosis import TransformMonitor
+from zbot.tf2.rigid import Quaternion, Vector, heading, rotate
 
 _USAGE = """\
 Usage: tf2_echo source_frame target_frame [echo_rate]
@@ -27,8 +28,7 @@ def angles(q: Quaternion) -> Vector:
     x, y, z, w = q
     roll = math.atan2(2 * (w * x + y * z), 1 - 2 * (x * x + y * y))
     pitch = math.asin(max(-1.0, min(1.0, 2 * (w * y - z * x))))
-    yaw = math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))
-    return (roll, pitch, yaw)
+    return (roll, pitch, heading(q))
 
 
 def three(numbers: Vector) -> str:
@@ -43,7 +43,7 @@ class TF2Echo(zbot.Node):
         super().__init__("tf2_echo")
         self.source, self.target = source, target
         self.buffer = Buffer()
-        self.listener = TransformListener(self.buffer, self)
+        self.monitor = TransformMonitor(self, self.buffer)
         self.create_timer(1.0 / rate, self.print_transform)
 
     def print_transform(self) -> None:
@@ -53,6 +53,7 @@ class TF2Echo(zbot.Node):
         except TransformException as error:
             self.get_logger().info(
                 f"Waiting for transform {self.source} ->  {self.target}: {error}"
+                f"{self.monitor.explanation(self.source, self.target)}"
             )
         else:
             self.show(found)

@@ -12,11 +12,13 @@ Parameters: background_r, background_g, background_b (0 to 255), holonomic (bool
 
 from __future__ import annotations
 
+from urllib.parse import quote
+
 import zbot
 from zbot.errors import InvalidTopicNameError
 from zbot.names import validate_topic_name
 from zbot.remote.parameter_event_handler import ParameterEventHandler
-from zbot_nodes.turtlesim.page import shown
+from zbot_nodes.startup.page import shown
 from zbot_nodes.turtlesim.ports import TurtlePorts
 from zbot_nodes.turtlesim.scene import SCENE, Scene
 from zbot_nodes.turtlesim.world import TICK_S, TurtleWorld
@@ -65,7 +67,9 @@ class TurtlesimNode(zbot.Node):
 
     def paint(self, _changed: Parameter | None = None) -> None:
         """Set the background to the colour of the parameters."""
-        channels = {one: self.get_parameter(f"background_{one}").value for one in _BACKGROUND}
+        channels = {
+            channel: self.get_parameter(f"background_{channel}").value for channel in _BACKGROUND
+        }
         self.scene.background = Color(**channels)
 
     def log(self, level: str, text: str) -> None:
@@ -134,7 +138,8 @@ def main() -> None:
     """Run until Ctrl-C."""
     with zbot.init():
         node = TurtlesimNode()
-        with shown(node):
+        panel = f"/turtle?node={quote(node.get_fully_qualified_name())}"
+        with shown(node, panel, "turtles"):
             zbot.spin(node)
 
 

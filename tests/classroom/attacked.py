@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from tests.classroom.talk import HERE, Talk, answers, dialling, free_port, open_session
 from tests.conftest import Program, allowed, wait_until
-from zbot.classroom.hub.identity import dialled_identity
+from zbot.classroom.hub.link import dialled_identity
 from zbot.classroom.keys import ADMISSION_KEY, COMMAND_KEY, here_key
 from zbot.security.access import LOBBY, LOBBY_SECRET, accepted_users, credentials
 from zbot.security.pin import PinClient
@@ -187,7 +187,7 @@ class AttackedClass:
         own = {
             "mode": "router",
             "listen/endpoints": [f"tcp/0.0.0.0:{port}"],
-            "connect/endpoints": [f"tcp/{HERE}:{one}" for one in (self.port, self.ana.port)],
+            "connect/endpoints": [f"tcp/{HERE}:{port}" for port in (self.port, self.ana.port)],
             "connect/timeout_ms": -1,
             "connect/exit_on_failure": False,
             "transport/auth/usrpwd/dictionary_file": str(accepted),

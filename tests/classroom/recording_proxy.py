@@ -63,15 +63,15 @@ class RecordingProxy:
 
     def cut(self) -> None:
         """Break all connections that are open now."""
-        for one in self._open[1:]:
+        for connection in self._open[1:]:
             with contextlib.suppress(OSError):
-                one.shutdown(socket.SHUT_RDWR)
+                connection.shutdown(socket.SHUT_RDWR)
 
     def close(self) -> None:
         """Close all connections."""
-        for one in self._open:
+        for connection in self._open:
             with contextlib.suppress(OSError):
-                one.shutdown(socket.SHUT_RDWR)
-            one.close()
+                connection.shutdown(socket.SHUT_RDWR)
+            connection.close()
         for thread in self._threads:
             thread.join(5)

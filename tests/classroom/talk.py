@@ -89,7 +89,7 @@ class Talk:
 
     def remove(self, session: zenoh.Session) -> None:
         """Let a session go its way."""
-        self._members = [(one, key) for one, key in self._members if one is not session]
+        self._members = [(member, key) for member, key in self._members if member is not session]
 
     def settle(self) -> None:
         """Let everything sent so far arrive: a question and its answer overtake nothing."""

@@ -162,8 +162,8 @@ def test_not_even_the_names_of_foreign_topics_reach_a_laptop(room: Room) -> None
     room.settle()
     assert b"ping" in wire.came
     assert b"diary" not in wire.came
-    for one in declared:
-        one.undeclare()
+    for token in declared:
+        token.undeclare()
     wire.close()
 
 
@@ -250,10 +250,10 @@ def test_a_lobby_user_can_only_query_the_lobby(room: Room) -> None:
     teacher, other = room.client("teacher"), room.laptop("17")
     assert room.reaches(lobby_user, room.hub, key)
     for forbidden in (key, "class/x", "17/x", "0/x", "@class/teacher/say", "@class/student/17/x"):
-        for one in (teacher, other):
-            assert not room.hears(one, lobby_user, forbidden)
-            assert not room.hears(lobby_user, one, forbidden)
-            assert not room.reaches(one, lobby_user, forbidden)
-            assert not room.sees(one, lobby_user, forbidden)
-            assert not room.sees(lobby_user, one, forbidden)
-            assert forbidden == key or not room.reaches(lobby_user, one, forbidden)
+        for listener in (teacher, other):
+            assert not room.hears(listener, lobby_user, forbidden)
+            assert not room.hears(lobby_user, listener, forbidden)
+            assert not room.reaches(listener, lobby_user, forbidden)
+            assert not room.sees(listener, lobby_user, forbidden)
+            assert not room.sees(lobby_user, listener, forbidden)
+            assert forbidden == key or not room.reaches(lobby_user, listener, forbidden)

@@ -15,7 +15,7 @@ from tests.classroom.talk import HERE, free_port, open_session
 from tests.conftest import wait_until
 from zbot.classroom.student.link_problem import certificate_problem
 from zbot.security.certificate import Validity
-from zbot.security.errors import CertificateError, SecurityError
+from zbot.security.errors import SecurityError
 from zbot.security.keystore import Identity, Keystore
 from zbot.security.tls import check_dialling, check_listening, tls_settings
 from zbot.transport.membership import Membership
@@ -110,7 +110,7 @@ def test_an_invalid_certificate_is_rejected_by_zbot_and_by_the_hub(
     problem: str,
 ) -> None:
     port, ana = listen(store.issue("teacher", [HERE])), invalid(store, foreign, what)
-    with pytest.raises(CertificateError, match=problem):
+    with pytest.raises(SecurityError, match=problem):
         check_dialling(ana, HERE, port)
     assert not links(port, tls_settings(ana))
     assert links(port, tls_settings(store.issue("ben")))
@@ -126,7 +126,7 @@ def test_a_hub_rejects_a_peer_without_a_certificate(
     assert not links(port, anonymous)
     assert not links(port, {}, "tcp")
     ana.certificate.unlink()
-    with pytest.raises(CertificateError):
+    with pytest.raises(SecurityError):
         check_dialling(ana, HERE, port)
 
 
@@ -156,10 +156,10 @@ def test_a_hub_with_an_invalid_certificate_neither_starts_nor_is_trusted(
         "for another address": lambda: store.issue("impostor", ["10.9.9.9"]),
     }[what]()
     if what != "foreign":  # which is valid in its own keystore
-        with pytest.raises(CertificateError, match=problem):
+        with pytest.raises(SecurityError, match=problem):
             check_listening(made, HERE)
     port = listen(made)
-    with pytest.raises(CertificateError, match=problem):
+    with pytest.raises(SecurityError, match=problem):
         check_dialling(ana, HERE, port)
     assert not links(port, tls_settings(ana))
 

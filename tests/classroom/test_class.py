@@ -149,8 +149,8 @@ def test_messages_of_several_topics_at_once_all_arrive(lesson: Class) -> None:
     for ear in ears:
         for _ in range(10):
             ear.wait_for("all at once")
-    for one in (*ears, bursts):
-        one.stop()
+    for running in (*ears, bursts):
+        running.stop()
 
 
 def test_students_are_alone_in_their_domains(lesson: Class) -> None:

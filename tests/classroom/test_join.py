@@ -186,7 +186,9 @@ def test_a_machine_joins_one_class_at_a_time(school: School) -> None:
     refused = ana.zbot("join", school.address, ZBOT_PIN=PIN)
     assert refused.code == 1
     assert "has joined Robots: leave first" in refused.err
-    assert school.teacher.zbot("join", school.address).code == 1
+    refused = school.teacher.zbot("join", school.address)
+    assert refused.code == 1
+    assert "this machine has opened the class Robots" in refused.err
 
 
 def test_a_program_that_is_not_a_hub_is_reported(

@@ -33,8 +33,8 @@ def computer(tmp_path: Path) -> Iterator[Callable[[str], Computer]]:
         return made[-1]
 
     yield make
-    for one in reversed(made):
-        one.run("leave", "--yes")
+    for computer_made in reversed(made):
+        computer_made.run("leave", "--yes")
 
 
 @pytest.fixture

@@ -32,7 +32,9 @@ def testbed() -> Iterator[LanTestbed]:
 def outside(machine: Machine) -> list[str]:
     """Return what doctor says of nodes outside the class."""
     found = json.loads(machine.run("zbot", "doctor", "--json").out)
-    return [one["advice"] for one in found if one["check"] == "running nodes" and not one["ok"]]
+    return [
+        check["advice"] for check in found if check["check"] == "running nodes" and not check["ok"]
+    ]
 
 
 def test_nodes_that_ran_before_the_class_are_named(testbed: LanTestbed) -> None:

@@ -96,6 +96,15 @@ def test_starting_an_open_class_shows_how_students_join_it(school: School) -> No
     assert is_linked(ana)
 
 
+def test_the_rule_about_sensors_is_kept_until_it_changes(school: School) -> None:
+    sentence = "The live page publishes no sensors of browsers in this class"
+    assert sentence in school.teacher.succeed("class", "start", "Robots", "--no-sensors")
+    school.teacher.kill_hub()
+    assert sentence in school.teacher.succeed("class", "start")
+    assert sentence not in school.teacher.succeed("class", "start", "--sensors")
+    assert sentence not in school.teacher.succeed("class", "start")
+
+
 def test_an_open_class_is_not_replaced(school: School) -> None:
     school.open()
     for words, sentence in (

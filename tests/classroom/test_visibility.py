@@ -66,7 +66,7 @@ def failed(machine: Machine) -> str:
     """Return the advice of the checks that fail."""
     done = machine.run("zbot", "doctor", "--json")
     found: list[dict[str, Any]] = json.loads(done.out)
-    return "\n".join(one["advice"] for one in found if not one["ok"])
+    return "\n".join(check["advice"] for check in found if not check["ok"])
 
 
 def is_healthy(machine: Machine) -> bool:

@@ -132,7 +132,7 @@ def remove_old_testbeds() -> None:
 
 
 def _remove_testbed(name: str) -> None:
-    mine = [one for one in namespaces() if one.startswith(f"{name}-")]
+    mine = [namespace for namespace in namespaces() if namespace.startswith(f"{name}-")]
     end_processes(mine)
     with Batch() as batch:
         for namespace in mine:

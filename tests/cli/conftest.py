@@ -121,7 +121,7 @@ def write_package(source: Path, name: str, **scripts: str) -> Path:
     (folder / name).mkdir(parents=True)
     (folder / name / "__init__.py").touch()
     (folder / "package.xml").write_text(f"<package><name>{name}</name></package>")
-    entries = [f"{one} = {target}" for one, target in scripts.items()]
+    entries = [f"{script} = {target}" for script, target in scripts.items()]
     (folder / "setup.py").write_text(
         "from setuptools import setup\n"
         f"setup(name={name!r}, entry_points={{'console_scripts': {entries!r}}})\n"

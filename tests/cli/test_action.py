@@ -105,6 +105,15 @@ def test_a_goal_for_a_wrong_name_names_a_similar_action(start: Start) -> None:
     command.wait_for("hint: did you mean '/fibonacci'?")
 
 
+@pytest.mark.parametrize("words", [(), (TYPE,)])
+@pytest.mark.usefixtures("server")
+def test_a_wait_for_a_server_that_does_not_come_is_explained(
+    start: Start, words: tuple[str, ...]
+) -> None:
+    command = start("zbot", "action", "send_goal", "/nope", *words)
+    command.wait_for("nobody serves /nope; `zbot action list` shows the actions")
+
+
 @pytest.mark.parametrize("words", [(TYPE, "{order: 2}"), ("order: 2",), ("order=2",)])
 @pytest.mark.usefixtures("server")
 def test_send_goal_prints_the_output_of_ros2(words: tuple[str, ...]) -> None:

@@ -14,6 +14,7 @@ import pytest
 
 from tests.cli.command import zbot
 from tests.conftest import allowed
+from zbot.errors.installation import pip_install
 from zbot.version import __version__
 from zbot_cli.commands import doctor
 from zbot_cli.output.exit_status import Status
@@ -61,6 +62,22 @@ def test_a_closed_pipe_is_not_an_error() -> None:
     script = f"{sys.executable} -m zbot_cli interface list | head -n 1"
     done = subprocess.run(["sh", "-c", script], capture_output=True, text=True, check=True)
     assert (done.stdout, done.stderr) == ("Messages:\n", "")
+
+
+def test_a_package_is_whole_if_nobody_reads_what_was_created(tmp_path: Path) -> None:
+    reader, writer = os.pipe()
+    os.close(reader)
+    done = subprocess.run(
+        [sys.executable, "-m", "zbot_cli", "pkg", "create", "robot"],
+        stdout=writer,
+        stderr=subprocess.PIPE,
+        text=True,
+        cwd=tmp_path,
+        check=False,
+    )
+    os.close(writer)
+    assert done.stderr == ""
+    assert (tmp_path / "robot" / "test" / "test_pep257.py").is_file()
 
 
 def test_help_into_a_closed_pipe_is_not_an_error() -> None:
@@ -224,11 +241,13 @@ def test_doctor_warns_of_a_zenoh_that_is_newer_than_the_tested_one(
     assert f"WARN  zbot: {__version__}, eclipse-zenoh {zenoh}, " in done.out
     assert (
         "      -> zbot was tested with Zenoh 1.10: if something fails, "
-        "try pip install 'eclipse-zenoh==1.10.*'\n"
+        f"try {pip_install('eclipse-zenoh==1.10.*')}\n"
     ) in done.out
     assert done.out.endswith("checks passed, with 1 warning(s)\n")
     (finding,) = (
-        one for one in json.loads(zbot_command("doctor", "--json").out) if one["check"] == "zbot"
+        check
+        for check in json.loads(zbot_command("doctor", "--json").out)
+        if check["check"] == "zbot"
     )
     assert (finding["ok"], finding["warning"]) == (True, True)
 
@@ -242,7 +261,7 @@ def test_doctor_refuses_a_zenoh_that_is_too_old(
     done = zbot_command("doctor")
     assert done.code == 1
     assert f"FAIL  zbot: {__version__}, eclipse-zenoh {zenoh}, " in done.out
-    assert "this Zenoh is too old: pip install 'eclipse-zenoh==1.10.*'" in done.out
+    assert f"this Zenoh is too old: {pip_install('eclipse-zenoh==1.10.*')}" in done.out
 
 
 @pytest.mark.parametrize("zenoh", ["1.10.0", "1.10.99"])

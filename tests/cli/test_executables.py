@@ -9,8 +9,11 @@ from typing import TYPE_CHECKING
 import pytest
 
 from tests.cli.conftest import write_package
-from zbot_cli.commands.run import find
+from zbot.errors import ZbotError
+from zbot.package.setup_file import declared_scripts
+from zbot_cli.commands.run.executable_search import find, find_in_package
 from zbot_cli.errors import CommandError
+from zbot_cli.packages import executables
 from zbot_cli.packages.executables import all_packages, bundled_packages, note_of_others
 
 if TYPE_CHECKING:
@@ -29,7 +32,7 @@ LESSONS = {"listener", "monitor", "sensor", "student_publisher", "student_subscr
 def test_the_bundled_nodes_are_the_entry_points() -> None:
     points = importlib.metadata.entry_points(group="zbot.nodes")
     declared = {point.name: point.value for point in points}
-    found = {one.name: one.target for one in bundled_packages()[0].executables}
+    found = {executable.name: executable.target for executable in bundled_packages()[0].executables}
     assert found == declared
     assert set(found) >= LESSONS
 
@@ -73,6 +76,54 @@ def test_packages_of_a_workspace_can_import_each_other(workspace: Path) -> None:
     first = write_package(workspace, "first", one="first.one:main")
     second = write_package(workspace, "second")
     assert find(["one"])[0].folders == (str(first), str(second))
+
+
+@pytest.mark.parametrize(
+    ("package", "name", "expected"),
+    [("second", "two", ["second"]), ("zbot", "talker", []), ("demo_nodes_py", "talker", [])],
+)
+def test_only_the_build_files_of_the_named_package_are_read(
+    workspace: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    package: str,
+    name: str,
+    expected: list[str],
+) -> None:
+    write_package(workspace, "first", one="first.one:main")
+    write_package(workspace, "second", two="second.two:main")
+    read: list[str] = []
+
+    def recording(folder: Path) -> dict[str, str]:
+        read.append(folder.name)
+        return declared_scripts(folder)
+
+    monkeypatch.setattr(executables, "declared_scripts", recording)
+    assert find([package, name])[0] == find_in_package(package, name)
+    assert read == expected * 2
+
+
+def test_a_new_package_is_found_by_the_same_process(workspace: Path) -> None:
+    write_package(workspace, "first", one="first.one:main")
+    with pytest.raises(CommandError, match="Package 'second' not found"):
+        find_in_package("second", "two")
+    write_package(workspace, "second", two="second.two:main")
+    assert find_in_package("second", "two").target == "second.two:main"
+
+
+@pytest.mark.parametrize(
+    ("package", "name", "text"),
+    [
+        ("first", "two", "No executable found"),
+        ("one", "two", "Package 'one' not found"),
+        ("mapviz", "mapviz", "mapviz does not run here"),
+    ],
+)
+def test_a_launch_finds_programs_only_by_their_package(
+    workspace: Path, package: str, name: str, text: str
+) -> None:
+    write_package(workspace, "first", one="first.one:main")
+    with pytest.raises(ZbotError, match=text):
+        find_in_package(package, name)
 
 
 def test_a_layout_with_src_is_known(workspace: Path) -> None:
@@ -256,4 +307,4 @@ def test_other_mistakes_are_refused_with_a_sentence(
 def test_help_shows_the_usage(zbot_command: Command) -> None:
     result = zbot_command("run", "--help")
     assert result.code == 0
-    assert result.out.startswith("Usage: zbot run [--prefix COMMAND] [PACKAGE] EXECUTABLE [ARGS]")
+    assert result.out.startswith("Usage: zbot run [OPTIONS] [PACKAGE] EXECUTABLE [ARGS]")

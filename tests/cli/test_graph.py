@@ -106,10 +106,10 @@ def test_svg_goes_to_a_file_or_to_the_terminal(
     result = zbot_command("graph", "--svg", str(target))
     assert (result.code, result.out, result.err) == (0, "", f"wrote {target}\n")
     text = target.read_text(encoding="utf-8")
-    names = [one.get("data-node") for one in ET.fromstring(text).iter()]
+    names = [element.get("data-node") for element in ET.fromstring(text).iter()]
     assert [name for name in names if name] == ["/listener", "/talker"]
     assert zbot_command("graph", "--svg", "-").out == text
-    assert [one.name for one in tmp_path.iterdir()] == ["graph.svg"]
+    assert [path.name for path in tmp_path.iterdir()] == ["graph.svg"]
 
 
 @pytest.mark.usefixtures("domain")

@@ -17,7 +17,8 @@ import yaml
 
 from tests.cli.command import zbot
 from zbot.interfaces import interface_names, packages
-from zbot_cli.domain.types import find_types, resolve_message_type
+from zbot_cli.domain.kinds import TOPIC
+from zbot_cli.domain.types import find_types
 from zbot_cli.errors import CommandError
 
 if TYPE_CHECKING:
@@ -274,7 +275,7 @@ def test_a_short_name_may_match_several_types() -> None:
 )
 def test_a_short_name_without_a_match_is_refused(word: str, hint: str) -> None:
     with pytest.raises(CommandError, match="The passed message type is invalid") as caught:
-        resolve_message_type(word)
+        TOPIC.resolve_type(word)
     assert caught.value.hint == hint
 
 

@@ -13,13 +13,14 @@ import pytest
 import zbot as library
 from zbot.action import ActionServer
 from zbot.lifecycle import LifecycleNode
+from zbot.tf2 import StaticTransformBroadcaster
 from zbot_cli.main import NOUNS
 from zbot_cli.nouns import load, verbs
 
 from example_interfaces.action import Fibonacci
-from geometry_msgs.msg import PoseStamped
+from geometry_msgs.msg import PoseStamped, TransformStamped
 from rcl_interfaces.msg import FloatingPointRange, ParameterDescriptor
-from std_msgs.msg import String
+from std_msgs.msg import Header, String
 from std_srvs.srv import Empty
 
 if TYPE_CHECKING:
@@ -64,6 +65,11 @@ def robot(make_context: MakeContext, spin: Spin) -> library.Node:
         goal.succeed()
         return Fibonacci.Result(sequence=[0, 1])
 
+    frames = [
+        TransformStamped(header=Header(frame_id=parent), child_frame_id=child)
+        for parent, child in (("map", "odom"), ("base_link", "laser"))
+    ]
+    StaticTransformBroadcaster(node).sendTransform(frames)
     ActionServer(node, Fibonacci, "fibonacci", compute)
 
     def speak() -> None:
@@ -115,7 +121,7 @@ def test_every_command_with_json_is_on_the_page() -> None:
     documented = {" ".join(command.split()[:2]) for command in ROWS}
     for noun in set(NOUNS) - {"run"}:
         command = load(noun)
-        for verb, one in (verbs(command) or {"": command}).items():
+        for verb, child in (verbs(command) or {"": command}).items():
             words = f"{noun} {verb}".strip()
-            has_json = any("--json" in option.opts for option in one.params)
+            has_json = any("--json" in option.opts for option in child.params)
             assert not has_json or words.replace("-", "_") in documented | OWN_KEYS, words

@@ -17,7 +17,7 @@ from zbot_cli import main as main_module
 from zbot_cli.main import NOUNS, main, run_command
 from zbot_cli.nouns import load, verbs
 from zbot_cli.output.exit_status import Status
-from zbot_cli.output.report import report
+from zbot_cli.output.standard_streams import report
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -91,7 +91,7 @@ def test_descriptions_of_nouns_are_short() -> None:
         (["topci"], "Did you mean 'topic'?"),
         (["rqt_graph"], "Type 'zbot web graph'"),
         (["colcon", "build"], "Type 'zbot build'"),
-        (["rviz2"], "type 'zbot web'"),
+        (["rviz2"], "Type 'zbot view'"),
         (["ros2", "topic", "list"], "Leave out 'ros2'"),
         (["setup-shell", "tcsh"], "choose from bash, zsh, fish, powershell"),
         (["topic", "frobnicate"], "No such command 'frobnicate'."),
@@ -385,7 +385,7 @@ def test_the_words_of_ros2_run_zbot(tmp_path: Path, shell: str) -> None:
         "zbot topic list",
         "zbot build",
         "zbot web graph",
-        "zbot rviz2",
+        "zbot run rviz2 rviz2",
         "zbot run rqt_plot rqt_plot /a/data",
         "zbot run rqt_console rqt_console",
     ]

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from tests.cli.conftest import MANIFEST
-from zbot_cli.packages.check.package import check_package
+from zbot_cli.packages.check import check_package
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -25,7 +25,7 @@ KNOWN = {"rclpy", "std_msgs", "geometry_msgs", "my_msgs"}
 
 def problems(folder: Path) -> list[str]:
     start = f"src/{folder.name}/"
-    return [str(one).removeprefix(start) for one in check_package(folder, KNOWN)]
+    return [str(problem).removeprefix(start) for problem in check_package(folder, KNOWN)]
 
 
 # -- entry points ----------------------------------------------------------------------------------
@@ -192,7 +192,7 @@ def test_files_in_other_encodings(write: Write) -> None:
     folder = write()
     setup = "# -*- coding: latin-1 -*-\n# ü\nfrom setuptools import setup\nsetup(name='robot')\n"
     (folder / "setup.py").write_text(setup, encoding="latin-1")
-    assert not [one for one in problems(folder) if "warning" not in one]
+    assert not [problem for problem in problems(folder) if "warning" not in problem]
 
 
 def test_a_folder_in_the_place_of_a_file_is_an_error(write: Write, zbot_command: Command) -> None:

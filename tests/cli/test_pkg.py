@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import importlib.util
 import json
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -15,6 +17,7 @@ from tests.cli.command import zbot
 from tests.cli.conftest import write_package
 from zbot.package.manifest import read_manifest
 from zbot.package.setup_file import declared_scripts, setup_arguments
+from zbot_cli.packages import vscode
 from zbot_cli.packages.creation import known_licenses
 
 if TYPE_CHECKING:
@@ -122,6 +125,34 @@ def test_a_created_package_runs_at_once(source: Path) -> None:
     done = zbot("run", "my_package", "my_node", cwd=source)
     assert (done.code, done.out) == (0, "Hi from my_package.\n")
     assert zbot("run", "my_node", cwd=source / "my_package").out == "Hi from my_package.\n"
+
+
+def test_a_created_package_has_files_for_vs_code(source: Path, zbot_command: Command) -> None:
+    assert zbot_command("pkg", "create", "demo", "--node-name", "walk", "--vscode").code == 0
+    folder = source / "demo" / ".vscode"
+    read = {file.name: json.loads(file.read_text()) for file in folder.iterdir()}
+    assert set(read) == {"extensions.json", "launch.json", "tasks.json"}
+    walk, this_file = read["launch.json"]["configurations"]
+    assert (walk["module"], walk["args"]) == ("zbot", ["run", "demo", "walk"])
+    assert this_file["args"] == ["run", "${file}"]
+    assert [task["args"][2] for task in read["tasks.json"]["tasks"]] == ["build", "test", "doctor"]
+
+
+@pytest.mark.parametrize(
+    ("line", "groups"),
+    [
+        ("src/a/setup.py:24: 'n' names mian()", ("src/a/setup.py", "24", None, "'n' names mian()")),
+        ("a/package.xml: warning: too old", ("a/package.xml", None, "warning", "too old")),
+        ("Summary: 0 packages finished", None),
+        ("  1 package failed: demo", None),
+    ],
+)
+def test_vs_code_finds_the_lines_of_errors(
+    line: str, groups: tuple[str | None, ...] | None
+) -> None:
+    (build, *_) = json.loads(vscode.files("demo", "")["tasks.json"])["tasks"]
+    match = re.match(build["problemMatcher"]["pattern"]["regexp"], line)
+    assert (match and match.groups()) == groups
 
 
 def test_linter_tests_of_a_created_package_are_skipped(source: Path, zbot_command: Command) -> None:
@@ -242,8 +273,10 @@ def test_create_refuses_impossible_packages(
 def test_a_created_package_can_be_installed_by_pip(
     source: Path, zbot_command: Command, tmp_path: Path
 ) -> None:
-    pytest.importorskip("setuptools", reason="pip would have to fetch it")
-    pytest.importorskip("wheel", reason="older setuptools needs it beside itself")
+    # An import of setuptools would replace distutils in this process.
+    for name in ("setuptools", "wheel"):
+        if importlib.util.find_spec(name) is None:
+            pytest.skip(f"pip would have to fetch {name}")
     zbot_command("pkg", "create", "my_package", "--node-name", "my_node", *ME)
     done = subprocess.run(
         [

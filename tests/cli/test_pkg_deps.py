@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
+from zbot.errors.installation import pip_install
 from zbot_cli.packages.python_sources import how_to_get, module_of_key
 
 if TYPE_CHECKING:
@@ -34,7 +35,7 @@ MORE = """\
   <exec_depend>python3-pip</exec_depend>
   <exec_depend>python3-no-such-thing-pip</exec_depend>
   <exec_depend>xacro</exec_depend>
-  <exec_depend>nav2_bringup</exec_depend>
+  <exec_depend>cartographer_ros</exec_depend>
   <exec_depend>some_driver</exec_depend>
   <exec_depend>arm</exec_depend>
   <exec_depend condition="$ROS_VERSION == 1">roscpp</exec_depend>
@@ -63,20 +64,20 @@ def test_what_a_workspace_lacks_is_listed(write: Write, zbot_command: Command) -
         ("ant_msgs  (src/robot/msg/A.msg:2)", "type `zbot interface add` with the folder or"),
         ("std_msgs/msg/Strng  (src/robot/robot/drive.py:6)", "the version of std_msgs that is her"),
         ("control_msgs/msg/PidSatte  (src/robot/robot/drive.py:7)", "the version of control_msgs"),
-        ("no_such_library  (src/robot/robot/drive.py:1)", "pip install no_such_library"),
+        ("no_such_library  (src/robot/robot/drive.py:1)", pip_install("no_such_library")),
         (
             "moveit_configs_utils  (src/robot/robot/drive.py:9)",
             "download https://github.com/moveit",
         ),
         ("wheel  (src/robot/robot/drive.py:11)", "the package is here, but only a build with"),
-        ("no_such_thing  (src/robot/package.xml:9)", "pip install no_such_thing"),
+        ("no_such_thing  (src/robot/package.xml:9)", pip_install("no_such_thing")),
     ):
         assert lines[lines.index(first) + 1].startswith(second)
     assert lines[-3:-1] == [
         "Other packages that package.xml names and that are not here:",
         "some_driver",
     ]
-    assert lines[-1].startswith("nav2_bringup: a navigation program in C++; `zbot run robot_navi")
+    assert lines[-1].startswith("cartographer_ros: a navigation program in C++; `zbot launch nav2_")
     for word in ("optional_thing", "helper", "robot_tools", "roscpp", "rclpy", "ament_", "python3"):
         assert word not in result.out
     rows = json.loads(zbot_command("pkg", "deps", "robot", "--json").out)
@@ -98,12 +99,12 @@ def test_a_complete_workspace_lacks_nothing(write: Write, zbot_command: Command)
 @pytest.mark.parametrize(
     ("key", "module", "how"),
     [
-        ("python3-serial", "serial", "pip install pyserial"),
-        ("python3-opencv", "cv2", "pip install opencv-python"),
-        ("python3-yaml", "yaml", "pip install pyyaml"),
-        ("python3-ultralytics-pip", "ultralytics", "pip install ultralytics"),
-        ("python3-pyqt5", "PyQt5", "pip install pyqt5"),
-        ("xacro", "xacro", "pip install xacro"),
+        ("python3-serial", "serial", pip_install("pyserial")),
+        ("python3-opencv", "cv2", pip_install("opencv-python")),
+        ("python3-yaml", "yaml", pip_install("pyyaml")),
+        ("python3-ultralytics-pip", "ultralytics", pip_install("ultralytics")),
+        ("python3-pyqt5", "PyQt5", pip_install("pyqt5")),
+        ("xacro", "xacro", pip_install("xacro")),
         ("python3-tk", "tkinter", "install your system's package python3-tk"),
         ("python3-rospy", "rospy", "rospy is a part of ROS 1: use its successor in ROS 2"),
     ],

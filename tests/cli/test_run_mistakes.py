@@ -20,6 +20,7 @@ def files(write: Write) -> None:
     write(
         "robot", scripts="'drive = robot.drive:main'", **{"robot/drive.py": "", "launch/a.xml": ""}
     )
+    write("arm", scripts="'lift = arm.lift:main' 'drop = arm.drop:main'")
     write("cpp", build_type="ament_cmake", **{"CMakeLists.txt": _CMAKE})
     for name in (
         "talker.py",
@@ -39,12 +40,14 @@ def files(write: Write) -> None:
         ("tlaker.py", "File 'tlaker.py' not found", "did you mean 'talker.py'?"),
         ("./Talker.py", "File './Talker.py' not found", "did you mean 'talker.py'?"),
         ("./talker", "File './talker' not found", "did you mean 'talker.py'?"),
+        ("lessons/talker.py", "File 'lessons/talker.py' not found", "did you mean 'talker.py'?"),
         ("moer/own.py", "File 'moer/own.py' not found", "did you mean 'more/own.py'?"),
         ("robot/drive", "File 'robot/drive' not found", "are two words: zbot run robot drive"),
         ("robot.drive", "'robot.drive' is not a program", "two words: zbot run robot drive"),
         ("robot:drive", "'robot:drive' is not a program", "two words: zbot run robot drive"),
         ("robot drive.py", "No executable found", "did you mean 'drive'?"),
         ("robot dirve", "No executable found", "did you mean 'drive'?"),
+        ("arm drop", "No executable found", "put a comma between the entry points in setup.py"),
         ("robto drive", "Package 'robto' not found", "did you mean 'robot'?"),
         ("cpp dirve", "No executable found", "C++, which zbot does not run: drive"),
         ("notes.txt/x", "File 'notes.txt/x' not found", ""),

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from tests.cli.command import zbot
+from zbot.errors.installation import pip_install
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -35,12 +36,24 @@ def test_output_of_a_program_is_not_buffered(start: Start, tmp_path: Path) -> No
     assert program.output == "ready"
 
 
-@pytest.mark.parametrize("source", ["def main(args=None):\n    print('started')\n", NODE_CLASS])
-def test_a_file_that_only_defines_a_node_is_started(
-    start: Start, tmp_path: Path, source: str
+@pytest.mark.parametrize(
+    ("source", "reason", "advice"),
+    [
+        ("def main(args=None):\n    print('started')\n", "main() is never called", "write main()"),
+        (NODE_CLASS, "the class N is never used", "write zbot.init() and zbot.spin(N())"),
+    ],
+)
+def test_a_file_that_only_defines_a_node_is_started_with_a_note(
+    start: Start, tmp_path: Path, source: str, reason: str, advice: str
 ) -> None:
     (tmp_path / "sheet.py").write_text(source)
-    start("zbot", "run", "sheet.py").wait_for("started")
+    program = start("zbot", "run", "sheet.py")
+    program.wait_for("started")
+    (note,) = (line for line in program.lines if line.startswith("note: "))
+    assert note == (
+        f"note: sheet.py: {reason}; `zbot run` starts it, but `python` does not: "
+        f"{advice} at the end of the file"
+    )
 
 
 def test_a_file_with_a_main_block_is_started_once(start: Start, tmp_path: Path) -> None:
@@ -72,7 +85,7 @@ def test_a_missing_library_is_one_sentence(start: Start, tmp_path: Path) -> None
     (tmp_path / "turn.py").write_text(source)
     program = start("zbot", "run", "turn.py")
     assert program.wait() == 1
-    assert program.output == 'tf_transformations needs transforms3d: pip install "zbot[numpy]"'
+    assert program.output == f"tf_transformations needs transforms3d: {pip_install('zbot[numpy]')}"
 
 
 def test_a_syntax_error_is_shown_as_python_shows_it(start: Start, tmp_path: Path) -> None:
@@ -88,6 +101,10 @@ def test_a_syntax_error_is_shown_as_python_shows_it(start: Start, tmp_path: Path
     [
         ("print(“hi”)", 'type " in place of “ (U+201C)'),
         ("zbot.Node()", "'node_name': write the node's name, e.g. super().__init__('my_node')"),
+        (
+            "Mine = type('Mine', (zbot.Node,), {'_init_': print}); Mine()",
+            "the class Mine has `_init_`: write `__init__`",
+        ),
         ("zbot.Node('a').create_publisher(String, 't')", "write the depth of the queue, e.g. 10"),
         ("zbot.spin()", "missing 1 required positional argument: 'node': write the node"),
         ("print(String().text)", "'String' object has no attribute 'text'; it has data"),

@@ -258,6 +258,11 @@ def test_a_call_waits_for_its_server_and_repeats(
     assert "Traceback" not in caller.output
 
 
+def test_a_wait_for_a_server_that_does_not_come_is_explained(start: Start) -> None:
+    caller = start("zbot", "service", "call", "/nope", "std_srvs/srv/SetBool")
+    caller.wait_for("nobody serves /nope; no node is running")
+
+
 def test_ctrl_c_ends_the_wait_without_output(start: Start) -> None:
     caller = start("zbot", "service", "call", "/nope", "std_srvs/srv/SetBool", "{data: true}")
     caller.wait_for(WAITING.strip())

@@ -34,6 +34,7 @@ _REFUSED = "cannot write the output: "
         ("daemon status >&-", 1, f"{_REFUSED}it is closed\n"),
         ("--version 2>&-", 0, ""),
         ("nonsense 2>/dev/full", 1, ""),
+        ("interface show no_package/msg/Text 2>/dev/full", 1, ""),
         ("run ./print.py >&-", 0, ""),
         ("run ./print.py <&- 2>&-", 0, ""),
     ],

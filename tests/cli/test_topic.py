@@ -256,7 +256,7 @@ def test_rates_bandwidths_and_delays_are_printed(start: Start) -> None:
     delays = [float(delay.wait_for("average delay: ").rpartition(" ")[2]) for _ in range(3)]
     assert min(delays) >= 0
     assert min(delays) < 0.5  # a busy machine may be late once
-    assert [one.stop() for one in (rate, bandwidth, delay)] == [130, 130, 130]
+    assert [meter.stop() for meter in (rate, bandwidth, delay)] == [130, 130, 130]
 
 
 @pytest.mark.usefixtures("robot")
@@ -293,6 +293,19 @@ def inbox(make_context: MakeContext, spin: Spin) -> list[Any]:
     node.create_subscription(Int32, "numbers", heard.append, 2000)
     spin(node)
     return heard
+
+
+def test_pub_on_a_topic_of_two_types_names_them(
+    zbot_command: Command, make_context: MakeContext
+) -> None:
+    node = library.Node("two", context=make_context())
+    for type_ in (String, Int32):
+        node.create_publisher(type_, "both", 10)
+    refused = zbot_command("topic", "pub", "/both", "data: 1")
+    assert (refused.code, refused.out) == (1, "")
+    assert "Cannot publish on topic '/both'" in refused.err
+    assert "[std_msgs/msg/Int32, std_msgs/msg/String]" in refused.err
+    assert "e.g. zbot topic pub /both std_msgs/msg/Int32\n" in refused.err
 
 
 def test_pub_takes_the_type_of_a_known_topic(inbox: list[Any]) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import math
 from typing import Any
 
 import hypothesis
@@ -10,7 +11,8 @@ import pytest
 from hypothesis import strategies
 
 import zbot  # noqa: F401 - makes the message packages importable
-from zbot_cli.domain.types import looks_like_type, resolve_message_type
+from zbot_cli.domain.kinds import TOPIC
+from zbot_cli.domain.types import looks_like_type
 from zbot_cli.errors import CommandError
 from zbot_cli.input.filter import Filter
 from zbot_cli.input.message_values import PopulateError, Template, ValuesError, split_documents
@@ -122,6 +124,18 @@ def test_bytes_are_lists_or_base64_as_json_shows_them() -> None:
         assert make(ByteMultiArray, text).data == [b"A", b"B"]
 
 
+def test_null_is_nan_for_floats_as_json_shows_it() -> None:
+    assert math.isnan(make(Float32, "{data: null}").data)
+    assert math.isnan(make(JointState, "{position: [1, ~]}").position[1])
+    with pytest.raises(PopulateError, match=r"data must be an int .*, not 'null'"):
+        make(Int8, "{data: null}")
+
+
+def test_a_number_that_no_float_can_hold_is_refused() -> None:
+    with pytest.raises(PopulateError, match="not '1e999'"):
+        make(Float32, "{data: 1e999}")
+
+
 def test_a_list_of_messages_is_set_by_dictionaries() -> None:
     message = make(PoseArray, "{poses: [{position: {x: 1}}, {}], header: auto}")
     assert [pose.position.x for pose in message.poses] == [1.0, 0.0]
@@ -143,26 +157,51 @@ def test_a_given_list_replaces_the_default() -> None:
             "no attribute 'data:1' (line 1, column 2)\n  {data:1}\n   ^",
             "put a blank after the colon: data: 1",
         ),
-        (Float32, "{data: abc}", "data is a number (float32), not 'abc'", None),
+        (Float32, "{data: abc}", "data must be a float within float32's range, not 'abc'", None),
         (Int8, "{data: 200}", "200", None),
-        (Int8, "{data: 1.5}", "whole number", None),
-        (Bool, "{data: maybe}", "give it true or false", None),
+        (Int8, "{data: 1.5}", "data must be an int from -128 to 127, not '1.5'", None),
+        (
+            Bool,
+            "{data: maybe}",
+            "data must be a bool, not 'maybe'",
+            "data is a bool: write data: true",
+        ),
         (Twist, "{linear: 3}", "Value '3' is expected to be a dictionary but is a int", None),
-        (Twist, "{linear: }", "Value '' is expected to be a dictionary but is a NoneType", None),
+        (
+            Twist,
+            "{linear: }",
+            "Value 'None' is expected to be a dictionary but is a NoneType",
+            None,
+        ),
         (Twist, "{linear: [1, 2]}", "Value '[1, 2]' is expected to be a dictionary", None),
         (
             Twist,
             "{linear: {x: fast}}",
-            "linear.x is a number (float64), not 'fast'",
+            "linear.x must be a float, not 'fast'",
             "linear.x is a float64: write x: 1.5",
         ),
-        (Int8, "{data: x}", "data is a number (int8), not 'x'", "data is an int8: write data: 2"),
-        (Float32, "{data: true}", "data is a number, not true", None),
-        (Float32, "{data: }", "data is a number, not nothing", None),
-        (String, "{data: {hello}}", "data is a string, not a dict", "put the text of data in quo"),
-        (JointState, "{name: a}", "give it a list", None),
-        (JointState, "{position: [1, b]}", "position[1] is a number (float64), not 'b'", None),
-        (UInt8MultiArray, "{data: '!'}", "give it a list or base64, not !", None),
+        (
+            Int8,
+            "{data: x}",
+            "data must be an int from -128 to 127, not 'x'",
+            "data is an int8: write data: 2",
+        ),
+        (Float32, "{data: true}", "data must be a float within float32's range, not 'true'", None),
+        (Float32, "{data: }", "data must be a float within float32's range, not nothing", None),
+        (
+            String,
+            "{data: {hello}}",
+            "data must be a str, not {'hello': ''}",
+            "put the text of data in quo",
+        ),
+        (JointState, "{name: a}", "name must be a list, of which each is a str, not 'a'", None),
+        (JointState, "{position: [1, b]}", "position[1] must be a float, not 'b'", None),
+        (
+            UInt8MultiArray,
+            "{data: '!'}",
+            "data must be base64 or a list, of which each is an int from 0 to 255",
+            None,
+        ),
         (UInt8MultiArray, "{data: [300]}", "300", None),
         (Empty, "{a: 1}", "'Empty' object has no attribute 'a'", "it has no fields"),
     ],
@@ -197,10 +236,10 @@ def test_what_ros2_reads_is_read(message_type: type[Any], text: str, expected: o
         (Twist, "{linear: {x: 2,0}}", "'2,0' is not a number", "not a comma: x: 2.0"),
         (Twist, "linear: {x: 1, y: -2,5e3}", "'-2,5e3' is not a number", "y: -2.5e3"),
         (Int8, "{data: 1,000}", "'1,000' is not a number", "write data: 1000 or data: 1.000"),
-        (Float32, "data: 2,5", "data is a number (float32), not '2,5'", "data: 2.5"),
+        (Float32, "data: 2,5", "range, not '2,5'", "data: 2.5"),
         (String, "{data: hello, world}", "'world' has no value", "quotes: data: 'hello, world'"),
         (JointState, "{position: 1.0, 2.0}", "'2.0' has no value", "position: [1.0, 2.0]"),
-        (JointState, "{position: 1.0}", "give it a list", "write position: [1.0]"),
+        (JointState, "{position: 1.0}", "position must be a list", "write position: [1.0]"),
         (Twist, "{linear: {x= 2.0}}", "(line 1, column 11)", "not '=': x: 2.0"),
         (Twist, "{linear: {x: 2.0}", "not YAML", "add } at the end"),
         (Twist, "{linear: {x: 2.0}}}", "not YAML", "remove }"),
@@ -208,6 +247,7 @@ def test_what_ros2_reads_is_read(message_type: type[Any], text: str, expected: o
         (Twist, "{linear: {x: 1; y: 2}}", "not YAML", "a comma, not ';'"),
         (Twist, "{linear: {x: 1 y: 2}}", "not YAML", "a comma between two fields"),
         (Twist, "linear: {x: 1} angular: {z: 1}", "not YAML", "one pair of braces around all"),
+        (Float32, "{data: 2} std_msgs/Float32", "not YAML", 'values: std_msgs/Float32 "{data: 2}"'),
         (Twist, "linear: x: 1", "not YAML", 'write it like "{linear: {x: 2.0}}"'),
         (Twist, "{linear: {X: 1}}", "no attribute 'X'", "did you mean 'x'?"),
         (Twist, "5", "needs to be a dictionary", '"{linear: ..., angular: ...}"'),
@@ -395,13 +435,13 @@ def test_a_filter_calculates_with_elements_of_fixed_arrays() -> None:
 @pytest.mark.parametrize("word", ["std_msgs/msg/String", "std_msgs/String", "std_msgs.msg.String"])
 def test_types_can_be_written_in_three_forms(word: str) -> None:
     assert looks_like_type(word)
-    assert resolve_message_type(word) == "std_msgs/msg/String"
+    assert TOPIC.resolve_type(word) == "std_msgs/msg/String"
 
 
 def test_a_unique_short_name_is_enough() -> None:
-    assert resolve_message_type("TwistWithCovarianceStamped").startswith("geometry_msgs/msg/")
+    assert TOPIC.resolve_type("TwistWithCovarianceStamped").startswith("geometry_msgs/msg/")
     with pytest.raises(CommandError) as caught:
-        resolve_message_type("String")
+        TOPIC.resolve_type("String")
     assert caught.value.hint is not None
     assert "std_msgs/msg/String" in caught.value.hint
 

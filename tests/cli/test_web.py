@@ -5,6 +5,8 @@ from typing import TYPE_CHECKING
 
 import pytest
 
+from zbot.errors.installation import pip_install
+
 if TYPE_CHECKING:
     from collections.abc import Callable
 
@@ -31,7 +33,7 @@ print("imported:", sorted({*EXTRA} & sys.modules.keys()))
 def test_a_missing_extra_is_reported_with_the_remedy(start: Callable[..., Program]) -> None:
     program = start(source=WITHOUT_EXTRA)
     assert program.wait(30) == 1
-    assert program.lines == ['the page needs nicegui: install it with pip install "zbot[web]"']
+    assert program.lines == [f"the page needs nicegui: install it with {pip_install('zbot[web]')}"]
 
 
 def test_only_the_running_page_imports_the_extra(start: Callable[..., Program]) -> None:

@@ -126,6 +126,23 @@ def test_a_package_that_cmake_installs_from_another_folder_is_imported(tmp_path:
     assert (result.code, result.out) == (0, "hello\n"), result.err
 
 
+def test_a_program_with_the_name_of_its_package_does_not_hide_it(tmp_path: Path) -> None:
+    for name, text in {
+        "package.xml": "<package><name>arm</name></package>",
+        "CMakeLists.txt": "project(arm)\n"
+        "ament_python_install_package(arm)\n"
+        "install(PROGRAMS arm/arm.py DESTINATION lib/arm RENAME arm)\n",
+        "arm/__init__.py": "",
+        "arm/words.py": "WORD = 'hello'\n",
+        "arm/arm.py": "from arm import words\nprint(words.WORD)\n",
+    }.items():
+        path = tmp_path / "src" / "arm" / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+    result = zbot("run", "arm", "arm", cwd=tmp_path)
+    assert (result.code, result.out) == (0, "hello\n"), result.err
+
+
 @pytest.mark.parametrize("name", ["tf2_ros", "rclpy", "sensor_msgs_py", "message_filters"])
 def test_the_sources_of_a_package_of_zbot_are_not_imported(tmp_path: Path, name: str) -> None:
     source = tmp_path / "src" / f"{name}_py" / name

@@ -20,7 +20,8 @@ _CHANGE = re.compile(r"replace `([^`]+)` in `([^`]+)` by:$", re.IGNORECASE)
 _NOTE = re.compile(r"<!-- test: (.*?) -->", re.DOTALL)
 #: Commands that run until Ctrl-C, unless the page shows all of their output.
 _ENDLESS = re.compile(
-    r"(zbot|ros2) (run|launch|web|plot|hub|bag (record|play)|topic (echo|hz|bw|delay|pub))\b"
+    r"(zbot|ros2) (run|launch|sim|serial|web|plot|hub|bag (record|play))\b"
+    r"|(zbot|ros2) topic (echo|hz|bw|delay|pub)\b"
     r"(?!.* --once)|python|rqt|jupyter"
 )
 _PROMPT = re.compile(r"(\w*)\$ (.*)")

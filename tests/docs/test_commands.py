@@ -51,7 +51,7 @@ def mistake(line: str) -> str | None:
         if verb not in found:
             return f"no verb {verb!r}"
         chosen = found[verb]
-    known = {option for one in chosen.params for option in (*one.opts, *one.secondary_opts)}
+    known = {option for param in chosen.params for option in (*param.opts, *param.secondary_opts)}
     named = {word.partition("=")[0] for word in words if re.match("--[a-z]", word)}
     unknown = sorted(named - known - _GENERAL)
     return f"no option {', '.join(unknown)}" if unknown else None

@@ -10,8 +10,8 @@ ROOT = Path(__file__).parents[2]
 
 
 def test_the_commands_are_those_of_the_readme() -> None:
-    blocks = [one for one in parts(ROOT / "docs/start/install.md") if isinstance(one, Block)]
-    lines = [line for one in blocks if one.language == "sh" for line in one.text.splitlines()]
+    blocks = [part for part in parts(ROOT / "docs/start/install.md") if isinstance(part, Block)]
+    lines = [line for block in blocks if block.language == "sh" for line in block.text.splitlines()]
     readme = (ROOT / "README.md").read_text(encoding="utf-8")
     assert lines
     assert not [line for line in lines if f"    {line}\n" not in readme]

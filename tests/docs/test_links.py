@@ -27,5 +27,7 @@ def test_every_page_is_two_clicks_from_the_first_page() -> None:
 
 def test_no_link_leads_nowhere() -> None:
     pages = [*DOCS.glob("**/*.md"), ROOT / "README.md", ROOT / "examples" / "README.md"]
-    missing = {(page.name, one) for page in pages for one in linked(page) if not one.is_file()}
+    missing = {
+        (page.name, target) for page in pages for target in linked(page) if not target.is_file()
+    }
     assert not missing

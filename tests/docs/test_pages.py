@@ -27,7 +27,7 @@ pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="the pages are f
 
 @pytest.mark.parametrize(
     "name",
-    [one for one in sorted(PAGES) if FOLLOWED.fullmatch(one) and not GENERATED.fullmatch(one)],
+    [page for page in sorted(PAGES) if FOLLOWED.fullmatch(page) and not GENERATED.fullmatch(page)],
 )
 def test_a_page_can_be_followed(name: str, tmp_path: Path, machines: Machines) -> None:
     home = tmp_path / "home"

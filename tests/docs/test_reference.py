@@ -15,7 +15,7 @@ from zbot_cli.output.exit_status import Status
 ROOT = Path(__file__).parents[2]
 REFERENCE = ROOT / "docs" / "reference"
 VARIABLE = re.compile(
-    r"\"(?:(?:ZBOT|ROS|RCUTILS|ZENOH|AMENT|COLCON|XDG)_[A-Z0-9_]+|RMW_IMPLEMENTATION|[A-Z]+_COLOR)\""
+    r"\"(?:(?:ZBOT|ROS|RCUTILS|ZENOH|AMENT|COLCON|XDG|GZ|IGN|GAZEBO|SDF)_[A-Z0-9_]+|RMW_IMPLEMENTATION|[A-Z]+_COLOR)\""
 )
 #: Names that only look like variables of the environment.
 OTHERS = {
@@ -25,7 +25,11 @@ OTHERS = {
     "AMENT_CMAKE",
     "AMENT_PYTHON",
     "AMENT_PREFIX_PATH_ENV_VAR",  # constants
+    "GZ_TO_ROS",
+    "ROS_TO_GZ",
     "ROS_TIME",
+    "ZBOT_CDR_CAPACITY",  # macros of C
+    "ZBOT_CDR_TEXT_CAPACITY",
     "ROS_TIME_NO_CHANGE",
     "ROS_TIME_ACTIVATED",
     "ROS_TIME_DEACTIVATED",

@@ -11,18 +11,18 @@ from tests.conftest import wait_until
 from zbot.bag import background
 from zbot.bag.background import BackgroundRecording
 from zbot.bag.errors import BagError
+from zbot.bag.options import RecordOptions, StorageOptions
 from zbot.bag.reader import Reader
 from zbot.bag.recorder import Recorder
-from zbot.bag.selection import Selection
 
 if TYPE_CHECKING:
     from pathlib import Path
 
-EVERYTHING = Selection(all_topics=True)
+EVERYTHING = RecordOptions(all_topics=True)
 
 
 def recording_threads() -> list[str]:
-    return [one.name for one in threading.enumerate() if one.name == "zbot bag recording"]
+    return [thread.name for thread in threading.enumerate() if thread.name == "zbot bag recording"]
 
 
 @pytest.mark.parametrize("late", ["Node", "Recorder"])
@@ -38,7 +38,7 @@ def test_a_recording_that_starts_too_late_does_not_go_on(
     monkeypatch.setattr(background, late, make_late)
     monkeypatch.setattr(background, "_START_S", 0.1)
     with pytest.raises(BagError, match=r"has not started within 0\.1 s"):
-        BackgroundRecording(tmp_path / "bag", EVERYTHING, domain)
+        BackgroundRecording(StorageOptions(str(tmp_path / "bag")), EVERYTHING, domain)
     assert recording_threads()
     may_start.set()
     assert wait_until(lambda: not recording_threads(), 10)
@@ -53,8 +53,8 @@ def test_an_unexpected_error_is_told(
     def defect(*_arguments: Any, **_options: Any) -> None:
         raise KeyError("defect")
 
-    monkeypatch.setattr(background, "Writer", defect)
-    recording = BackgroundRecording(tmp_path / "bag", EVERYTHING, domain)
+    monkeypatch.setattr(background, "Recorder", defect)
+    recording = BackgroundRecording(StorageOptions(str(tmp_path / "bag")), EVERYTHING, domain)
     recording.join(10)
     assert recording.error == "zbot bag recording failed: KeyError('defect')"
     assert "Traceback" in capfd.readouterr().err
@@ -71,7 +71,7 @@ def test_a_recording_that_does_not_end_is_not_waited_for(
 
     monkeypatch.setattr(Recorder, "stop", stop_late)
     monkeypatch.setattr(background, "_STOP_S", 0.1)
-    recording = BackgroundRecording(tmp_path / "bag", EVERYTHING, domain)
+    recording = BackgroundRecording(StorageOptions(str(tmp_path / "bag")), EVERYTHING, domain)
     recording.stop()
     assert recording.error == "zbot bag recording has not ended within 0.1 s"
     may_end.set()

@@ -73,7 +73,9 @@ def test_lost_messages_are_counted_and_said(
         write(*arguments)
 
     def lost() -> int:
-        texts = (re.search(r"(\d+) messages were lost: /chatter", one.message) for one in logged)
+        texts = (
+            re.search(r"(\d+) messages were lost: /chatter", record.message) for record in logged
+        )
         return max((int(found[1]) for found in texts if found), default=0)
 
     monkeypatch.setattr(Writer, "write_serialized", write_slowly)

@@ -10,7 +10,7 @@ from benchmarks.throughput import one_way
 pytestmark = pytest.mark.own_dialect("it measures zbot's own form, without a router of ROS 2")
 
 CONTESTANTS = pytest.mark.parametrize(
-    "contestant", [ZBOT, ASLEEP, *RAW_WAYS], ids=lambda one: one.name
+    "contestant", [ZBOT, ASLEEP, *RAW_WAYS], ids=lambda contestant: contestant.name
 )
 
 
@@ -32,13 +32,15 @@ def test_a_flood_arrives_without_losses(contestant: Contestant) -> None:
     assert found["cpu"] > 0
 
 
-@pytest.mark.parametrize("contestant", [ZBOT, ASLEEP, POLLING], ids=lambda one: one.name)
+@pytest.mark.parametrize(
+    "contestant", [ZBOT, ASLEEP, POLLING], ids=lambda contestant: contestant.name
+)
 def test_round_trips_are_timed(contestant: Contestant) -> None:
     found = round_trips.round_trip(contestant, size=64, count=100)
     assert 0 < found["p50"] <= found["p99"] <= found["p99.9"]
 
 
-@pytest.mark.parametrize("contestant", [ZBOT, RAW_WAYS[0]], ids=lambda one: one.name)
+@pytest.mark.parametrize("contestant", [ZBOT, RAW_WAYS[0]], ids=lambda contestant: contestant.name)
 def test_a_large_flood_arrives_without_losses(contestant: Contestant) -> None:
     assert one_way(contestant, 1_000_000, size=1_000_040, queue=256)["lost"] == 0
 
@@ -46,7 +48,7 @@ def test_a_large_flood_arrives_without_losses(contestant: Contestant) -> None:
 def test_twelve_types_are_sent() -> None:
     facts = throughput.type_facts()
     assert len(facts) == 12
-    assert all(one["bytes"] > 0 for one in facts.values())
+    assert all(fact["bytes"] > 0 for fact in facts.values())
 
 
 def test_the_dialect_of_ros_2_is_measured(monkeypatch: pytest.MonkeyPatch) -> None:

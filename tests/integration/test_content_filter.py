@@ -9,7 +9,7 @@ import pytest
 import zbot
 from tests.conftest import wait_until
 from zbot.interfaces.content_filter import ContentFilterError
-from zbot.node.content_filter_options import ContentFilterOptions
+from zbot.node.message_decoder import ContentFilterOptions
 from zbot.wire.serialization import deserialize_message
 
 from std_msgs.msg import Int64
@@ -48,7 +48,7 @@ def test_the_callback_receives_the_messages_that_match_the_filter(
     numbered(publisher_of(node), 6)
     spin(node)
     assert wait_until(lambda: len(inbox) == 3)
-    messages = [deserialize_message(one, Int64) if raw else one for one in inbox]
+    messages = [deserialize_message(data, Int64) if raw else data for data in inbox]
     assert [message.data for message in messages] == [3, 4, 5]
 
 
@@ -56,7 +56,7 @@ def test_an_invalid_filter_refuses_the_subscription(node: zbot.Node) -> None:
     bad = ContentFilterOptions("bogus > 3", [])
     with pytest.raises(ContentFilterError):
         node.create_subscription(Int64, "number", print, 10, content_filter_options=bad)
-    assert not any(one.topic_name == "/number" for one in node.subscriptions)
+    assert not any(subscription.topic_name == "/number" for subscription in node.subscriptions)
 
 
 def test_the_message_info_names_the_publisher(node: zbot.Node, spin: Spin) -> None:

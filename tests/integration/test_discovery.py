@@ -341,7 +341,7 @@ def test_a_foreign_program_on_the_port_is_one_warning_and_the_node_runs(
         program.wait_for("heard myself")
         program.stop()
         assert len(program.lines) == 2
-        assert "choose another domain: ZBOT_DOMAIN_ID=" in program.lines[0]
+        assert "choose another domain, e.g. ZBOT_DOMAIN_ID=7" in program.lines[0]
 
 
 @pytest.mark.parametrize("lacks", ["discovery", "port"])

@@ -53,7 +53,9 @@ def test_others_see_an_equal_entity_that_comes_immediately(make_context: MakeCon
     for _ in range(CYCLES):
         node.destroy_publisher(node.create_publisher(Int64, "numbers", 10))
     publisher = node.create_publisher(Int64, "numbers", 10)
-    assert wait_until(lambda: watcher.count_publishers("numbers") == 1)
+    node.create_publisher(Int64, "last", 10)  # the watcher knows the others when it knows this one
+    assert wait_until(lambda: watcher.count_publishers("last") == 1)
+    assert watcher.count_publishers("numbers") == 1
     assert node.count_publishers("numbers") == 1
     (info,) = watcher.get_publishers_info_by_topic("/numbers")
     assert bytes(info.endpoint_gid)[:16] == publisher.token.gid

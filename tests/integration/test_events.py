@@ -188,7 +188,7 @@ def test_a_subscription_is_notified_of_the_number_of_lost_messages(
     for number in range(1, 11):
         publisher.publish(Int64(data=number))
     marker.publish(String())
-    assert wait_until(lambda: mark._samples.is_watched)
+    assert wait_until(lambda: mark.has_work)
     while not infos:
         executor.spin_once(timeout_sec=2)
     assert infos == [QoSMessageLostInfo(8, 8)]

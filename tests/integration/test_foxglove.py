@@ -70,17 +70,21 @@ class App:
 
     def _note(self, message: dict[str, Any]) -> None:
         if message["op"] == "advertise":
-            self.channels |= {one["topic"]: one for one in message["channels"]}
+            self.channels |= {channel["topic"]: channel for channel in message["channels"]}
         elif message["op"] == "unadvertise":
             ids = message["channelIds"]
-            self.channels = {k: one for k, one in self.channels.items() if one["id"] not in ids}
+            self.channels = {
+                k: channel for k, channel in self.channels.items() if channel["id"] not in ids
+            }
         elif message["op"] == "advertiseServices":
-            self.services |= {one["name"]: one for one in message["services"]}
+            self.services |= {service["name"]: service for service in message["services"]}
         elif message["op"] == "parameterValues":
-            self.parameters |= {one["name"]: one.get("value") for one in message["parameters"]}
+            self.parameters |= {
+                parameter["name"]: parameter.get("value") for parameter in message["parameters"]
+            }
         elif message["op"] == "connectionGraphUpdate":
             found = message["publishedTopics"]
-            self.publishers |= {one["name"]: one["publisherIds"] for one in found}
+            self.publishers |= {publisher["name"]: publisher["publisherIds"] for publisher in found}
 
 
 @pytest.fixture

@@ -346,7 +346,7 @@ def test_a_node_sees_its_own_profiles_as_others_see_them(
         *observer.get_subscriptions_info_by_topic("/map"),
     ]
     assert own == seen
-    assert all("SYSTEM_DEFAULT" not in str(one) for one in own)
+    assert all("SYSTEM_DEFAULT" not in str(endpoint) for endpoint in own)
     assert publisher.qos_profile == subscription.qos_profile == as_profile(profile)
 
 
@@ -434,7 +434,9 @@ def test_a_context_that_follows_many_topics_watches_the_graph(
         observer.create_subscription(String, f"chatter_{number}", print, 10)
     make_node("robot").create_publisher(String, "other", 10)
     graph = observer.context.graph
-    assert wait_until(lambda: any(getattr(one, "name", "") == "/other" for one in graph.known()))
+    assert wait_until(
+        lambda: any(getattr(entity, "name", "") == "/other" for entity in graph.known())
+    )
 
 
 def test_a_destroyed_node_leaves_the_graph(make_node: MakeNode, observer: zbot.Node) -> None:

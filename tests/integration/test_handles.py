@@ -47,7 +47,10 @@ def test_a_handle_is_valid_until_its_entity_is_destroyed(node: zbot.Node, kind: 
 def test_a_node_lists_only_its_own_entities(node: zbot.Node) -> None:
     make = ENTITIES["publisher"]
     make(node)
-    assert [one.topic_name for one in node.publishers] == ["/parameter_events", "/chatter"]
+    assert [publisher.topic_name for publisher in node.publishers] == [
+        "/parameter_events",
+        "/chatter",
+    ]
 
 
 def test_the_class_has_no_entities() -> None:

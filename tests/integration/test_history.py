@@ -40,9 +40,9 @@ def test_keep_last_drops_the_oldest_message_with_one_warning(
             publisher.publish(Int64(data=number))
         marker.publish(String())
         # Zenoh keeps the order on a link: the burst has arrived before the mark.
-        assert wait_until(lambda: mark._samples.is_watched)
+        assert wait_until(lambda: mark.has_work)
         inbox.clear()
-        while len(inbox) < 5 or mark._samples.is_watched:
+        while len(inbox) < 5 or mark.has_work:
             executor.spin_once(timeout_sec=2)
         assert [message.data for message in inbox] == list(range(first + 95, first + 100))
     assert subscription.lost_count == 190
@@ -129,6 +129,30 @@ def test_a_latched_topic_delivers_its_last_messages_to_late_subscriptions(
     publisher.publish(Int64(data=5))
     assert wait_until(lambda: len(inbox) == 4)
     assert [message.data for message in inbox] == [2, 3, 4, 5]
+
+
+def test_a_destroyed_latched_subscription_asks_no_publisher_for_its_past(
+    talker: zbot.Node, listener: zbot.Node, spin: Spin
+) -> None:
+    for _ in range(3):
+        listener.destroy_subscription(
+            listener.create_subscription(Int64, "map", lambda _: None, LATCHED)
+        )
+    # The keys of the caches of the topic's publishers.
+    key = f"{talker.context.get_domain_id()}/map/@adv/pub/**"
+    asked: list[str] = []
+    queryable = talker.context.session.declare_queryable(
+        key, lambda query: asked.append(str(query.key_expr))
+    )
+    publisher = talker.create_publisher(Int64, "map", LATCHED)
+    publisher.publish(Int64(data=1))
+    spin(listener)
+    inbox: list[Int64] = []
+    listener.create_subscription(Int64, "map", inbox.append, LATCHED)
+    assert wait_until(lambda: bool(inbox))
+    queryable.undeclare()
+    # The living subscription asks all publishers at first, and each publisher that it learns of.
+    assert 1 <= len(asked) <= 2
 
 
 def test_a_volatile_subscription_of_a_latched_topic_gets_only_new_messages(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib
 import importlib.util
+import os
 import sys
 import threading
 from pathlib import Path
@@ -31,6 +32,7 @@ from zbot.launch.actions import (
     TimerAction,
     UnregisterEventHandler,
 )
+from zbot.launch.actions.lifecycle_node import ChangeState, OnStateTransition
 from zbot.launch.event import Event
 from zbot.launch.event import Shutdown as ShutdownEvent
 from zbot.launch.event_handler import (
@@ -41,7 +43,6 @@ from zbot.launch.event_handler import (
     OnProcessStart,
     OnShutdown,
 )
-from zbot.launch.lifecycle_event import ChangeState, OnStateTransition
 from zbot.launch.process_event import ProcessStdin, ShutdownProcess, matches_action, matches_name
 from zbot.launch.ros_node import LaunchNode
 from zbot.launch.substitutions import (
@@ -88,6 +89,24 @@ def test_a_group_keeps_its_configurations_to_itself(capsys: pytest.CaptureFixtur
     first = SetLaunchConfiguration("x", "1")
     assert _run(first, GroupAction(sets), tell(), GroupAction(sets, scoped=False), tell()) == 0
     assert _logged_messages(capsys) == ["2 red", "1 -", "2 red", "2 red"]
+
+
+def test_code_and_programs_share_the_environment_during_the_launch(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("SHAPE", "")  # restored afterwards
+
+    def function(_: LaunchContext) -> None:
+        os.environ["SHAPE"] = f"{os.environ['COLOUR']} ball"
+
+    code = _run(
+        SetEnvironmentVariable("COLOUR", "red"),
+        OpaqueFunction(function=function),
+        _python("import os; print('a', os.environ['SHAPE'])", name="shape"),
+    )
+    assert code == 0
+    assert "[shape-1] a red ball" in capsys.readouterr().out
+    assert "COLOUR" not in os.environ
 
 
 def test_a_group_may_have_only_given_configurations(capsys: pytest.CaptureFixture[str]) -> None:
@@ -311,6 +330,7 @@ def test_installed_packages_are_imported_unless_zbots_are_preferred(
     (tmp_path / "launch_xml").mkdir()  # a folder of that name that is not a package
     monkeypatch.syspath_prepend(str(tmp_path))
     monkeypatch.setattr(zbot.compat, "_preferred", set())
+    monkeypatch.setattr("zbot.import_finder._prefers_zbot", False)
     monkeypatch.delitem(sys.modules, "launch_yaml", raising=False)
     monkeypatch.delitem(sys.modules, "launch_xml", raising=False)
     zbot.compat.install_names()

@@ -66,6 +66,15 @@ def test_launch_tests_run_under_pytest(start: Start, file: str, passed: int) -> 
     assert f"= {passed} passed in " in program.output
 
 
+def test_pytest_launches_a_description_without_a_mark(start: Start, tmp_path: Path) -> None:
+    text = GATE.format(ready="launch_testing.actions.ReadyToTest()")
+    (tmp_path / "test_gate.py").write_text(text, encoding="utf-8")
+    program = start(*PYTEST, str(tmp_path))
+    assert program.wait(TIMEOUT_S) == 0, program.output
+    assert "PASSED" in program.output
+    assert "launch" in program.output.partition("PASSED")[2].splitlines()[0]
+
+
 def test_mistakes_in_tests_of_launch_pytest_are_reported(start: Start) -> None:
     program = start(*PYTEST, "-W", "default", str(FILES / "kiln_mistakes.py"))
     assert program.wait(TIMEOUT_S) == 1
@@ -108,13 +117,13 @@ def test_pytest_runs_a_file_without_a_description(start: Start, tmp_path: Path) 
 
 
 def test_a_launch_test_may_name_a_package_that_is_not_here(start: Start, tmp_path: Path) -> None:
-    share = "__import__('ament_index_python').get_package_share_directory('ros_gz_sim')"
+    share = "__import__('ament_index_python').get_package_share_directory('stage_ros2')"
     world = f"launch.actions.IncludeLaunchDescription({share} + '/launch/gz_sim.launch.py')"
     program = start(
         "zbot", "test", gate(tmp_path, f"{world}, launch_testing.actions.ReadyToTest()")
     )
     assert program.wait(TIMEOUT_S) == 0, program.output
-    assert "ros_gz_sim is left out: it is a simulator in C++" in program.output
+    assert "stage_ros2 is left out: it is a simulator in C++" in program.output
 
 
 def test_a_missing_file_is_reported(start: Start) -> None:

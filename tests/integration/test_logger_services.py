@@ -27,7 +27,7 @@ def test_levels_can_be_set_and_read(make_context: MakeContext, spin: Spin) -> No
         assert get_logger_level("a.b") is LoggingSeverity.DEBUG
         asking = node.create_client(GetLoggerLevels, "talkative/get_logger_levels")
         levels = asking.call(GetLoggerLevels.Request(names=["a.b", "nobody"])).levels
-        assert [(one.name, one.level) for one in levels] == [("a.b", 10), ("nobody", 0)]
+        assert [(level.name, level.level) for level in levels] == [("a.b", 10), ("nobody", 0)]
     finally:
         clear_config()
 

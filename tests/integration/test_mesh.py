@@ -72,7 +72,9 @@ def test_a_mesh_has_places_for_some_sessions(domain: int) -> None:
 
 def test_a_session_gives_its_place_back(domain: int, make_context: MakeContext) -> None:
     contexts = [make_context() for _ in range(2)]
-    nodes = [zbot.Node(f"node_{number}", context=one) for number, one in enumerate(contexts)]
+    nodes = [
+        zbot.Node(f"node_{number}", context=context) for number, context in enumerate(contexts)
+    ]
     assert wait_until(lambda: peers(nodes[0]) == 1)
     contexts[0].shutdown()
     meshes = [Mesh(domain) for _ in range(PLACES)]

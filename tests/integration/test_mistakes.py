@@ -14,6 +14,7 @@ import zbot
 from zbot.action import ActionClient, ActionServer
 from zbot.errors import ZbotError
 from zbot.executor.callback_group import ReentrantCallbackGroup
+from zbot.executor.multi_threaded_executor import MultiThreadedExecutor
 from zbot.executor.single_threaded_executor import SingleThreadedExecutor
 from zbot.executor.waitable import Waitable
 from zbot.libraries.message_filter import SimpleFilter, Subscriber
@@ -71,12 +72,31 @@ def action_server(node: Any, execute: Any = None, **options: Any) -> Any:
         (lambda _: PublisherEventCallbacks(deadline=5), "deadline was given 5"),  # type: ignore[arg-type]
         (lambda _: SimpleFilter().registerCallback(None), "registerCallback was given None"),  # type: ignore[arg-type]
         (lambda n: SingleThreadedExecutor(context=n.context).create_task(n.tick()), "without par"),
+        (
+            lambda n: MultiThreadedExecutor([n]),  # type: ignore[arg-type]
+            r"a number; add nodes with executor.add_node\(node\)",
+        ),
+        (
+            lambda n: zbot.spin([n, n]),  # type: ignore[arg-type]
+            r"for several nodes, write executor = SingleThreadedExecutor",
+        ),
+        (lambda n: zbot.spin(n, n), r"for several nodes, write executor = SingleThreadedExecutor"),
+        (lambda n: n.set_parameters([("a", 1)]), r"write Parameter\('a', value=1\)$"),
+        (lambda n: n.get_parameter("a"), r"write self.declare_parameter\('a', VALUE\)$"),
         # a wrong number of parameters
         (lambda n: n.create_timer(0.5, n.serve), r"write def serve\(self\):"),
         (lambda n: n.create_service(SetBool, "s", n.hear), r"def hear\(self, request, response\):"),
         (lambda n: n.create_guard_condition(n.hear), r"write def hear\(self\):"),
         (lambda n: n.add_on_set_parameters_callback(n.tick), r"write def tick\(self, parameters\)"),
         (lambda n: zbot.Future().add_done_callback(n.tick), r"write def tick\(self, future\):"),
+        (
+            lambda n: (
+                n.create_client(SetBool, "s")
+                .call_async(SetBool.Request())
+                .add_done_callback(n.tick)
+            ),
+            r"write def tick\(self, future\):",
+        ),
         (lambda n: action_server(n, n.tick), r"write def tick\(self, goal_handle\):"),
         (lambda n: SubscriptionEventCallbacks(matched=n.tick), r"write def tick\(self, info\):"),
         (lambda n: n.create_timer(0.5, Robot.tick), "write self.tick"),
@@ -110,6 +130,18 @@ def action_server(node: Any, execute: Any = None, **options: Any) -> Any:
             r"given str: 'hi': write publish\(String\(data='hi'\)\)$",
         ),
         (lambda n: n.create_publisher(String, "t", 10).publish(3), "was given int: 3$"),
+        (
+            lambda n: n.create_publisher(String, "t", 10).publish(String),
+            r"given the class String: write String\(\), with parentheses$",
+        ),
+        (
+            lambda n: n.create_client(SetBool, "s").call_async(SetBool.Request),
+            r"write Request\(\), with parentheses$",
+        ),
+        (
+            lambda n: n.create_timer(zbot.Parameter("rate", value=2.0), n.tick),
+            "Parameter.*: write its .value$",
+        ),
         (lambda n: n.create_publisher(SetBool.Request, "t", 10).publish([]), r"given list: \[\]$"),
         (lambda n: n.create_publisher(String, "t", QoSProfile), "received the class QoSProfile"),
         (
@@ -167,14 +199,14 @@ def without_init(base: Any) -> Any:
         (zbot.Node, zbot.spin),
         (LifecycleNode, lambda n: n.trigger_configure()),
         (LifecycleNode, lambda n: n.create_lifecycle_publisher(String, "t", 10)),
-        (SingleThreadedExecutor, lambda one: one.spin()),
-        (SingleThreadedExecutor, lambda one: one.spin_once(timeout_sec=0)),
-        (SingleThreadedExecutor, lambda one: one.shutdown()),
-        (ActionClient, lambda one: one.send_goal_async(Fibonacci.Goal())),
-        (ActionServer, lambda one: one.destroy()),
-        (ReentrantCallbackGroup, lambda one: one.add_entity(one)),
-        (SimpleFilter, lambda one: one.registerCallback(print)),
-        (Waitable, lambda one: one.callback_group),
+        (SingleThreadedExecutor, lambda executor: executor.spin()),
+        (SingleThreadedExecutor, lambda executor: executor.spin_once(timeout_sec=0)),
+        (SingleThreadedExecutor, lambda executor: executor.shutdown()),
+        (ActionClient, lambda client: client.send_goal_async(Fibonacci.Goal())),
+        (ActionServer, lambda server: server.destroy()),
+        (ReentrantCallbackGroup, lambda group: group.add_entity(group)),
+        (SimpleFilter, lambda filter_: filter_.registerCallback(print)),
+        (Waitable, lambda waitable: waitable.callback_group),
     ],
 )
 def test_a_forgotten_super_init_is_named(base: Any, use: Callable[[Any], Any]) -> None:

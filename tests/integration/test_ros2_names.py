@@ -59,10 +59,44 @@ def test_every_name_that_zbot_has_is_found() -> None:
     assert names >= zbot_ros2_names.NAMES
 
 
-def test_a_real_package_is_used_instead(tmp_path: Path) -> None:
+def test_a_real_package_is_used_instead(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("ZBOT_RCLPY", raising=False)
     (tmp_path / "rclpy.py").write_text("whose = 'real'\n")
     result = python("import rclpy; print(rclpy.whose)", path=str(tmp_path))
     assert result.stdout == "real\n"
+
+
+@pytest.fixture
+def other_ros2(tmp_path: Path) -> str:
+    """Return a folder with packages that look like those of a genuine ROS 2."""
+    (tmp_path / "rclpy.py").write_text("whose = 'real'\n")
+    for package in ("std_msgs", "hand_written"):
+        (tmp_path / package / "msg").mkdir(parents=True)
+        (tmp_path / package / "__init__.py").touch()
+        (tmp_path / package / "msg" / "__init__.py").write_text("class String: whose = 'real'\n")
+        (tmp_path / package / "msg" / "String.msg").write_text("string data\n")
+    (tmp_path / "std_msgs" / "std_msgs_s__rosidl_typesupport_c.so").touch()
+    return str(tmp_path)
+
+
+def test_zbots_packages_win_if_they_are_preferred(
+    other_ros2: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    source = "from std_msgs.msg import String; import rclpy.node; print(rclpy.node, String())"
+    monkeypatch.delenv("ZBOT_RCLPY", raising=False)
+    assert "'rclpy' is not a package" in python(source, path=other_ros2).stderr
+    monkeypatch.setenv("ZBOT_RCLPY", "zbot")
+    result = python(source, path=other_ros2)
+    assert result.stderr == ""
+    assert "std_msgs.msg.String(data='')" in result.stdout
+
+
+def test_a_module_that_a_person_wrote_wins_always(
+    other_ros2: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("ZBOT_RCLPY", "zbot")
+    source = "import zbot; from hand_written.msg import String; print(String.whose)"
+    assert python(source, path=other_ros2).stdout == "real\n"
 
 
 def test_a_folder_of_the_same_name_is_not_taken_for_a_package(tmp_path: Path) -> None:
@@ -128,11 +162,10 @@ def test_a_python_package_of_a_sourced_workspace_is_imported(
     result = python(source)
     assert (result.stdout, result.stderr) == ("hello\n", "")
     assert "No module named 'setup'" in python("import setup").stderr
-    # Python looks for `sitecustomize` at each start.
-    source = "import sys; print('zbot' in sys.modules)"
-    assert (
-        python(f"try: import sitecustomize\nexcept ImportError: pass\n{source}").stdout == "False\n"
-    )
+    # Python looks for `sitecustomize` at each start, and on Debian for `apport_python_hook`.
+    for name in ("sitecustomize", "apport_python_hook"):
+        source = f"try: import {name}\nexcept ImportError: pass"
+        assert python(f"{source}\nimport sys; print('zbot' in sys.modules)").stdout == "False\n"
 
 
 def test_editors_find_the_types_on_the_path() -> None:
@@ -145,10 +178,10 @@ def test_editors_find_the_types_on_the_path() -> None:
 def test_types_of_another_copy_on_the_path_are_no_modules(tmp_path: Path) -> None:
     # pytest-xdist gives its workers the path of the process that started them.
     stubs = tmp_path / "zbot" / "stubs"
-    (stubs / "std_msgs").mkdir(parents=True)
+    (stubs / "nav2_msgs").mkdir(parents=True)
     source = (
         f"sys.path_importer_cache.clear(); sys.path.append('{stubs}/')\n"
-        "import std_msgs; print(std_msgs.__doc__)"
+        "import nav2_msgs; print(nav2_msgs.__doc__)"
     )
     assert "made by zbot" in python(source).stdout
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import errno
+import json
 import os
 import signal
 import subprocess
@@ -13,8 +14,10 @@ from types import SimpleNamespace
 from typing import TYPE_CHECKING
 
 import pytest
+import zenoh
 
 import zbot
+from tests.classroom.talk import free_port
 from tests.cli.command import zbot as zbot_command
 from tests.conftest import wait_until
 from zbot.transport import config, router_process, session
@@ -25,8 +28,6 @@ from std_msgs.msg import Int64, String
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
-
-    import zenoh
 
     from tests.conftest import MakeContext, Program, Spin, Start
     from zbot.log.record import Record
@@ -319,3 +320,35 @@ def test_nodes_do_not_give_up_a_dial_early(domain: int, monkeypatch: pytest.Monk
     meeting.open_node_session()
     meeting.close()
     assert int(opened[0].get_json("transport/unicast/open_timeout")) >= 5000
+
+
+def opened(mode: str, *ports: int) -> zenoh.Session:
+    """Open a plain Zenoh session that is linked to the given ports."""
+    settings = zenoh.Config()
+    for name, value in {
+        "mode": mode,
+        "listen/endpoints": ["tcp/127.0.0.1:0"],
+        "connect/endpoints": [f"tcp/127.0.0.1:{port}" for port in ports],
+        "scouting/multicast/enabled": False,
+    }.items():
+        settings.insert_json5(name, json.dumps(value))
+    return zenoh.open(settings)
+
+
+def test_a_router_passes_on_the_tokens_of_programs_that_know_a_former_router(
+    free_domain: int,
+) -> None:
+    reach = config.discovery_range()
+    points = [MeetingPoint(config.load(), free_domain, reach, {}) for _ in range(2)]
+    points[1].port = free_port()
+    former, router = (point.open_router() for point in points)
+    assert former
+    assert router
+    ids = [bytes.fromhex(str(session.info.zid()))[::-1] for session in (former, router)]
+    assert ids == sorted(ids)
+    with router, opened("peer", *(point.port for point in points)) as peer:
+        assert wait_until(lambda: len(peer.info.routers_zid()) == 2)
+        with opened("router", points[1].port) as hub, peer.liveliness().declare_token("token"):
+            former.close()
+            get = hub.liveliness().get
+            assert wait_until(lambda: any(reply.ok for reply in get("token", timeout=1.0)))

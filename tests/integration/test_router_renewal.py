@@ -69,7 +69,9 @@ def test_the_router_of_a_domain_gets_a_new_session(
     talker = zbot.Node("talker", context=make_context())
     listener = zbot.Node("listener", context=make_context())
     received: list[int] = []
-    listener.create_subscription(Int64, "numbers", lambda one: received.append(one.data), 100)
+    listener.create_subscription(
+        Int64, "numbers", lambda message: received.append(message.data), 100
+    )
     publisher = talker.create_publisher(Int64, "numbers", 10)
     assert wait_until(lambda: publisher.get_subscription_count() == 1)
     spin(listener)

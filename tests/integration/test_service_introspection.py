@@ -123,7 +123,7 @@ def test_the_topic_of_events_ends_with_its_endpoint(pair: Pair) -> None:
 
 def test_services_of_every_node_can_be_introspected(pair: Pair) -> None:
     name = "/server/list_parameters"
-    (server,) = (one for one in pair.node.services if one.service_name == name)
+    (server,) = (service for service in pair.node.services if service.service_name == name)
     server.configure_introspection(pair.node.get_clock(), 10, METADATA)
     (publisher,) = pair.node.context.graph.snapshot().publishers(f"{name}/_service_event")
     assert publisher.type_name == "rcl_interfaces/srv/ListParameters_Event"

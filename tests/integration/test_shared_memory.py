@@ -15,7 +15,7 @@ import pytest
 import zbot
 from tests.conftest import wait_until
 from zbot.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
-from zbot.transport import shared_memory
+from zbot.transport import shared_memory, zenoh_session
 
 from nav_msgs.srv import LoadMap
 from std_msgs.msg import UInt8MultiArray
@@ -35,6 +35,12 @@ pytestmark = [
         isinstance(shared_memory.place(b"x"), bytes), reason="this system gives no shared memory"
     ),
 ]
+
+
+@pytest.fixture(autouse=True)
+def _young_process(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let the tests be the first in their process, because only its first sessions share memory."""
+    monkeypatch.setattr(zenoh_session._Library, "opened", 0)
 
 
 @pytest.fixture

@@ -52,7 +52,7 @@ def test_messages_are_received_in_their_order(node: NodeFactory, received: Recei
     publisher = node("tester").create_publisher(String, "said", 10)
     for word in ("one", "two", "three"):
         publisher.publish(String(data=word))
-    assert [one.data for one in received("echoed", String, 2)] == ["one!", "two!"]
+    assert [message.data for message in received("echoed", String, 2)] == ["one!", "two!"]
 
 
 def test_a_message_that_a_publisher_keeps_is_received(

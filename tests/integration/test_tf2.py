@@ -20,9 +20,11 @@ from zbot.tf2 import (
     TransformListener,
     TypeException,
 )
+from zbot.tf2.diagnosis import TransformMonitor
 
 from geometry_msgs.msg import PointStamped, PoseStamped, TransformStamped
 from std_msgs.msg import String
+from tf2_msgs.msg import TFMessage
 from tf2_msgs.srv import FrameGraph
 
 if TYPE_CHECKING:
@@ -212,3 +214,31 @@ def test_the_topics_of_a_listener_have_names() -> None:
     transform_listener = importlib.import_module("tf2_ros.transform_listener")
     assert transform_listener.DEFAULT_TF_TOPIC == "/tf"
     assert transform_listener.DEFAULT_STATIC_TF_TOPIC == "/tf_static"
+
+
+def test_a_monitor_hears_namespaces_and_follows_the_rules_of_its_node(
+    robot: zbot.Node, make_context: MakeContext, spin: Spin
+) -> None:
+    rules = ["--ros-args", "-r", "/tf:=/robot1/tf", "-r", "/tf_static:=/robot1/tf_static"]
+    watcher = zbot.Node("watcher", context=make_context(), cli_args=rules)
+    monitor = TransformMonitor(watcher)
+    StaticTransformBroadcaster(robot).sendTransform(make_transform("map", "odom"))
+    other = robot.create_publisher(TFMessage, "/robot2/tf", 10)
+    timer = robot.create_timer(
+        0.05, lambda: other.publish(TFMessage(transforms=[make_transform("odom", "base")]))
+    )
+    spin(robot)
+    spin(watcher)
+    diagnosis = monitor.diagnosis
+    assert wait_until(lambda: bool(diagnosis.links("/robot2/tf")), 10)
+    assert diagnosis.topics == ["/robot1/tf", "/robot2/tf"]
+    (link,) = diagnosis.links("/robot2/tf")
+    assert link.nodes == ["/robot"]
+    count = len(monitor.buffer.subscriptions)
+    monitor.look()
+    assert len(monitor.buffer.subscriptions) == count
+    reason = monitor.explanation("odom", "base")
+    assert "`odom` and `base` are on /robot2/tf, and the program hears /robot1/tf" in reason
+    timer.cancel()
+    monitor.unregister()
+    assert monitor.buffer.subscriptions == []

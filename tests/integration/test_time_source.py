@@ -29,7 +29,7 @@ def node(make_context: MakeContext) -> zbot.Node:
 
 
 def topics(node: zbot.Node) -> list[str]:
-    return [one.topic_name for one in node.subscriptions]
+    return [subscription.topic_name for subscription in node.subscriptions]
 
 
 def test_a_time_source_follows_the_parameter_of_its_node(node: zbot.Node) -> None:
@@ -61,7 +61,9 @@ def test_the_time_source_attached_last_is_updated_first(node: zbot.Node) -> None
     # A program that spins once per message of `/clock` sees its own clock change.
     source = TimeSource(node=node)
     node.set_parameters([zbot.Parameter("use_sim_time", value=True)])
-    first = next(one for one in node.subscriptions if one.topic_name == "/clock")
+    first = next(
+        subscription for subscription in node.subscriptions if subscription.topic_name == "/clock"
+    )
     assert first is source._clock_sub
     assert source._get_node() is node
 
@@ -92,10 +94,10 @@ def test_only_clocks_of_ros_time_can_be_attached() -> None:
 
 def test_the_type_description_service_of_a_node_can_be_destroyed(node: zbot.Node) -> None:
     service = importlib.import_module("rclpy.type_description_service").TypeDescriptionService
-    names = [one.srv_name for one in node.services]
+    names = [known.srv_name for known in node.services]
     own = service(node)
     assert own.enabled
     assert own.service_name == "/timed/get_type_description"
     own.destroy()
     own.destroy()
-    assert [one.srv_name for one in node.services] == names
+    assert [known.srv_name for known in node.services] == names

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 
     from tests.conftest import MakeContext, Spin
     from zbot.executor.timer import TimerInfo
+    from zbot.log.record import Record
 
 
 @pytest.fixture
@@ -153,6 +154,36 @@ def test_an_invalid_period_is_refused(node: zbot.Node, period: float) -> None:
 def test_a_timer_callback_with_two_arguments_is_refused(node: zbot.Node) -> None:
     with pytest.raises(RuntimeError, match="timer_info"):
         node.create_timer(1.0, lambda a, b: None)  # noqa: ARG005
+
+
+def test_a_period_that_may_be_in_milliseconds_is_told(
+    node: zbot.Node, logged: list[Record], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("zbot.node.state.is_program", lambda: True)
+    for period in (99.9, 500):
+        node.create_timer(period, print)
+    text = "the first call comes after 500 seconds; for 500 milliseconds, write 0.5"
+    assert [record.message for record in logged] == [f"create_timer(500): {text}"]
+
+
+def test_a_timer_that_is_always_late_is_one_line(
+    node: zbot.Node, spin: Spin, logged: list[Record], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("zbot.executor.timer._LATE_NS", 50_000_000)
+    calls: list[int] = []
+
+    def sleep() -> None:
+        calls.append(len(calls))
+        time.sleep(0.045)
+
+    node.create_timer(0.01, sleep)
+    spin(node)
+    assert wait_until(lambda: len(calls) > 10)
+    (text,) = [record.message for record in logged]
+    assert "sleep has a period of 0.01 s, but its calls come " in text
+    assert text.endswith(
+        "periods apart: a callback takes too long, e.g. because it sleeps or waits"
+    )
 
 
 def test_an_async_timer_does_not_overtake_itself(node: zbot.Node, executor: zbot.Executor) -> None:
@@ -350,8 +381,8 @@ def test_a_timers_callback_can_be_changed(simulation: Simulation) -> None:
 
 
 def test_a_rate_gives_a_loop_its_frequency(node: zbot.Node) -> None:
-    rate = node.create_rate(200.0)
     begin = time.monotonic()
+    rate = node.create_rate(200.0)
     for _ in range(20):
         rate.sleep()
     assert 0.099 <= time.monotonic() - begin < allowed(1)

@@ -53,9 +53,12 @@ def test_a_description_includes_nested_types(describe: Callable[..., Any]) -> No
     stamp, frame = described.type_description.fields
     assert (stamp.type.type_id, stamp.type.nested_type_name) == (1, "builtin_interfaces/msg/Time")
     assert (frame.name, frame.type.type_id) == ("frame_id", 17)
-    inner = [one.type_name for one in described.referenced_type_descriptions]
+    inner = [description.type_name for description in described.referenced_type_descriptions]
     assert inner == ["builtin_interfaces/msg/Time"]
-    texts = {one.type_name: (one.encoding, one.raw_file_contents) for one in response.type_sources}
+    texts = {
+        source.type_name: (source.encoding, source.raw_file_contents)
+        for source in response.type_sources
+    }
     assert texts == {
         "std_msgs/msg/Header": ("msg", get_spec("std_msgs/msg/Header").text),
         "builtin_interfaces/msg/Time": ("msg", get_spec("builtin_interfaces/msg/Time").text),
@@ -70,7 +73,10 @@ def test_a_request_takes_the_hash_that_the_graph_shows(describe: Callable[..., A
 
 def test_request_and_response_have_their_services_source(describe: Callable[..., Any]) -> None:
     response = describe(type_name="std_srvs/srv/Trigger")
-    texts = {one.type_name: (one.encoding, one.raw_file_contents) for one in response.type_sources}
+    texts = {
+        source.type_name: (source.encoding, source.raw_file_contents)
+        for source in response.type_sources
+    }
     assert texts["std_srvs/srv/Trigger"] == ("srv", get_spec("std_srvs/srv/Trigger").text)
     assert texts["std_srvs/srv/Trigger_Event"] == ("implicit", "")
 
@@ -98,7 +104,7 @@ def test_the_service_carries_the_hash_of_its_type() -> None:
 
 def test_the_service_can_be_switched_off_by_a_parameter(make_context: MakeContext) -> None:
     node = zbot.Node("quiet", context=make_context(), parameter_overrides=[OFF])
-    assert "/quiet/get_type_description" not in [one.service_name for one in node.services]
+    assert "/quiet/get_type_description" not in [service.service_name for service in node.services]
 
 
 # -- types that only another process has -----------------------------------------------------------
@@ -123,8 +129,8 @@ def teller(
     def describe(_: Any, response: Any) -> Any:
         response.successful = True
         response.type_sources = [
-            TypeSource(type_name=one, encoding="msg", raw_file_contents=text)
-            for one, text in texts.items()
+            TypeSource(type_name=type_name, encoding="msg", raw_file_contents=text)
+            for type_name, text in texts.items()
         ]
         return response
 
@@ -199,7 +205,7 @@ def test_a_dataclass_of_another_process_can_be_used(
     context = make_context()
     spec = learn_type(context, f"{path.stem}/msg/Cart")
     assert isinstance(spec, MessageSpec)
-    assert [(one.name, str(one.type)) for one in spec.fields] == [
+    assert [(field.name, str(field.type)) for field in spec.fields] == [
         ("name", "string"),
         ("wheels", f"sequence<{path.stem}/Wheel>"),
     ]

@@ -49,12 +49,12 @@ def test_graph_is_read_and_changes_call_the_callbacks(
     undo = system.on_change(changed.set)
     node = zbot.Node("robot", context=make_context())
     assert changed.wait(5)
-    assert wait_until(lambda: "robot" in [one.node for one in system.snapshot().nodes])
+    assert wait_until(lambda: "robot" in [end.node for end in system.snapshot().nodes])
     assert system.snapshot() is system.snapshot()
     undo()
     undo()
     node.destroy_node()
-    assert wait_until(lambda: "robot" not in [one.node for one in system.snapshot().nodes])
+    assert wait_until(lambda: "robot" not in [end.node for end in system.snapshot().nodes])
 
 
 def test_watch_keeps_the_latest_and_counts(system: System, node: zbot.Node) -> None:
@@ -124,7 +124,7 @@ def test_history_is_kept_on_request(system: System, node: zbot.Node) -> None:
         assert wait_until(lambda: watch.count == 9)
         records = watch.since(0)
         assert len(records) == 5
-        assert [one.number for one in records] == list(
+        assert [record.number for record in records] == list(
             range(records[-1].number - 4, records[-1].number + 1)
         )
         assert watch.read(records[0]).data == 1.0
@@ -230,4 +230,4 @@ def test_read_only_refuses_to_change_anything(domain: int) -> None:
 
 def test_log_lines_of_all_nodes_are_kept(system: System, node: zbot.Node) -> None:
     node.get_logger().warning("low battery")
-    assert wait_until(lambda: [one.text for one in system.logs.since(0)] == ["low battery"])
+    assert wait_until(lambda: [line.text for line in system.logs.since(0)] == ["low battery"])

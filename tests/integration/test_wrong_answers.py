@@ -8,8 +8,9 @@ import pytest
 
 import zbot
 from tests.cli.command import zbot as run_zbot
-from zbot.graph.snapshot import foreign_topics, processes
+from zbot.graph.snapshot import foreign_topics
 from zbot.transport import admin_query
+from zbot.transport.admin_query import processes
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

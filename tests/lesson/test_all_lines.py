@@ -34,7 +34,7 @@ pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="the lessons use
 @pytest.mark.parametrize(
     ("page", "typed"),
     [*((page, "ros2") for page in LINES), (LINES[0], "zbot")],
-    ids=lambda one: getattr(one, "stem", one),
+    ids=lambda path: getattr(path, "stem", path),
 )
 def test_every_line_of_a_lesson_works(
     page: Path, typed: str, tmp_path: Path, machines: Machines

@@ -28,7 +28,9 @@ class Bench:
         self, make: Callable[..., zbot.Node], parameters: dict[str, Any] | None = None
     ) -> zbot.Node:
         """Start a node with parameters, and spin it."""
-        overrides = [zbot.Parameter(name, value=one) for name, one in (parameters or {}).items()]
+        overrides = [
+            zbot.Parameter(name, value=parameter) for name, parameter in (parameters or {}).items()
+        ]
         node = make(context=self.context, parameter_overrides=overrides)
         self._spin(node)
         return node

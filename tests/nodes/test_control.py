@@ -22,12 +22,12 @@ from control_msgs.msg import DynamicJointState, JointTrajectoryControllerState
 from control_msgs.srv import QueryTrajectoryState, SetOdometry
 from controller_manager_msgs import srv
 from geometry_msgs.msg import Twist, TwistStamped
-from lifecycle_msgs.msg import State as LifecycleState
 from nav_msgs.msg import Odometry
 from sensor_msgs.msg import JointState
 from std_msgs.msg import Float64MultiArray, String
 from tf2_msgs.msg import TFMessage
 from trajectory_msgs.msg import JointTrajectory, JointTrajectoryPoint
+from visualization_msgs.msg import MarkerArray
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -118,16 +118,26 @@ def test_the_description_comes_from_the_topic(bench: Bench) -> None:
     publisher.publish(String(data=URDF))
     request = srv.ListHardwareComponents.Request()
     found = bench.call(srv.ListHardwareComponents, f"{MANAGER}/list_hardware_components", request)
-    assert [one.name for one in found.component] == ["drive", "arm"]
+    assert [component.name for component in found.component] == ["drive", "arm"]
     assert found.component[0].plugin_name == "my_robot/Motors"
     assert found.component[0].state.label == "active"
 
 
 def test_a_compiled_driver_is_named_and_simulated(bench: Bench, logged: list[Any]) -> None:
     bench.run(ControllerManager, {"robot_description": URDF})
-    text = "\n".join(one.message for one in logged)
+    text = "\n".join(record.message for record in logged)
     assert "my_robot/Motors is a compiled driver, which does not run here: the hardware" in text
     assert "mock_components" not in text
+
+
+def test_a_manager_beside_a_simulator_says_that_it_moves_no_bodies(
+    bench: Bench, logged: list[Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("zbot_nodes.control.controller_manager._LOOK_S", 0.05)
+    bench.run(ControllerManager, {"robot_description": URDF})
+    bench.watcher.create_publisher(MarkerArray, "/simulation/world", KEPT)
+    told = "A simulator runs in this domain, but this manager moves no bodies in it"
+    assert wait_until(lambda: any(told in record.message for record in logged))
 
 
 def test_controllers_have_states_and_claim_interfaces(robot: Robot) -> None:
@@ -136,13 +146,13 @@ def test_controllers_have_states_and_claim_interfaces(robot: Robot) -> None:
 
     def states() -> dict[str, str]:
         found = robot.ask("list_controllers", srv.ListControllers).controller
-        return {one.name: one.state for one in found}
+        return {controller.name: controller.state for controller in found}
 
     assert states() == {"wheels": "inactive", "others": "inactive"}
     assert robot.switch(["wheels"]).ok
     assert states()["wheels"] == "active"
     listed = robot.ask("list_hardware_interfaces", srv.ListHardwareInterfaces)
-    claimed = {one.name: one.is_claimed for one in listed.command_interfaces}
+    claimed = {interface.name: interface.is_claimed for interface in listed.command_interfaces}
     assert claimed == {"left/velocity": True, "right/velocity": False, "elbow/position": False}
     refused = robot.switch(["others"])
     assert (refused.ok, "another controller commands 'left/velocity'" in refused.message) == (
@@ -200,7 +210,7 @@ def test_mistakes_are_named_in_the_log(
 ) -> None:
     with pytest.raises(AssertionError):
         robot.start("one", kind, settings)
-    assert any(reason in one.message for one in logged), [one.message for one in logged]
+    assert any(reason in record.message for record in logged), [record.message for record in logged]
 
 
 def test_a_controller_that_fails_halfway_leaves_nothing_behind(
@@ -214,7 +224,7 @@ def test_a_controller_that_fails_halfway_leaves_nothing_behind(
     monkeypatch.setitem(TYPES, "my/Half", Half)
     with pytest.raises(AssertionError):
         robot.load("one", "my/Half")
-    assert any(one.message == "TypeError('a defect')" for one in logged)
+    assert any(record.message == "TypeError('a defect')" for record in logged)
     assert wait_until(lambda: robot.bench.watcher.count_subscribers("/one/half") == 0)
     (found,) = robot.ask("list_controllers", srv.ListControllers).controller
     assert (found.name, found.state) == ("one", "unconfigured")
@@ -251,7 +261,7 @@ def test_a_robot_drives_an_arc_and_stops_without_commands(robot: Robot) -> None:
         return bool(odometry) and odometry[-1].pose.pose.position.x > 0.2
 
     assert wait_until(drive)
-    moving = max(odometry, key=lambda one: one.twist.twist.linear.x).twist.twist
+    moving = max(odometry, key=lambda message: message.twist.twist.linear.x).twist.twist
     assert moving.linear.x == pytest.approx(0.5, rel=0.1)
     assert wait_until(lambda: bool(odometry) and odometry[-1].twist.twist.linear.x == 0)
     pose = odometry[-1].pose.pose
@@ -283,7 +293,7 @@ def test_a_robot_stops_without_commands_if_the_clock_of_the_sender_is_ahead(robo
 
     def drive() -> bool:
         publisher.publish(command)
-        return any(one.twist.twist.linear.x > 0 for one in odometry)
+        return any(message.twist.twist.linear.x > 0 for message in odometry)
 
     assert wait_until(drive)
     assert wait_until(lambda: bool(odometry) and odometry[-1].twist.twist.linear.x == 0)
@@ -332,7 +342,9 @@ def test_an_arm_follows_a_goal(robot: Robot) -> None:
     )
     assert client.wait_for_server(10)
     feedback: list[Any] = []
-    accepted = client.send_goal_async(goal_for(0.5, 1), lambda one: feedback.append(one.feedback))
+    accepted = client.send_goal_async(
+        goal_for(0.5, 1), lambda message: feedback.append(message.feedback)
+    )
     assert wait_until(accepted.done)
     result = accepted.result().get_result_async()
     assert wait_until(result.done, 10)
@@ -340,9 +352,9 @@ def test_an_arm_follows_a_goal(robot: Robot) -> None:
     assert wait_until(
         lambda: bool(states) and states[-1].feedback.positions[0] == pytest.approx(0.5)
     )
-    between = [one.desired.positions[0] for one in feedback]
+    between = [message.desired.positions[0] for message in feedback]
     assert between == sorted(between)
-    assert any(0.1 < one < 0.4 for one in between)
+    assert any(0.1 < position < 0.4 for position in between)
 
     refused = client.send_goal_async(FollowJointTrajectory.Goal())
     assert wait_until(refused.done)
@@ -392,7 +404,7 @@ def test_commands_are_passed_on(robot: Robot, logged: list[Any]) -> None:
     publisher.publish(Float64MultiArray(data=[0.1, 0.2]))
     assert wait_until(lambda: bool(states) and states[-1].position[2] == 0.75)
     text = "command has values that are not finite: [nan]"
-    assert wait_until(lambda: any(one.message == text for one in logged))
+    assert wait_until(lambda: any(record.message == text for record in logged))
 
 
 # -- programs ------------------------------------------------------------------------------------
@@ -435,59 +447,6 @@ def test_a_spawner_activates_controllers_of_a_file(start: Start, tmp_path: Path)
     assert "Unloaded base" in staying.output
 
 
-def test_hardware_moves_when_a_hardware_spawner_activates_it(start: Start, tmp_path: Path) -> None:
-    (tmp_path / "robot.yaml").write_text(
-        "/**:\n  ros__parameters:\n    robot_description: |\n"
-        + "".join(f"      {line}\n" for line in URDF.splitlines())
-        + "    hardware_components_initial_state:\n      unconfigured: [arm]\n"
-        + "    arm_joint:\n      type: position_controllers/JointGroupPositionController\n"
-        + "    joints: [elbow]\n"
-    )
-    run = ("zbot", "run", "controller_manager")
-    manager = start(*run, "ros2_control_node", "--ros-args", "--params-file", "robot.yaml")
-    manager.wait_for("The hardware 'arm' is unconfigured", 20)
-    early = start(*run, "spawner", "arm_joint")
-    early.wait_for("interface 'elbow/position', but the hardware 'arm' is not configured", 20)
-    assert early.wait() == 1
-    spawner = start(*run, "hardware_spawner", "arm", "--activate")
-    spawner.wait_for("Hardware component 'arm' is active", 20)
-    assert spawner.wait() == 0
-    assert start(*run, "spawner", "arm_joint").wait(20) == 0
-    failing = start(*run, "hardware_spawner", "leg", "--configure")
-    failing.wait_for("error: the hardware component 'leg' did not become inactive", 20)
-    assert failing.wait() == 1
-    manager.wait_for("There is no hardware component 'leg': there are drive, arm", 20)
-
-
-def test_inactive_hardware_does_not_move(robot: Robot) -> None:
-    robot.start("wheels", "velocity_controllers/JointGroupVelocityController", {"joints": ["left"]})
-    hardware: Any = robot.node.hardware  # type: ignore[attr-defined]
-
-    def become(state: str, name: str = "drive") -> Any:
-        target = LifecycleState(label=state)
-        kind = srv.SetHardwareComponentState
-        return robot.ask("set_hardware_component_state", kind, name=name, target_state=target)
-
-    assert become("inactive").state.id == LifecycleState.PRIMARY_STATE_INACTIVE
-    hardware.commands["left/velocity"] = 2.0
-    hardware.read(0.1)
-    assert hardware.states["left/position"] == 0.0
-    assert become("active").ok
-    hardware.read(0.1)
-    assert hardware.states["left/position"] == 0.0  # it waits for a new command
-    hardware.commands["left/velocity"] = 2.0
-    hardware.read(0.1)
-    assert hardware.states["left/position"] > 0
-    assert become("unconfigured").ok
-    listed = robot.ask("list_hardware_interfaces", srv.ListHardwareInterfaces)
-    available = {one.name: one.is_available for one in listed.state_interfaces}
-    assert (available["left/position"], available["elbow/position"]) == (False, True)
-    assert not become("asleep").ok
-    assert not become("active", "leg").ok
-    assert become("finalized").ok
-    assert not become("active").ok
-
-
 def test_a_spawner_takes_parameters_of_the_launch_file(tmp_path: Path) -> None:
     path = tmp_path / "launch_params.yaml"
     path.write_text("arm:\n  ros__parameters: {type: a/B}\n")
@@ -500,7 +459,7 @@ def test_a_spawner_takes_parameters_of_the_launch_file(tmp_path: Path) -> None:
 def test_a_spawner_takes_empty_words_of_a_launch_file() -> None:
     options = read_arguments(["arm", "", "--namespace", "", "-c", "/cm"])
     assert (options.namespace, options.controller_manager) == ("", "/cm")
-    assert [one.name for one in options.controllers] == ["arm"]
+    assert [controller.name for controller in options.controllers] == ["arm"]
 
 
 def test_each_controller_of_a_spawner_has_options_of_its_own(tmp_path: Path) -> None:
@@ -509,7 +468,10 @@ def test_each_controller_of_a_spawner_has_options_of_its_own(tmp_path: Path) -> 
     words = ["-c", "/cm", "--controller", "arm", "-p", str(path), "--switch-timeout", "3", ""]
     options = read_arguments([*words, "--controller", "grip", "--inactive", "--load-only"])
     assert (options.controller_manager, options.switch_timeout) == ("/cm", 3.0)
-    found = [(one.name, one.param_file, one.inactive, one.load_only) for one in options.controllers]
+    found = [
+        (controller.name, controller.param_file, controller.inactive, controller.load_only)
+        for controller in options.controllers
+    ]
     assert found == [("arm", [str(path)], False, False), ("grip", [], True, True)]
 
 

@@ -51,16 +51,16 @@ def load_chain(robot: Robot) -> None:
 
 def listed(robot: Robot) -> dict[str, ControllerState]:
     found = robot.ask("list_controllers", srv.ListControllers).controller
-    return {one.name: one for one in found}
+    return {known.name: known for known in found}
 
 
 def references(robot: Robot) -> dict[str, tuple[bool, bool]]:
     """Return for each reference whether it is available and whether it is claimed."""
     found = robot.ask("list_hardware_interfaces", srv.ListHardwareInterfaces).command_interfaces
     return {
-        one.name: (one.is_available, one.is_claimed)
-        for one in found
-        if one.name.startswith(("low", "middle"))
+        link.name: (link.is_available, link.is_claimed)
+        for link in found
+        if link.name.startswith(("low", "middle"))
     }
 
 
@@ -68,11 +68,11 @@ def test_a_chain_of_controllers_moves_a_joint(robot: Robot) -> None:
     load_chain(robot)
     assert robot.switch(["top", "low", "middle"]).ok
     node: Any = robot.node
-    assert [one.get_name() for one in node.active] == ["top", "middle", "low"]
+    assert [known.get_name() for known in node.controllers.active] == ["top", "middle", "low"]
     robot.bench.publisher(Float64MultiArray, "/top/commands").publish(Float64MultiArray(data=[0.5]))
     assert wait_until(lambda: node.hardware.states["elbow/position"] == 0.5)
     found = listed(robot)
-    assert [(one.is_chainable, one.is_chained) for one in found.values()] == [
+    assert [(known.is_chainable, known.is_chained) for known in found.values()] == [
         (True, True),
         (True, True),
         (False, False),
@@ -128,7 +128,7 @@ def test_a_switch_that_is_not_strict_leaves_out_what_breaks_a_chain(robot: Robot
         activate_controllers=["top", "middle", "wheel"],
         strictness=srv.SwitchController.Request.BEST_EFFORT,
     )
-    active = [one.name for one in listed(robot).values() if one.state == "active"]
+    active = [known.name for known in listed(robot).values() if known.state == "active"]
     assert (answer.ok, active) == (True, ["wheel"])
 
 
@@ -247,7 +247,7 @@ def test_gains_change_while_the_controller_runs(
     node.update(0.1)
     assert node.hardware.commands["left/effort"] == 6.0
     text = "the parameter gains.left.p of pid must be a number"
-    assert any(one.message == text for one in logged)
+    assert any(record.message == text for record in logged)
 
 
 def test_a_message_with_other_joints_is_refused(
@@ -257,7 +257,7 @@ def test_a_message_with_other_joints_is_refused(
     node.accept(MultiDOFCommand(dof_names=["arm"], values=[2.0]))
     node.update(0.1)
     assert node.hardware.commands["left/effort"] == 0.0
-    assert any(one.message == "a message needs a value for each of left" for one in logged)
+    assert any(record.message == "a message needs a value for each of left" for record in logged)
 
 
 @pytest.mark.parametrize(

@@ -203,7 +203,9 @@ def test_wheels_drive_a_curve_of_four_metres(
 ) -> None:
     controller = steering(make_context, kind)
     drive(controller, 1.0, 0.25, periods=2)  # in the first period, the wheels do not steer yet
-    found = {name.partition("/")[0]: one for name, one in controller.hardware.commands.items()}
+    found = {
+        name.partition("/")[0]: command for name, command in controller.hardware.commands.items()
+    }
     assert {name: found[name] for name in expected} == pytest.approx(expected)
 
 
@@ -288,7 +290,9 @@ def test_a_car_drives_and_publishes(car: Robot, logged: list[Any]) -> None:
     publisher.publish(twist)
     assert wait_until(lambda: bool(odometry) and odometry[-1].pose.pose.position.x > 0.05)
     assert wait_until(lambda: list(states[-1].traction_wheels_velocity) == [2.0, 2.0])
-    unknown = [one.message for one in logged if "does not use the parameters" in one.message]
+    unknown = [
+        record.message for record in logged if "does not use the parameters" in record.message
+    ]
     assert unknown == [
         "Controller 'drive' does not use the parameters traction_wheel_radius, unused, wheel_colour"
     ]
@@ -319,7 +323,7 @@ def test_sensors_are_published(car: Robot) -> None:
 def test_a_sensor_without_a_frame_is_refused(car: Robot, logged: list[Any]) -> None:
     with pytest.raises(AssertionError):
         car.load("imu", "imu_sensor_broadcaster/IMUSensorBroadcaster", {"sensor_name": "imu"})
-    assert any(one.message == "the parameter frame_id of imu is empty" for one in logged)
+    assert any(record.message == "the parameter frame_id of imu is empty" for record in logged)
 
 
 # -- several interfaces of a joint -----------------------------------------------------------------
@@ -335,7 +339,7 @@ def test_values_go_to_several_interfaces_of_a_joint(car: Robot) -> None:
     assert wait_until(lambda: hardware.states["finger/max_effort"] == 5.0)
     assert hardware.states["finger/position"] == 0.03
     listed = car.ask("list_hardware_interfaces", srv.ListHardwareInterfaces).command_interfaces
-    assert {one.name for one in listed if one.is_claimed} == {
+    assert {interface.name for interface in listed if interface.is_claimed} == {
         "finger/position",
         "finger/max_effort",
     }
@@ -359,4 +363,4 @@ def test_outputs_are_commanded_and_published(car: Robot, logged: list[Any]) -> N
 
     assert wait_until(lambda: bool(states) and found() == {"on": 1.0, "heat": 0.0})
     text = "there is no command interface 'lamp/colour'"
-    assert wait_until(lambda: any(one.message == text for one in logged))
+    assert wait_until(lambda: any(record.message == text for record in logged))

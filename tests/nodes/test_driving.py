@@ -46,9 +46,11 @@ class Pad:
 
 @pytest.fixture
 def pad(monkeypatch: pytest.MonkeyPatch) -> Pad:
-    one = Pad()
-    monkeypatch.setattr(gamepad, "find_gamepad", lambda *_: one if one.is_attached else None)
-    return one
+    plugged = Pad()
+    monkeypatch.setattr(
+        gamepad, "find_gamepad", lambda *_: plugged if plugged.is_attached else None
+    )
+    return plugged
 
 
 # -- joy -----------------------------------------------------------------------------------------
@@ -131,7 +133,7 @@ def test_without_a_gamepad_the_stick_of_the_page_is_named(
     bench.run(JoyNode)
     monkeypatch.setattr(gamepad, "find_gamepad", lambda *_: None)
     bench.run(JoyNode)
-    text = "\n".join(one.message for one in logged)
+    text = "\n".join(record.message for record in logged)
     assert 'pip install "zbot[gamepad]"; the page has a stick on the screen' in text
     assert "No gamepad is connected; the page has a stick on the screen: zbot web" in text
 
@@ -157,7 +159,7 @@ def test_an_enable_button_drives_and_its_release_stops_once(bench: Bench) -> Non
     ):
         publisher.publish(message)
     assert wait_until(lambda: len(heard) == 4)
-    found = [(one.linear.x, one.angular.z) for one in heard]
+    found = [(message.linear.x, message.angular.z) for message in heard]
     assert found == [
         (0.25, pytest.approx(0.4)),
         (0.5, 1.0),
@@ -224,10 +226,10 @@ def test_the_highest_priority_drives_until_it_is_silent(bench: Bench) -> None:
         publisher.publish(twist)
 
     send(plan, 1.0)
-    assert wait_until(lambda: [one.linear.x for one in heard] == [1.0])
+    assert wait_until(lambda: [message.linear.x for message in heard] == [1.0])
     send(stick, 2.0)
     assert wait_until(lambda: len(heard) == 2)
-    source_of = {one.name: one for one in node.velocities}
+    source_of = {velocity.name: velocity for velocity in node.velocities}
     received_ns = source_of["nav_vel"].received_ns
     send(plan, 3.0)
     assert wait_until(lambda: source_of["nav_vel"].received_ns != received_ns)
@@ -239,7 +241,7 @@ def test_the_highest_priority_drives_until_it_is_silent(bench: Bench) -> None:
     assert wait_until(node.executor.create_task(let_the_stick_expire).done)  # in its thread
     send(plan, 4.0)
     assert wait_until(lambda: len(heard) == 3)
-    assert [one.linear.x for one in heard] == [1.0, 2.0, 4.0]
+    assert [message.linear.x for message in heard] == [1.0, 2.0, 4.0]
 
 
 def test_a_lock_stops_sources_below_its_priority(bench: Bench) -> None:
@@ -256,7 +258,7 @@ def test_a_lock_stops_sources_below_its_priority(bench: Bench) -> None:
     assert wait_until(lambda: len(heard) == 1)
 
     def values() -> dict[str, str]:
-        return {one.key: one.value for one in reports[-1].status[0].values} if reports else {}
+        return {pair.key: pair.value for pair in reports[-1].status[0].values} if reports else {}
 
     assert wait_until(lambda: values().get("current priority") == "100")
     assert "masked (listening to low @ 0.000000s with priority #10)" in values()["velocity low"]
@@ -269,7 +271,9 @@ def test_without_a_choice_the_type_is_that_of_the_others(bench: Bench, logged: l
     heard = bench.watch(Twist, "/cmd_vel_out")
     publisher = bench.watcher.create_publisher(Twist, "/joy_vel", 10)
     bench.run(TwistMux, settings)
-    assert wait_until(lambda: any("the other nodes use Twist" in one.message for one in logged), 10)
+    assert wait_until(
+        lambda: any("the other nodes use Twist" in record.message for record in logged), 10
+    )
 
     def arrives() -> bool:
         publisher.publish(Twist())

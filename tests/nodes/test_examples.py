@@ -29,6 +29,7 @@ SAYS = {
 #: Examples with a test of their own, because they need another program.
 TOGETHER = {
     "action_client.py",
+    "maze.py",
     "plain_zenoh.py",
     "publisher_subscriber.launch.py",
     "service_client.py",

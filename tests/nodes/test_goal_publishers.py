@@ -27,7 +27,7 @@ def test_positions_are_published_in_turn(bench: Bench) -> None:
     goals = {"goal_names": ["up", "down"], "up": [1.0, 2.0], "down": [0, 0]}
     bench.run(ForwardPositionPublisher, {**FAST, **goals, "publish_topic": "/commands"})
     assert wait_until(lambda: len(found) >= 3)
-    values = [list(one.data) for one in found[:3]]
+    values = [list(message.data) for message in found[:3]]
     assert values in ([[1, 2], [0, 0], [1, 2]], [[0, 0], [1, 2], [0, 0]])
 
 
@@ -47,10 +47,10 @@ def test_trajectories_wait_for_a_start_between_the_limits(bench: Bench, logged: 
     settings = {"check_starting_point": True, "starting_point_limits.a": [0.0, 1.0]}
     parameters = {**JOINTS, "one.positions": [1.0, 2.0], **settings}
     outside = bench.run(JointTrajectoryPublisher, parameters)
-    assert wait_until(lambda: any("no joint_states came" in one.message for one in logged))
+    assert wait_until(lambda: any("no joint_states came" in record.message for record in logged))
     states = bench.publisher(JointState, "/joint_states")
     states.publish(JointState(name=["a", "b"], position=[2.0, 0.0]))
-    assert wait_until(lambda: any("outside their limits: a" in one.message for one in logged))
+    assert wait_until(lambda: any("outside their limits: a" in record.message for record in logged))
     assert not found
     outside.destroy_node()
     bench.run(JointTrajectoryPublisher, parameters)

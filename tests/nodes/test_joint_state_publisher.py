@@ -8,10 +8,10 @@ import pytest
 
 import zbot
 from tests.conftest import wait_until
+from zbot.description.xml_text import DescriptionError
 from zbot.qos import DurabilityPolicy, QoSProfile
 from zbot_nodes.description.joint_state_publisher import JointStatePublisher
 from zbot_nodes.description.joint_state_publisher_gui import JointStatePublisherGui
-from zbot_nodes.description.xml_text import DescriptionError
 
 from sensor_msgs.msg import JointState
 from std_msgs.msg import String
@@ -81,7 +81,7 @@ def test_delta_moves_the_joints(bench: Bench) -> None:
     states = bench.watch(JointState, "/joint_states")
     bench.run(JointStatePublisher, {"rate": 50, "delta": 0.5})
     describe(bench)
-    assert wait_until(lambda: len({tuple(one.position) for one in states}) > 3)
+    assert wait_until(lambda: len({tuple(state.position) for state in states}) > 3)
 
 
 @pytest.mark.parametrize(
@@ -97,7 +97,7 @@ def test_parameters_that_cannot_be_used_are_refused(
 ) -> None:
     path = tmp_path / "r.urdf"
     path.write_text(URDF)
-    overrides = [zbot.Parameter(name, value=one) for name, one in parameters.items()]
+    overrides = [zbot.Parameter(name, value=parameter) for name, parameter in parameters.items()]
     with pytest.raises(DescriptionError, match=reason):
         JointStatePublisher(str(path), context=bench.context, parameter_overrides=overrides)
 
@@ -105,7 +105,7 @@ def test_parameters_that_cannot_be_used_are_refused(
 def test_a_description_that_cannot_be_used_is_a_warning(bench: Bench, logged: list[Any]) -> None:
     bench.run(JointStatePublisher)
     describe(bench, "<robot/>")
-    assert wait_until(lambda: any("a <robot> has no name" in one.message for one in logged))
+    assert wait_until(lambda: any("a <robot> has no name" in record.message for record in logged))
 
 
 def test_sliders_are_parameters_with_the_limits_of_the_joints(bench: Bench) -> None:

@@ -57,7 +57,7 @@ def test_a_fixed_message_is_sent_once_for_each_press(bench: Bench) -> None:
     joy = bench.publisher(Joy, "/joy")
     for axis in (1.0, 1.0, 0.5, -1.0, 1.0):
         joy.publish(Joy(axes=[0.0, axis]))
-    assert wait_until(lambda: [one.data for one in texts] == ["hi", "hi"])
+    assert wait_until(lambda: [text.data for text in texts] == ["hi", "hi"])
 
 
 def test_several_values_fill_an_array(bench: Bench) -> None:
@@ -67,7 +67,7 @@ def test_several_values_fill_an_array(bench: Bench) -> None:
         for key, value in (("index", index), ("axis", 0), ("scale", 100), ("offset", 5))
     }
     start: dict[str, Any] = {
-        key.replace("hello", "bytes"): one for key, one in HELLO.items() if "value" not in key
+        key.replace("hello", "bytes"): value for key, value in HELLO.items() if "value" not in key
     }
     start |= {"bytes.interface_type": "std_msgs/msg/UInt8MultiArray", **mappings}
     bench.run(JoyTeleop, start)
@@ -142,5 +142,5 @@ def test_a_command_with_a_wrong_field_is_left_out(
         del settings[f"drive.axis_mappings.twist-linear-x.{name}"]
     overrides = [zbot.Parameter(name, value=value) for name, value in settings.items()]
     node = JoyTeleop(context=make_context(), parameter_overrides=overrides)
-    assert [one.name for one in node.commands] == ["hello"]
-    assert any(reason in one.message and "left out" in one.message for one in logged)
+    assert [command.name for command in node.commands] == ["hello"]
+    assert any(reason in record.message and "left out" in record.message for record in logged)

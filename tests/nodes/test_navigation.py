@@ -9,10 +9,10 @@ import pytest
 
 import zbot
 from tests.conftest import wait_until
+from zbot.libraries.navigation.map_file import read_map
 from zbot.node.errors import ServiceError
 from zbot.qos import DurabilityPolicy, QoSProfile
 from zbot_nodes.navigation.lifecycle_manager import LifecycleManager
-from zbot_nodes.navigation.map_file import read_map
 from zbot_nodes.navigation.map_saver_server import MapSaver
 from zbot_nodes.navigation.map_server import MapServer
 from zbot_nodes.startup.program import ParameterError
@@ -77,7 +77,7 @@ def test_another_map_is_loaded_on_request(bench: Bench, lab: str, tmp_path: Path
     maps = bench.watch(OccupancyGrid, "/map", KEPT)
     node = bench.run(MapServer)
     defaults = [
-        node.get_parameter(one).value for one in ("yaml_filename", "topic_name", "frame_id")
+        node.get_parameter(name).value for name in ("yaml_filename", "topic_name", "frame_id")
     ]
     assert defaults == ["", "map", "map"]
     assert change(bench, "map_server", 1)
@@ -89,7 +89,7 @@ def test_another_map_is_loaded_on_request(bench: Bench, lab: str, tmp_path: Path
         for name in ("none.yaml", "bad.yaml", "no_image.yaml", "lab.yaml")
     ]
     kinds = LoadMap.Response
-    assert [one.result for one in results] == [
+    assert [result.result for result in results] == [
         kinds.RESULT_MAP_DOES_NOT_EXIST,
         kinds.RESULT_INVALID_MAP_METADATA,
         kinds.RESULT_INVALID_MAP_DATA,
@@ -108,7 +108,7 @@ def test_a_map_that_cannot_be_read_fails_the_configuration(bench: Bench) -> None
 def test_maps_are_saved_on_request(bench: Bench, tmp_path: Path) -> None:
     node = bench.run(MapSaver, {"save_map_timeout": 0.5})
     defaults = ("free_thresh_default", "occupied_thresh_default", "map_subscribe_transient_local")
-    assert [node.get_parameter(one).value for one in defaults] == [0.25, 0.65, True]
+    assert [node.get_parameter(default).value for default in defaults] == [0.25, 0.65, True]
     request = SaveMap.Request(map_topic="floor", map_url=str(tmp_path / "saved"))
     assert not bench.call(SaveMap, "/map_saver/save_map", request).result
     node.set_parameters([zbot.Parameter("save_map_timeout", value=20.0)])
@@ -144,8 +144,8 @@ def test_nodes_are_brought_up_in_their_order(bench: Bench, logged: list[Any]) ->
     )
     assert wait_until(lambda: bool(activated) and activated[-1].data, 15)
     assert is_active(bench)
-    steps = [one.message for one in logged if one.name == "lifecycle_manager"]
-    assert [one for one in steps if one.startswith(("Conf", "Act"))] == [
+    steps = [record.message for record in logged if record.name == "lifecycle_manager"]
+    assert [step for step in steps if step.startswith(("Conf", "Act"))] == [
         "Configuring map_server",
         "Configuring map_saver",
         "Activating map_server",
@@ -172,7 +172,9 @@ def test_nodes_are_brought_up_in_their_order(bench: Bench, logged: list[Any]) ->
         logged.clear()
         assert not manage(bench, command)
         assert logged[-1].message == last
-        failures = [one for one in logged if one.message.startswith("Failed to change state")]
+        failures = [
+            record for record in logged if record.message.startswith("Failed to change state")
+        ]
         assert len(failures) == tried
     defaults = {"service_timeout": 5.0, "bond_timeout": 4.0, "attempt_respawn_reconnection": True}
     assert {name: node.get_parameter(name).value for name in defaults} == defaults
@@ -181,7 +183,7 @@ def test_nodes_are_brought_up_in_their_order(bench: Bench, logged: list[Any]) ->
 def test_a_missing_node_is_named(bench: Bench, logged: list[Any]) -> None:
     bench.run(LifecycleManager, {"node_names": ["amcl"], "service_timeout": 0.2})
     assert not manage(bench, ManageLifecycleNodes.Request.STARTUP)
-    text = "\n".join(one.message for one in logged)
+    text = "\n".join(record.message for record in logged)
     assert "amcl was not there in 0.2 s: is it a managed node?" in text
     assert "Failed to bring up all requested nodes. Aborting bringup." in text
     for parameters in ({}, {"node_names": "amcl"}, {"node_names": 1}):
@@ -197,7 +199,7 @@ def test_a_node_whose_answer_is_an_error_is_named(bench: Bench, logged: list[Any
         service_is_ready=lambda: True, call_async=lambda _request: answer
     )
     assert not manage(bench, ManageLifecycleNodes.Request.STARTUP)
-    text = "\n".join(one.message for one in logged)
+    text = "\n".join(record.message for record in logged)
     assert "the server ended" in text
     assert "Failed to change state for node: amcl" in text
 
@@ -208,8 +210,12 @@ def test_the_others_go_down_with_a_node(bench: Bench, logged: list[Any]) -> None
     bench.run(LifecycleManager, {"node_names": ["map_server", "map_saver"]})
     assert manage(bench, ManageLifecycleNodes.Request.STARTUP)
     saver.destroy_node()
-    assert wait_until(lambda: any("SERVER map_saver IS DOWN" in one.message for one in logged), 15)
-    assert wait_until(lambda: any("Cleaning up map_server" in one.message for one in logged), 15)
+    assert wait_until(
+        lambda: any("SERVER map_saver IS DOWN" in record.message for record in logged), 15
+    )
+    assert wait_until(
+        lambda: any("Cleaning up map_server" in record.message for record in logged), 15
+    )
     assert not is_active(bench)
 
 

@@ -9,9 +9,9 @@ import pytest
 
 import zbot
 from tests.conftest import wait_until
+from zbot.description.xml_text import DescriptionError
 from zbot.qos import DurabilityPolicy, QoSProfile
-from zbot_nodes.description.robot_state_publisher import RobotStatePublisher
-from zbot_nodes.description.xml_text import DescriptionError
+from zbot_nodes.description.robot_state_publisher import RobotStatePublisher, read_robot
 
 from sensor_msgs.msg import JointState
 from std_msgs.msg import String
@@ -45,7 +45,38 @@ def state(bench: Bench, **positions: float) -> JointState:
 
 
 def frames(messages: list[Any]) -> dict[str, Any]:
-    return {one.child_frame_id: one for message in messages for one in message.transforms}
+    return {
+        transform.child_frame_id: transform
+        for message in messages
+        for transform in message.transforms
+    }
+
+
+SDF = """<sdf version="1.8"><model name="arm"><link name="base"/>
+<link name="turret"><pose>0 0 0.5 0 0 0</pose></link>
+<joint name="turn" type="revolute"><parent>base</parent><child>turret</child>
+<axis><xyz>0 0 1</xyz></axis></joint></model></sdf>"""
+
+
+def test_an_empty_description_is_named() -> None:
+    with pytest.raises(DescriptionError, match="it is empty"):
+        read_robot("  \n")
+
+
+def test_a_description_in_sdf_has_frames_too(bench: Bench) -> None:
+    pytest.importorskip("numpy")
+    moving, described = (
+        bench.watch(TFMessage, "/tf"),
+        bench.watch(String, "/robot_description", KEPT),
+    )
+    bench.run(RobotStatePublisher, {"robot_description": SDF})
+    assert wait_until(lambda: bool(described))
+    bench.publisher(JointState, "/joint_states").publish(state(bench, turn=math.pi / 2))
+    assert wait_until(lambda: bool(moving))
+    turret = frames(moving)["turret"]
+    assert turret.header.frame_id == "base"
+    assert turret.transform.translation.z == pytest.approx(0.5)
+    assert turret.transform.rotation.z == pytest.approx(math.sqrt(0.5))
 
 
 def test_joints_become_frames(bench: Bench) -> None:
@@ -63,7 +94,7 @@ def test_joints_become_frames(bench: Bench) -> None:
     sent = state(bench, turn=1.0, slide=0.25, unknown=5.0)
     bench.publisher(JointState, "joint_states").publish(sent)
     assert wait_until(lambda: len(frames(moving)) == 3)
-    turret, finger, thumb = (frames(moving)[one] for one in ("turret", "finger", "thumb"))
+    turret, finger, thumb = (frames(moving)[frame] for frame in ("turret", "finger", "thumb"))
     assert turret.header.stamp == sent.header.stamp
     assert turret.header.frame_id == "base"
     assert turret.transform.translation.z == 0.5

@@ -26,9 +26,10 @@ if TYPE_CHECKING:
             ["rqt_plot", "/turtle1/pose/x", "/turtle1/pose/y"],
             "/plot?curve=/turtle1/pose/x,/turtle1/pose/y",
         ),
-        (["rqt_image_view", "/camera/image"], "/topics?topic=/camera/image"),
+        (["rqt_image_view", "/camera/image"], "/pictures?topics=/camera/image"),
         (["rqt", "--force-discover", "-s", "rqt_console"], "/console"),
         (["rqt_gui", "--standalone", "rqt_reconfigure.reconfigure"], "/parameters"),
+        (["rqt", "-s", "rqt_robot_monitor"], "/diagnostics"),
         (["rqt", "-s", "rqt_unknown"], "/graph"),
         (["rqt", "-s"], "/graph"),
         (["rqt_reconfigure", "/a node"], "/parameters?node=/a%20node"),
@@ -43,7 +44,7 @@ def test_every_name_has_a_panel_of_the_page() -> None:
     from zbot.web.panels import PANELS as OF_THE_PAGE  # noqa: PLC0415 - imports NiceGUI
 
     assert {path for path, _ in PANELS.values()} <= {panel.path for panel in OF_THE_PAGE}
-    assert {name for name in BUNDLED_PROGRAMS if name != "xacro"} == set(PANELS)
+    assert {name for name in BUNDLED_PROGRAMS if name.startswith("rqt")} == set(PANELS)
     assert all(package in BUNDLED_NODES for package in BUNDLED_PROGRAMS.values())
 
 
@@ -82,7 +83,7 @@ def test_launches_find_the_programs(tmp_path: Path, monkeypatch: pytest.MonkeyPa
         found = find_on_path(name, {"PATH": str(tmp_path)})
         assert found is not None
         assert found.startswith(str(tmp_path))
-    assert find_on_path("rqt_tf_tree", {"PATH": str(tmp_path)}) is None
+    assert find_on_path("rqt_multiplot", {"PATH": str(tmp_path)}) is None
 
 
 def test_a_launch_file_starts_a_program_of_rqt(

@@ -41,7 +41,7 @@ def frame(bench: Bench, parent: str, child: str) -> TransformStamped:
 def test_the_monitor_measures_delays(bench: Bench) -> None:
     node = TF2Monitor(context=bench.context)
     chain = TF2Monitor(("map", "tool"), context=bench.context)
-    executors = [bench._spin(one).executor for one in (node, chain)]
+    executors = [bench._spin(program).executor for program in (node, chain)]
     fixed, moving = StaticTransformBroadcaster(bench.watcher), TransformBroadcaster(bench.watcher)
     fixed.sendTransform([frame(bench, "map", "odom"), frame(bench, "base", "tool")])
 
@@ -52,10 +52,10 @@ def test_the_monitor_measures_delays(bench: Bench) -> None:
     assert wait_until(is_measured, 10)
     # The nodes still measure, so their own threads make the reports.
     tasks = [
-        executor.create_task(one.report)
-        for executor, one in zip(executors, (node, chain), strict=True)
+        executor.create_task(program.report)
+        for executor, program in zip(executors, (node, chain), strict=True)
     ]
-    assert wait_until(lambda: all(one.done() for one in tasks))
+    assert wait_until(lambda: all(task.done() for task in tasks))
     report = tasks[0].result() or ""
     assert "RESULTS: for all Frames" in report
     assert re.search(r"Frame: base, published by <no authority available>, Average Delay: ", report)
@@ -140,7 +140,7 @@ def test_raw_images_are_compressed_for_listeners(bench: Bench) -> None:
     pytest.importorskip("PIL.Image")
     raw, packed = bench.watch(Image, "/out"), bench.watch(CompressedImage, "/out/compressed")
     node = bench.run(Republish)
-    defaults = [node.get_parameter(one).value for one in ("in_transport", "out_transport")]
+    defaults = [node.get_parameter(name).value for name in ("in_transport", "out_transport")]
     assert defaults == ["raw", ""]
     bench.publisher(Image, "/in").publish(picture())
     assert wait_until(lambda: bool(raw) and bool(packed))
@@ -157,7 +157,7 @@ def test_compressed_images_are_unpacked(bench: Bench, logged: list[Any]) -> None
     publisher.publish(compress(picture(), "png"))
     assert wait_until(lambda: len(heard) == 1)
     assert bytes(heard[0].data) == bytes(range(48))
-    assert any("no image that can be read" in one.message for one in logged)
+    assert any("no image that can be read" in record.message for record in logged)
     assert bench.watcher.count_publishers("/out/compressed") == 0
     with pytest.raises(ParameterError, match="must be raw or compressed, not 'theora'"):
         bench.run(Republish, {"in_transport": "theora"})
@@ -191,7 +191,7 @@ def test_diagnostics_are_grouped(bench: Bench, logged: list[Any]) -> None:
     publisher.publish(DiagnosticArray(status=statuses))
 
     def found() -> dict[str, bytes]:
-        return {one.name: one.level for one in reports[-1].status} if reports else {}
+        return {status.name: status.level for status in reports[-1].status} if reports else {}
 
     assert wait_until(lambda: "/Robot/Other/camera" in found())
     assert found() == {
@@ -202,7 +202,7 @@ def test_diagnostics_are_grouped(bench: Bench, logged: list[Any]) -> None:
         "/Robot/Other/camera": OK,
     }
     assert wait_until(lambda: bool(states) and states[-1].level == WARN)
-    assert any("No timestamp set for diagnostic message" in one.message for one in logged)
+    assert any("No timestamp set for diagnostic message" in record.message for record in logged)
 
 
 def test_a_critical_error_is_reported_at_once(bench: Bench) -> None:
@@ -210,7 +210,7 @@ def test_a_critical_error_is_reported_at_once(bench: Bench) -> None:
     bench.run(Aggregator, {**ANALYZERS, "critical": True, "pub_rate": 0.01})
     publisher = bench.publisher(DiagnosticArray, "/diagnostics")
     publisher.publish(DiagnosticArray(status=[DiagnosticStatus(name="motor", level=ERROR)]))
-    assert wait_until(lambda: [one.name for one in states] == ["toplevel_state_critical"])
+    assert wait_until(lambda: [state.name for state in states] == ["toplevel_state_critical"])
     assert states[0].level == ERROR
 
 

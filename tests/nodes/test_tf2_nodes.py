@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 
 PUBLISHER = ("zbot", "run", "tf2_ros", "static_transform_publisher")
 ECHO = ("zbot", "run", "tf2_ros", "tf2_echo")
+MONITOR = ("zbot", "run", "tf2_ros", "tf2_monitor")
 FRAMES = ("--frame-id", "map", "--child-frame-id", "base")
 
 
@@ -80,3 +81,14 @@ def test_echo_refuses_invalid_arguments(
     monkeypatch.setattr(sys, "argv", ["tf2_echo", *words])
     with pytest.raises(SystemExit, match=sentence):
         tf2_echo.main()
+
+
+def test_echo_and_monitor_say_why_they_wait(start: Start) -> None:
+    start(*PUBLISHER, *FRAMES).wait_for("from 'map'")
+    start(*PUBLISHER, "--frame-id", "odom", "--child-frame-id", "wheel").wait_for("from 'odom'")
+    reason = "no transform from wheel to map: `map` and `odom` are two trees; nobody publishes map"
+    command = "zbot run tf2_ros static_transform_publisher --frame-id map --child-frame-id odom"
+    for program in (start(*ECHO, "map", "wheel", "5"), start(*MONITOR, "map", "wheel")):
+        program.wait_for("Waiting for transform map ->  wheel: Could not find a connection")
+        program.wait_for(reason)
+        program.wait_for(command)

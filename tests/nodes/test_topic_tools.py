@@ -49,7 +49,7 @@ def test_a_relay_takes_over_type_and_profile(bench: Bench) -> None:
     publisher = connected(bench, "/a", "/b", String, KEPT)
     publisher.publish(String(data="floor 2"))
     late = bench.watch(String, "/b", KEPT)
-    assert wait_until(lambda: [one.data for one in late] == ["floor 2"])
+    assert wait_until(lambda: [message.data for message in late] == ["floor 2"])
     (info,) = bench.watcher.get_publishers_info_by_topic("/b")
     assert info.topic_type == "std_msgs/msg/String"
     assert info.qos_profile.durability is DurabilityPolicy.TRANSIENT_LOCAL
@@ -125,14 +125,14 @@ def test_a_delay_keeps_the_order(bench: Bench) -> None:
     heard: list[tuple[int, int]] = []
     clock = bench.watcher.get_clock()
     bench.watcher.create_subscription(
-        Int32, "/late", lambda one: heard.append((one.data, clock.now().nanoseconds)), 10
+        Int32, "/late", lambda message: heard.append((message.data, clock.now().nanoseconds)), 10
     )
     bench.run(Delay, {"input_topic": "a", "output_topic": "late", "delay": 0.3})
     publisher = connected(bench, "/a", "/late")
     sent_ns = clock.now().nanoseconds
     for number in range(3):
         publisher.publish(Int32(data=number))
-    assert wait_until(lambda: [one for one, _ in heard] == [0, 1, 2])
+    assert wait_until(lambda: [number for number, _ in heard] == [0, 1, 2])
     assert all(at - sent_ns >= 0.3e9 for _, at in heard)
 
 
@@ -182,7 +182,7 @@ def test_settings_that_cannot_be_used_are_refused(
 
 
 def settings_of(parameters: list[zbot.Parameter[Any]]) -> dict[str, Any]:
-    return {one.name: one.value for one in parameters}
+    return {parameter.name: parameter.value for parameter in parameters}
 
 
 def test_command_lines_set_the_parameters() -> None:

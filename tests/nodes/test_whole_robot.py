@@ -25,9 +25,8 @@ if TYPE_CHECKING:
 
 ROVER = Path(__file__).parents[1] / "programs" / "rover"
 LEFT_OUT = {
-    "rviz2": "a 3D viewer in C++",
     "rplidar_ros": "a compiled driver of a laser scanner",
-    "ros_gz_sim": "a simulator in C++",
+    "stage_ros2": "a simulator in C++",
 }
 Matrix = list[list[float]]
 
@@ -64,9 +63,9 @@ def turned(axis: str, angle: float) -> Matrix:
 
 def chained(*matrices: Matrix) -> Matrix:
     product = moved(0, 0, 0)
-    for one in matrices:
+    for grid in matrices:
         product = [
-            [sum(product[i][k] * one[k][j] for k in range(4)) for j in range(4)] for i in range(4)
+            [sum(product[i][k] * grid[k][j] for k in range(4)) for j in range(4)] for i in range(4)
         ]
     return product
 
@@ -132,7 +131,7 @@ def test_a_robot_is_launched_driven_and_its_frames_are_right(bench: Bench, rover
         return bool(odometry) and pose_of(odometry[-1])[0] > 0.4
 
     assert wait_until(drives, 30)
-    assert max(one.twist.twist.linear.x for one in odometry) == pytest.approx(0.5, rel=0.05)
+    assert max(message.twist.twist.linear.x for message in odometry) == pytest.approx(0.5, rel=0.05)
     joy.publish(Joy(axes=[0.4, 1.0], buttons=[0] * 8))
     assert wait_until(lambda: bool(odometry) and odometry[-1].twist.twist.linear.x == 0, 30)
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from tests.cli.conftest import MANIFEST
+from zbot.errors.installation import pip_install
 from zbot.package.zbot_command import find_on_path
 from zbot_nodes.description import xacro_program
 
@@ -77,14 +78,14 @@ def test_without_the_extra_a_sentence_says_what_to_install(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path, start: Start
 ) -> None:
     monkeypatch.setitem(sys.modules, "xacro", None)
-    with pytest.raises(SystemExit, match=r'xacro is not installed: pip install "zbot\[robot\]"'):
+    with pytest.raises(SystemExit, match=r'installed: .* -m pip install "zbot\[robot\]"'):
         xacro_program.main()
     (tmp_path / "xacro.py").write_text("raise ModuleNotFoundError(name='xacro')")
     (tmp_path / "a.launch.py").write_text("import xacro")
     monkeypatch.setenv("PYTHONPATH", f"{tmp_path}:{__import__('os').environ['PYTHONPATH']}")
     program = start("zbot", "launch", "a.launch.py")
     assert program.wait() == 1
-    assert '(pip install "zbot[robot]")' in program.output
+    assert f"({pip_install('zbot[robot]')})" in program.output
 
 
 def test_the_own_xacro_is_preferred(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -104,9 +105,10 @@ def test_the_own_xacro_is_preferred(tmp_path: Path, monkeypatch: pytest.MonkeyPa
 @pytest.mark.usefixtures("tower")
 def test_the_launch_files_of_urdf_launch_show_a_description(start: Start) -> None:
     pytest.importorskip("xacro", reason="an extra: pip install 'zbot[robot]'")
+    pytest.importorskip("viser", reason="an extra: pip install 'zbot[view]'")
     arguments = ("urdf_package:=tower_description", "urdf_package_path:=urdf/tower.xacro")
     program = start("zbot", "launch", "urdf_launch", "display.launch.py", *arguments)
     program.wait_for("Robot initialized")
     program.see("[joint_state_publisher_gui-2]: process started")
-    program.see("rviz2 is left out")
+    program.wait_for("[rviz2]: zbot view: http://", 30)
     assert program.stop() == 0

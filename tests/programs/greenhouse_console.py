@@ -14,7 +14,7 @@ handler = ParameterEventHandler(node)
 handle = handler.add_parameter_callback(
     parameter_name="target",
     node_name="/probe",
-    callback=lambda one: changed.set_result(one.value.double_value),
+    callback=lambda parameter: changed.set_result(parameter.value.double_value),
 )
 node.create_subscription(
     Float64, "humidity", lambda m: measured.set_result(m.data) if m.data > 60 else None, 10
@@ -38,5 +38,5 @@ for waited in (changed, measured):
 print("event", changed.result(), "measured", measured.result())
 values = client.get_parameters(["target", "bed"])
 rclpy.spin_until_future_complete(node, values, timeout_sec=60)
-print([one.double_value or one.string_value for one in values.result().values])
+print([value.double_value or value.string_value for value in values.result().values])
 rclpy.shutdown()

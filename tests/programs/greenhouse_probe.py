@@ -21,12 +21,14 @@ class Probe(Node):
         self.timer = self.create_timer(0.05, self.measure)
 
     def judge(self, wanted: list[Parameter]) -> SetParametersResult:
-        if any(one.name == "target" and one.value > 90 for one in wanted):
+        if any(parameter.name == "target" and parameter.value > 90 for parameter in wanted):
             return SetParametersResult(successful=False, reason="mould grows above 90")
         return SetParametersResult(successful=True)
 
     def follow(self, changed: list[Parameter]) -> None:
-        self.get_logger().info(", ".join(f"{one.name} is now {one.value}" for one in changed))
+        self.get_logger().info(
+            ", ".join(f"{parameter.name} is now {parameter.value}" for parameter in changed)
+        )
 
     def measure(self) -> None:
         self.publisher.publish(Float64(data=self.get_parameter("target").value - 1))

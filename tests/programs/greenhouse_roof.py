@@ -25,8 +25,12 @@ given = own.parse_args(remove_ros_args(sys.argv)[1:])
 roof = Roof()
 print(roof.get_fully_qualified_name(), roof.publisher.topic_name, given.windows)
 for name in ("angles", "hinges", "open_at", "panes"):
-    one = roof.get_parameter(name)
-    print(name, one.type_.name, list(one.value) if "ARRAY" in one.type_.name else one.value)
+    parameter = roof.get_parameter(name)
+    print(
+        name,
+        parameter.type_.name,
+        list(parameter.value) if "ARRAY" in parameter.type_.name else parameter.value,
+    )
 roof.declare_parameters("motor", [("volts", 24.0), ("names", ["a", "b"])])
 print(sorted(roof.get_parameters_by_prefix("motor")), roof.has_parameter("motor.amps"))
 (result,) = roof.set_parameters([Parameter("motor.volts", value="many")])

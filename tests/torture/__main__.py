@@ -52,7 +52,7 @@ def main() -> int:
     parser.add_argument("--input", type=int, help="run only the input with this number")
     given = parser.parse_args()
     seed = given.seed or secrets.token_hex(4)
-    readers = [one for one in READERS if not given.reader or one.name in given.reader]
+    readers = [reader for reader in READERS if not given.reader or reader.name in given.reader]
     if given.input is not None:
         _again(readers[0], seed, given.input)
         return 0

@@ -78,7 +78,7 @@ def _ros1_seed() -> bytes:
 
     def record(data: bytes, **fields: bytes) -> bytes:
         pairs = [f"{name}=".encode() + value for name, value in fields.items()]
-        header = b"".join(struct.pack("<I", len(one)) + one for one in pairs)
+        header = b"".join(struct.pack("<I", len(pair)) + pair for pair in pairs)
         return struct.pack("<I", len(header)) + header + struct.pack("<I", len(data)) + data
 
     number, text = struct.pack("<I", 0), struct.pack("<I", 5) + b"hello"
@@ -88,24 +88,24 @@ def _ros1_seed() -> bytes:
     chunk = record(message, op=b"\x05", compression=b"none", size=size)
     facts = {"type": b"std_msgs/String", "md5sum": b"0", "message_definition": b"string data\n"}
     pairs = [f"{name}=".encode() + value for name, value in facts.items()]
-    body = b"".join(struct.pack("<I", len(one)) + one for one in pairs)
-    one = struct.pack("<I", 1)
+    body = b"".join(struct.pack("<I", len(pair)) + pair for pair in pairs)
+    count = struct.pack("<I", 1)
 
     def start(index: int) -> bytes:
         place = struct.pack("<Q", index)
         return b"#ROSBAG V2.0\n" + record(
-            b" " * 40, op=b"\x03", index_pos=place, conn_count=one, chunk_count=one
+            b" " * 40, op=b"\x03", index_pos=place, conn_count=count, chunk_count=count
         )
 
     first = len(start(0))
     index = record(body, op=b"\x07", conn=number, topic=b"/a") + record(
-        number + one,
+        number + count,
         op=b"\x06",
-        ver=one,
+        ver=count,
         chunk_pos=struct.pack("<Q", first),
         start_time=time,
         end_time=time,
-        count=one,
+        count=count,
     )
     return start(first + len(chunk)) + chunk + index
 
@@ -153,7 +153,7 @@ BAG_READERS = (
         (
             "zbot.bag.mcap_reader",
             "zbot.bag.mcap_chunk",
-            "zbot.bag.message_compression",
+            "zbot.bag.message",
             *_MODULES,
         ),
         _mcap,

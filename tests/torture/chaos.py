@@ -53,7 +53,7 @@ def main() -> int:
     only = f" --only {given.only}" if given.only else ""
     again = f"python -m tests.torture.chaos --seed {seed} --minutes {given.minutes:g}{only}"
     code = report.end(again, folder, stall)
-    threads = [one.name for one in threading.enumerate() if not one.daemon]
+    threads = [thread.name for thread in threading.enumerate() if not thread.daemon]
     assert threads == ["MainThread"], threads
     return code
 

@@ -77,8 +77,8 @@ class Churn:
 
     def _compare(self, kind: str, blocks: list[dict[str, float]], watched: float) -> None:
         warm = blocks[_WARM_BLOCKS - 1]
-        first_us = statistics.median(one["each_us"] for one in blocks[:_WARM_BLOCKS])
-        last_us = statistics.median(one["each_us"] for one in blocks[-_WARM_BLOCKS:])
+        first_us = statistics.median(block["each_us"] for block in blocks[:_WARM_BLOCKS])
+        last_us = statistics.median(block["each_us"] for block in blocks[-_WARM_BLOCKS:])
         grown = blocks[-1]["bytes"] - warm["bytes"]
         self._report.note(
             f"{kind}: {first_us:.0f} us a cycle, then {last_us:.0f} us; "
@@ -151,9 +151,9 @@ class HubChurn(Churn):
     def _note(self, number: int) -> None:
         answers = ", ".join(f"{what} {took_s:.3f} s" for what, took_s in self._answers(1).items())
         memory = ", ".join(
-            f"{one.name} {one.usage()[0] / 2**20:.0f} MB"
-            for one in self._processes.all
-            if one.exit_code is None
+            f"{process.name} {process.usage()[0] / 2**20:.0f} MB"
+            for process in self._processes.all
+            if process.exit_code is None
         )
         self._report.note(f"{number * _CONTEXTS * _ENTITIES} entities: {answers}; {memory}")
 
@@ -178,7 +178,7 @@ class HubChurn(Churn):
         replies = self._far_session.liveliness().get(
             key, zenoh.handlers.FifoChannel(10_000), timeout=10
         )
-        return any(str(one.ok.key_expr).endswith("/watcher") for one in replies if one.ok)
+        return any(str(reply.ok.key_expr).endswith("/watcher") for reply in replies if reply.ok)
 
 
 def _free_port() -> int:

@@ -209,7 +209,7 @@ class ClassChaos:
 
     def _list_class(self) -> None:
         self._later.add(_COMMAND_PERIOD_S, self._list_class)
-        if self._teacher_is_faulty or any(one.is_faulty for one in self._laptops):
+        if self._teacher_is_faulty or any(laptop.is_faulty for laptop in self._laptops):
             return
         begin = time.monotonic()
         done = self._run(self._testbed.teacher, "class", "list", "--json")
@@ -248,23 +248,27 @@ class ClassChaos:
 
     def _compare_hubs(self, laptop: _Laptop) -> None:
         """Note what new watchers see: so it is known which hub does not know a node."""
-        for machine in (self._testbed.teacher, laptop.machine):
+        machines = (self._testbed.teacher, laptop.machine)
+        for machine in machines:
+            for line in machine.run("ss", "-tnp").out.splitlines():
+                self._report.note(f"class: socket of {machine.name}: {line}")
+        for machine in machines:
             watch = machine.start("watch.py", str(laptop.number))
             watch.wait_for("watching")
             time.sleep(_WATCHED_S)
             seen = sorted(line.split()[3] for line in watch.new_lines() if " " in line)
             watch.process.kill()
             self._report.note(f"class: a new watcher at the hub of {machine.name} sees {seen}")
+            for log in machine.home.rglob("hub.log"):
+                for line in log.read_text(encoding="utf-8").splitlines()[-_LOG_LINES:]:
+                    self._report.note(f"class: hub of {machine.name}: {line}")
         listed = laptop.machine.run("zbot", "node", "list")
         self._report.note(f"class: {laptop.machine.name} lists {listed.out.split()}")
-        for log in laptop.machine.home.rglob("hub.log"):
-            for line in log.read_text(encoding="utf-8").splitlines()[-_LOG_LINES:]:
-                self._report.note(f"class: hub of {laptop.machine.name}: {line}")
 
     # -- faults ----------------------------------------------------------------------------------
 
     def _victim(self, fault: Fault) -> _Laptop | None:
-        able = [one for one in self._laptops if not one.is_faulty]
+        able = [laptop for laptop in self._laptops if not laptop.is_faulty]
         return able[fault.victim % len(able)] if able else None
 
     def _fault_kill(self, fault: Fault) -> str:
@@ -307,13 +311,17 @@ class ClassChaos:
         return f"of laptop {laptop.number} for {seconds:.1f} s"
 
     def _fault_cut(self, fault: Fault) -> str:
-        return self._disturb(fault, lambda one: one.disconnect(), lambda one: one.reconnect())
+        return self._disturb(
+            fault, lambda laptop: laptop.disconnect(), lambda laptop: laptop.reconnect()
+        )
 
     def _fault_unplug(self, fault: Fault) -> str:
-        return self._disturb(fault, lambda one: one.unplug(), lambda one: one.plug_in())
+        return self._disturb(fault, lambda laptop: laptop.unplug(), lambda laptop: laptop.plug_in())
 
     def _fault_sleep(self, fault: Fault) -> str:
-        return self._disturb(fault, lambda one: one.sleep(), lambda one: one.wake_up(), _SLEEP_S)
+        return self._disturb(
+            fault, lambda laptop: laptop.sleep(), lambda laptop: laptop.wake_up(), _SLEEP_S
+        )
 
     def _fault_hub_killed(self, fault: Fault) -> str:
         """Kill the hub of a laptop. The student joins again later, as `zbot status` says."""

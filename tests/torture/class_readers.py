@@ -10,6 +10,8 @@ from typing import Any
 import zenoh
 
 from tests.torture.reader import FOLDER, Reader, file_with, json_bytes, text_of
+from zbot.classroom.bundle import manifest
+from zbot.classroom.bundle.errors import BundleError
 from zbot.classroom.errors import ClassValueError
 from zbot.classroom.hub.address import Address, parse_address
 from zbot.classroom.hub.queries import document_of
@@ -26,7 +28,7 @@ from zbot.classroom.teacher.student_list import StudentList
 from zbot.json_reader import JsonError, read_json_object
 from zbot.log.teacher_notice import notice_text
 from zbot.security.certificate import facts
-from zbot.security.errors import CertificateError
+from zbot.security.errors import SecurityError
 from zbot.security.pin import PinClient, PinError, PinServer
 from zbot.security.secret import Secret
 from zbot.transport import membership
@@ -228,10 +230,26 @@ CLASS_READERS = (
         (_record(), b"{}"),
     ),
     Reader(
+        "bundle",
+        ("zbot.classroom.bundle.manifest",),
+        lambda data: manifest.load(file_with(manifest.FILE, data).parent),
+        (BundleError,),
+        (
+            json_bytes(
+                {
+                    "zbot": "0.1.0",
+                    "extras": ["web"],
+                    "targets": {"linux-x86_64-3.13": {"extras": ["web"], "wheels": ["a.whl"]}},
+                    "files": {"wheels/a.whl": "ab"},
+                }
+            ),
+        ),
+    ),
+    Reader(
         "certificate",
         ("zbot.security.certificate",),
         lambda data: facts(file_with("cert.pem", data)),
-        (CertificateError,),
+        (SecurityError,),
         (b"-----BEGIN CERTIFICATE-----\nMIIB\n-----END CERTIFICATE-----\n",),
     ),
 )

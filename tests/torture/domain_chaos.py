@@ -164,9 +164,9 @@ class DomainChaos:
 
     def _victim(self, fault: Fault, first: int = 0) -> Member | None:
         able = [
-            one
-            for one in self.ring.members[first:]
-            if one.process is not None and not one.is_faulty and one.process.facts("ready")
+            member
+            for member in self.ring.members[first:]
+            if member.process is not None and not member.is_faulty and member.process.facts("ready")
         ]
         return able[fault.victim % len(able)] if able else None
 
@@ -331,8 +331,8 @@ class DomainChaos:
         told = 0
         for member, gap, is_in_mesh in self.ring.gaps():
             excused = not is_in_mesh and any(
-                0 <= gap["time"] - one <= self.stall.allowed(_ROUTER_S, one)
-                for one in self._router_faults
+                0 <= gap["time"] - fault <= self.stall.allowed(_ROUTER_S, fault)
+                for fault in self._router_faults
             )
             told += excused
             if not excused:

@@ -140,7 +140,11 @@ class MeetingPointHolders:
         listed = len(re.findall(r"^/talker", listing.text(), re.MULTILINE))
         if listed != _NODES:
             self._report.violation(f"{kind}: {listed} nodes were listed: {listing.output}")
-        named = {int(number) for one in (node, listing) for number in _WARNING.findall(one.text())}
+        named = {
+            int(number)
+            for program in (node, listing)
+            for number in _WARNING.findall(program.text())
+        }
         if named - {router}:
             self._report.violation(f"{kind}: {named} were named, and the router was {router}")
         if kind in {"stopped", "stuck"} and not named and not self._is_named(router):
@@ -149,7 +153,7 @@ class MeetingPointHolders:
     def _is_named(self, router: int) -> bool:
         """Return whether a node that was there before has replaced the router, and said so."""
         running = (*self._nodes, self._listener)
-        return any(f"(process {router}) did not answer" in one.text() for one in running)
+        return any(f"(process {router}) did not answer" in program.text() for program in running)
 
     # -- faults: each returns a function that undoes it ------------------------------------------
 

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import functools
 import json
 from types import SimpleNamespace
 from typing import Any
 
 import zbot  # noqa: F401 - makes the messages importable
 from tests.torture.reader import Reader, json_bytes
+from zbot.embedded.micropython_module import micropython_module
 from zbot.errors import InvalidNameError, WrongValueError
 from zbot.graph.endpoint_info import TypeHash
-from zbot.graph.snapshot import Snapshot, full_names, process_of
-from zbot.interfaces import get_interface, get_message, type_description
+from zbot.graph.snapshot import Snapshot, full_names
+from zbot.interfaces import get_interface, get_message, type_description, type_name
 from zbot.interfaces.definition_limits import check_limits
 from zbot.interfaces.errors import (
     InterfaceSyntaxError,
@@ -21,16 +23,18 @@ from zbot.interfaces.errors import (
 from zbot.interfaces.plain_value import json_value
 from zbot.interfaces.remote_definition import hash_among, specs_from, specs_from_sources
 from zbot.json_reader import JsonError, read_json, read_json_object
+from zbot.launch.control.control_server import read_request
+from zbot.launch.errors import LaunchControlError
 from zbot.libraries.image_array import CvBridge, CvBridgeError
 from zbot.libraries.point_cloud import read_points
 from zbot.names import validate_full_topic_name
+from zbot.observer.image_encoder import ImageError, encode_jpeg, media_type
 from zbot.observer.value_text import brief
 from zbot.parameters.parameter import UnknownParameterTypeError
 from zbot.remote.parameters import RemoteParameters
-from zbot.transport.admin_query import router_facts
-from zbot.web.page.image_encoder import ImageError, encode_jpeg, media_type
+from zbot.transport.admin_query import process_of, router_facts
+from zbot.web.page.topic_picture import points_of, ring
 from zbot.web.panels.parameters.described_parameter import load
-from zbot.web.panels.topics.topic_picture import points_of, ring
 from zbot.web.server.page_discovery import address_in
 from zbot.wire import attachment
 from zbot.wire.cdr.codec import cdr_codec_for
@@ -91,6 +95,26 @@ def _converted(converter: Any) -> Any:
         assert converter(message_type)(data[1:])
 
     return call
+
+
+@functools.cache
+def _board_module() -> dict[str, Any]:
+    """Return the module for MicroPython with the types above, as CPython runs it."""
+    module: dict[str, Any] = {}
+    names = dict.fromkeys(type_name(type(message)) for message in _TYPES)
+    exec(micropython_module(names), module)
+    classes = {cls.TYPE_NAME: cls for cls in module.values() if hasattr(cls, "TYPE_NAME")}
+    return module | classes
+
+
+def _on_board(data: bytes) -> None:
+    """Read a message as a microcontroller does."""
+    module = _board_module()
+    message_type = type(_TYPES[data[0] % len(_TYPES)]) if data else String
+    try:
+        module["read"](module[type_name(message_type)], data[1:])
+    except module["CdrError"] as error:
+        raise CodecError("decode", "", "", str(error)) from error
 
 
 def _typed_seeds(codec_of: Any) -> tuple[bytes, ...]:
@@ -166,8 +190,8 @@ def _parameters(data: bytes) -> None:
     listed = SimpleNamespace(names=names)
     answers = SimpleNamespace(result=listed, values=got, descriptors=described)
     calls: Any = SimpleNamespace(call=lambda *_: answers)
-    for one in load(RemoteParameters(calls), "/node"):
-        assert one.text is not None
+    for parameter in load(RemoteParameters(calls), "/node"):
+        assert parameter.text is not None
 
 
 def _image(data: bytes) -> None:
@@ -221,6 +245,13 @@ _TOKEN = (
 
 NETWORK_READERS = (
     Reader(
+        "launch_request",
+        ("zbot.launch.control.control_server",),
+        read_request,
+        (LaunchControlError,),
+        (b'{"token": "a", "op": "stop", "label": "talker-1"}', b'{"op": []}', b"GET / HTTP/1.1"),
+    ),
+    Reader(
         "json",
         ("zbot.json_reader",),
         read_json,
@@ -241,7 +272,7 @@ NETWORK_READERS = (
     ),
     Reader(
         "admin_space_process",
-        ("zbot.graph.snapshot",),
+        ("zbot.transport.admin_query",),
         lambda data: process_of("a1", data),
         (),
         (_ANSWER, b'{"metadata": {"zbot": {"pid": Infinity}}}'),
@@ -291,7 +322,7 @@ NETWORK_READERS = (
             "zbot.wire.messagepack.decoder_source",
             "zbot.wire.messagepack.value_reader",
             "zbot.wire.messagepack.walker",
-            "zbot.wire.messagepack.default_memory",
+            "zbot.wire.messagepack.walker",
             "zbot.interfaces.array_value",
             "zbot.interfaces.field_check",
         ),
@@ -303,6 +334,13 @@ NETWORK_READERS = (
         "cdr_message",
         ("zbot.wire.cdr.codec", "zbot.wire.cdr.decoder_source", "zbot.wire.cdr.values"),
         _typed(cdr_codec_for),
+        (CodecError,),
+        _typed_seeds(cdr_codec_for),
+    ),
+    Reader(
+        "cdr_on_a_board",
+        ("zbot.embedded.cdr_module",),
+        _on_board,
         (CodecError,),
         _typed_seeds(cdr_codec_for),
     ),
@@ -391,7 +429,7 @@ NETWORK_READERS = (
     ),
     Reader(
         "image",
-        ("zbot.libraries.image_array", "zbot.web.page.image_encoder"),
+        ("zbot.libraries.image_array", "zbot.observer.image_encoder"),
         _image,
         (CodecError, ImageError, CvBridgeError),
         (
@@ -401,14 +439,14 @@ NETWORK_READERS = (
     ),
     Reader(
         "compressed_image",
-        ("zbot.web.page.image_encoder",),
+        ("zbot.observer.image_encoder",),
         lambda data: media_type(bytes(_decoded(CompressedImage, data).data)),
         (CodecError, ImageError),
         (_encoded(CompressedImage(format="jpeg", data=b"\xff\xd8\xff")),),
     ),
     Reader(
         "laser_scan",
-        ("zbot.web.panels.topics.topic_picture",),
+        ("zbot.web.page.topic_picture",),
         _scan,
         (CodecError,),
         (_encoded(LaserScan(ranges=[0.5, 2.0], range_max=9.0, angle_increment=0.1)),),

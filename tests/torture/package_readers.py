@@ -10,7 +10,7 @@ from zbot.package.errors import SetupFileError
 from zbot.package.manifest import ManifestError, read_manifest
 from zbot.package.setup_file import data_files, declared_scripts
 from zbot.package.workspace import package_name
-from zbot_cli.packages.check.subject import _parsed
+from zbot_cli.packages.check.checked_package import _parsed
 from zbot_cli.packages.executables import workspace_packages
 
 
@@ -38,13 +38,14 @@ def _package(data: bytes) -> None:
     before = os.environ.get("ZBOT_WORKSPACE")
     os.environ["ZBOT_WORKSPACE"] = str(source)
     try:
-        found = {one.name: one for one in workspace_packages() if one.folder}
+        found = {package.name: package for package in workspace_packages() if package.folder}
+        assert all(package.executables is not None for package in found.values())
     finally:
         os.environ.pop("ZBOT_WORKSPACE")
         if before is not None:
             os.environ["ZBOT_WORKSPACE"] = before
-    good_one = [one for one in found.values() if one.folder == source / "good"]
-    assert [one.name for one in good_one[0].executables] == ["talk"]
+    good_one = [package for package in found.values() if package.folder == source / "good"]
+    assert [executable.name for executable in good_one[0].executables] == ["talk"]
 
 
 def _manifest(data: bytes) -> None:
@@ -95,7 +96,7 @@ PACKAGE_READERS = (
     ),
     Reader(
         "pyproject",
-        ("zbot.package.pyproject",),
+        ("zbot.package.setup_file",),
         lambda data: declared_scripts(file_with("pyproject.toml", data).parent),
         (SetupFileError,),
         (b"[project]\nname = 'a'\n[project.scripts]\na = \"b:c\"\n",),
@@ -131,7 +132,7 @@ PACKAGE_READERS = (
     ),
     Reader(
         "python_source",
-        ("zbot_cli.packages.check.subject",),
+        ("zbot_cli.packages.check.checked_package",),
         lambda data: _parsed(file_with("a.py", data)),
         (),
         (*_SETUP, b"-" * 9000 + b"1", b"a" + b".a" * 9000),

@@ -63,7 +63,9 @@ class Periods:
         self._report.note(f"`zbot join`: {times(self._joined_s)}")
 
     def _change(self, leaving: Sequence[Machine], joining: Sequence[Machine]) -> None:
-        work = [(one, "leave") for one in leaving] + [(one, "join", self._code) for one in joining]
+        work = [(laptop, "leave") for laptop in leaving] + [
+            (laptop, "join", self._code) for laptop in joining
+        ]
         self._random.shuffle(work)
         with ThreadPoolExecutor(len(work)) as pool:
             for machine, *words in work:
@@ -75,8 +77,8 @@ class Periods:
             list(pool.map(self._check_linked, joined))
         listed = self._run(self._testbed.teacher, "class", "list", "--json")
         students = json.loads(listed.out)["students"] if listed.code == 0 else []
-        here = sorted(one["host"] for one in students if one["here"])
-        if here != sorted(one.name for one in joined) or len(students) != len(joined):
+        here = sorted(student["host"] for student in students if student["here"])
+        if here != sorted(laptop.name for laptop in joined) or len(students) != len(joined):
             self._report.violation(f"the teacher sees {here}, and lists {len(students)} students")
 
     def _check_linked(self, machine: Machine) -> None:

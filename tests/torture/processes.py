@@ -206,7 +206,7 @@ def clean_end() -> Iterator[None]:
         raise KeyboardInterrupt
 
     signals = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
-    before = {one: signal.signal(one, end) for one in signals}
+    before = {number: signal.signal(number, end) for number in signals}
     try:
         yield
     finally:

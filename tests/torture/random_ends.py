@@ -81,7 +81,7 @@ class RandomEnds:
     def run(self, some: list[End]) -> None:
         """Start some programs at once, send each its signal, and check their ends."""
         started = [(end, self._start(end)) for end in some]
-        for end, process in sorted(started, key=lambda one: one[0].moment_s):
+        for end, process in sorted(started, key=lambda pair: pair[0].moment_s):
             time.sleep(max(0.0, process.started + end.moment_s - time.monotonic()))
             if process.exit_code is None:
                 process.signal(end.number)

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from tests.torture.bag_readers import BAG_READERS
 from tests.torture.class_readers import CLASS_READERS
+from tests.torture.device_readers import DEVICE_READERS
 from tests.torture.network_readers import NETWORK_READERS
 from tests.torture.package_readers import PACKAGE_READERS
+from tests.torture.simulation_readers import SIMULATION_READERS
 from tests.torture.text_readers import TEXT_READERS
+from tests.torture.view_readers import VIEW_READERS
 from tests.torture.web_readers import WEB_READERS
 
 READERS = (
@@ -16,10 +19,17 @@ READERS = (
     *PACKAGE_READERS,
     *BAG_READERS,
     *WEB_READERS,
+    *VIEW_READERS,
+    *SIMULATION_READERS,
+    *DEVICE_READERS,
 )
 
 #: Modules that call a parser, but have no reader in the list. The value is the reason.
 EXCEPTIONS = {
+    "zbot.classroom.bundle.installer": "it reads the bundle that the user installs anyway",
+    "zbot.classroom.bundle.own_wheel": "it reads only the direct_url.json that pip writes",
+    "zbot.classroom.bundle.resolver": "it reads what uv writes",
+    "zbot.classroom.bundle.service": "it reads only the file that this user's own service writes",
     "zbot.classroom.hub.running_hub": "it reads only the file that this user's own hub writes",
     "zbot.compat.table": "it reads only the tables that zbot contains",
     "zbot.process.call_source": "it reads the program that runs in this process",
@@ -30,10 +40,14 @@ EXCEPTIONS = {
     "zbot.node.pending_calls": "it reads an attachment that this process has packed",
     "zbot.transport.config": "it reads the settings that Zenoh has checked",
     "zbot.transport.environment": "it reads the settings that Zenoh has checked",
-    "zbot.transport.running_programs": "it reads the files that this user's programs write",
+    "zbot.launch.control.running_launch": "it reads what this user's own launches answer",
+    "zbot.transport.program_file": "it reads the files that this user's programs write",
+    "zbot.view.server.embedded_view": "it reads the address that its own process prints",
     "zbot.web.server.request_check": "the library's parsers of addresses raise only ValueError",
     "zbot.web.rosbridge.frame": "it makes a picture of the text that this process has written",
-    "zbot_cli.commands.run.script": "it reads the program that the user runs anyway",
+    "zbot.process.main_part": "it reads the program that the user runs anyway",
+    "zbot.launch.python_file": "it reads the launch file that the user runs anyway",
+    "zbot.devices.serial.lost_bytes": "it reads the counts of the kernel",
     "zbot_cli.commands.test": "it reads the tests that the user runs anyway",
     "zbot_cli.packages.known_workspaces": "it reads the list that this user's zbot writes",
     "zbot_nodes.turtlesim.world": "it rounds a constant to a 32-bit float",

@@ -172,7 +172,7 @@ class Ring:
     def check_growth(self) -> None:
         """Compare the memory and the descriptors at the end with those after the start."""
         for member in self.members:
-            used = [one for one in member.usage if one[1]]
+            used = [usage for usage in member.usage if usage[1]]
             if len(used) < 8:
                 continue
             part = len(used) // 4
@@ -181,7 +181,10 @@ class Ring:
                 ("bytes", 1, _MOST_GROWTH_BYTES),
                 ("descriptors", 2, _MOST_NEW_DESCRIPTORS),
             ):
-                first, last = max(one[column] for one in begin), min(one[column] for one in end)
+                first, last = (
+                    max(usage[column] for usage in begin),
+                    min(usage[column] for usage in end),
+                )
                 if last - first > most:
                     self.report.violation(f"{member.name} has {last} {what}, at first {first}")
 
@@ -204,7 +207,7 @@ class Ring:
     def received(self) -> tuple[int, int]:
         """Return how many messages the nodes sent and received that ended with a signal."""
         ends = [facts for _, process in self.runs for facts in process.facts("end")]
-        return sum(one["sent"] for one in ends), sum(one["received"] for one in ends)
+        return sum(end["sent"] for end in ends), sum(end["received"] for end in ends)
 
     def is_flowing(self) -> bool:
         """Return whether each node receives the newest words of its neighbour."""

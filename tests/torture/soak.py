@@ -130,7 +130,7 @@ class Soak:
         for process in self._lasting:
             used = (*process.usage(), process.threads())
             self._usage.setdefault(process, []).append(used)
-            total = [one + more for one, more in zip(total, used, strict=True)]
+            total = [count + more for count, more in zip(total, used, strict=True)]
         page = self._usage[self._page][-1]
         browser = self._visit.memory() if self._visit else 0
         self._report.note(
@@ -182,8 +182,8 @@ class Soak:
             ("descriptors", 1, _MOST_NEW_DESCRIPTORS),
             ("threads", 2, _MOST_NEW_DESCRIPTORS),
         ):
-            first = max(one[column] for one in used[:part])
-            last = min(one[column] for one in used[-part:])
+            first = max(usage[column] for usage in used[:part])
+            last = min(usage[column] for usage in used[-part:])
             if last - first > most:
                 text = f"{process.name} has {last} {what}, and had {first} after the start"
                 self._report.violation(text)

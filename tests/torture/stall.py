@@ -69,13 +69,13 @@ class StallMeter:
         It is the limit of a quiet machine, times the mean slowdown since the begin, plus the
         longest time for which a ready thread had to wait.
         """
-        samples = [one for one in tuple(self._samples) if one.time >= begin - _BEFORE_S]
+        samples = [sample for sample in tuple(self._samples) if sample.time >= begin - _BEFORE_S]
         if not samples:
             return limit_s
-        slowdown = sum(one.slowdown for one in samples) / len(samples)
-        return limit_s * max(1.0, slowdown) + max(one.late_s for one in samples)
+        slowdown = sum(sample.slowdown for sample in samples) / len(samples)
+        return limit_s * max(1.0, slowdown) + max(sample.late_s for sample in samples)
 
     def mean_slowdown(self) -> float:
         """Return the mean slowdown of all samples. It is 1 on a quiet machine."""
         samples = tuple(self._samples)
-        return sum(one.slowdown for one in samples) / len(samples) if samples else 1.0
+        return sum(sample.slowdown for sample in samples) / len(samples) if samples else 1.0

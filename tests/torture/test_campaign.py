@@ -2,21 +2,19 @@
 
 from __future__ import annotations
 
+import shutil
 import subprocess
 import sys
 import time
-from typing import TYPE_CHECKING
+from pathlib import Path
 
 import pytest
 
 from tests.conftest import allowed
-from tests.torture import domain_chaos, faults, random_ends
+from tests.torture import domain_chaos, faults, nightly, random_ends
 from tests.torture.faults import Schedule, plan
 from tests.torture.report import Report, times
 from tests.torture.stall import StallMeter
-
-if TYPE_CHECKING:
-    from pathlib import Path
 
 linux_only = pytest.mark.skipif(sys.platform != "linux", reason="needs Linux's list of processes")
 
@@ -106,3 +104,41 @@ def test_a_short_run_breaks_no_promise(words: tuple[str, ...]) -> None:
         check=False,
     )
     assert done.returncode == 0, done.stdout + done.stderr
+
+
+def test_the_runs_of_a_night_share_the_time(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert sum(one.share for one in nightly.RUNS) == pytest.approx(1)
+    commands = [" ".join(one.command(600)) for one in nightly.RUNS]
+    assert any(command.endswith("chaos --minutes 10.000") for command in commands)
+    assert any(command.endswith("random_ends --runs 1500") for command in commands)
+
+    programs = {"good": "print('   1.00 s  0 promises broken')", "bad": "import sys; sys.exit(3)"}
+    for name, source in programs.items():
+        (tmp_path / f"{name}.py").write_text(source, encoding="utf-8")
+    runs = tuple(nightly.Run(name, 0.5, 60, "") for name in programs)
+    monkeypatch.setattr(nightly, "RUNS", runs)
+    monkeypatch.setattr(
+        nightly.Run, "command", lambda one, _: [sys.executable, str(tmp_path / f"{one.name}.py")]
+    )
+    monkeypatch.setattr(sys, "argv", ["nightly", "--minutes", "1"])
+    assert nightly.main() == 1
+    said = capsys.readouterr().out
+    assert "good: kept all promises" in said
+    assert "    1.00 s  0 promises broken" in said
+    assert "bad: exit code 3" in said
+    folder = Path(said.splitlines()[-1].removeprefix("outputs: "))
+    assert (folder / "report.txt").read_text(encoding="utf-8") in said
+    shutil.rmtree(folder)
+
+
+def test_a_run_that_takes_too_long_is_interrupted(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(nightly, "_END_S", 0.5)
+    source = "import sys, time\ntry: time.sleep(60)\nexcept KeyboardInterrupt: sys.exit(130)"
+    command = [sys.executable, "-c", source]
+    monkeypatch.setattr(nightly.Run, "command", lambda *_: command)
+    lines = nightly.run(nightly.Run("slow", 1, 60, ""), 0.1, tmp_path / "slow.txt")
+    assert lines[0].startswith("slow: interrupted, ")

@@ -43,12 +43,12 @@ PARSERS = frozenset(
 )
 METHODS = frozenset(("load", "parse", "compose", "reader", "DictReader"))
 
-each_reader = pytest.mark.parametrize("reader", READERS, ids=[one.name for one in READERS])
+each_reader = pytest.mark.parametrize("reader", READERS, ids=[reader.name for reader in READERS])
 
 
 @each_reader
 def test_mutated_inputs_are_read_or_refused(reader: Reader) -> None:
-    assert [str(one) for one in failures(reader, SEED, range(INPUTS))] == []
+    assert [str(failure) for failure in failures(reader, SEED, range(INPUTS))] == []
 
 
 @each_reader
@@ -140,14 +140,14 @@ def test_a_new_reader_is_noticed() -> None:
 def test_a_process_runs_the_inputs_of_a_reader() -> None:
     from tests.torture.worker import run  # noqa: PLC0415 - only for this test
 
-    reader = next(one for one in READERS if one.name == "attachment")
+    reader = next(each for each in READERS if each.name == "attachment")
     assert run(reader, SEED, 20) == ([], 20)
 
 
 def test_a_run_ends_when_its_time_is_over() -> None:
     from tests.torture.worker import run  # noqa: PLC0415 - only for this test
 
-    reader = next(one for one in READERS if one.name == "attachment")
+    reader = next(each for each in READERS if each.name == "attachment")
     failures_, inputs = run(reader, SEED, 10**9, 0.01)
     assert failures_ == []
     assert inputs < 10**9

@@ -14,11 +14,15 @@ from typing import Any
 import zbot  # noqa: F401 - makes the messages importable
 from tests.torture.package_readers import MANIFEST
 from tests.torture.reader import Reader, file_with, text_of
+from zbot.description.appearance import read_appearance
+from zbot.description.urdf import read_urdf
+from zbot.description.xml_text import DescriptionError
 from zbot.errors import WrongValueError
 from zbot.interfaces.collection import DefinitionSourceError, collect
 from zbot.interfaces.content_filter import ContentFilter, ContentFilterError
 from zbot.interfaces.errors import FieldTypeError, FieldValueError, InterfaceSyntaxError
 from zbot.interfaces.field_path import FieldPath, FieldPathError
+from zbot.interfaces.message_reader import FieldMisfitError
 from zbot.interfaces.parser import parse
 from zbot.interfaces.spec import FieldType
 from zbot.interfaces.user_definitions import check
@@ -27,33 +31,32 @@ from zbot.launch.actions.loop import _values
 from zbot.launch.errors import (
     CoercionError,
     EntityTypeError,
-    LaunchArgumentError,
     LaunchError,
+    LaunchUsageError,
     SubstitutionError,
+    SubstitutionSyntaxError,
 )
 from zbot.launch.frontend import substitution_text, xml_file, yaml_file
-from zbot.launch.frontend.errors import SubstitutionSyntaxError
 from zbot.launch.frontend.parser import Parser
 from zbot.launch.parameters import evaluate
 from zbot.launch.substitution import TextSubstitution
 from zbot.launch.substitutions.nav2_common import _pose
 from zbot.launch.typed_value import coerce_to_type
 from zbot.libraries.camera_calibration import CameraInfoError, read_calibration
+from zbot.libraries.navigation.map_file import MapFileError, read_settings
+from zbot.libraries.navigation.map_image import MapImageError, read_image
 from zbot.parameters.errors import ArgumentsError, ParametersFileError, ParameterValueError
 from zbot.parameters.file import parse_value, sections
 from zbot.parameters.ros_args import Arguments
-from zbot.web.forms.form_value import DURATION, EntryError, read
+from zbot.web.forms.form_value import DURATION, read
 from zbot.yaml_reader import YamlError, compose_yaml, construct_yaml, read_yaml
 from zbot_cli.errors import CommandError
 from zbot_cli.input.filter import Filter
 from zbot_cli.input.message_values import PopulateError, Template, ValuesError
 from zbot_nodes.control.hardware import read_components
-from zbot_nodes.description.urdf import read_urdf
-from zbot_nodes.description.xml_text import DescriptionError
 from zbot_nodes.frames.frame_tree import FrameTree
 from zbot_nodes.images.image_codec import ImageCodecError, decompress
-from zbot_nodes.navigation.map_file import MapFileError, read_settings
-from zbot_nodes.navigation.map_image import MapImageError, read_image
+from zbot_nodes.navigation.grids.footprint import footprint_of
 
 from geometry_msgs.msg import PoseStamped
 from nav_msgs.msg import Path as PathMessage
@@ -143,7 +146,7 @@ def _sources() -> tuple[bytes, ...]:
             entry.size, entry.pax_headers = 10, {"comment": "x"}
             tar.addfile(entry, io.BytesIO(b"int32 size"))
     plain = other.getvalue()
-    return (stream.getvalue(), plain, *(one.compress(plain) for one in (gzip, bz2, lzma)))
+    return (stream.getvalue(), plain, *(module.compress(plain) for module in (gzip, bz2, lzma)))
 
 
 _YAML = (
@@ -172,6 +175,11 @@ _URDF = b"""<robot name="arm"><link name="a"/><link name="b"/><joint name="j" ty
 <parent link="a"/><child link="b"/><origin xyz="1 2 3" rpy="0 0 1"/><axis xyz="0 0 1"/>
 <limit lower="-1" upper="1e0" effort="1" velocity="1"/><mimic joint="k" multiplier="2"/></joint>
 </robot>"""
+_APPEARANCE = b"""<robot name="arm"><material name="m"><color rgba="1 0 0 1"/></material>
+<link name="a"><visual><origin xyz="1 2 3"/><geometry><box size="1 2 3"/></geometry>
+<material name="m"/></visual><collision><geometry><cylinder radius="1" length="2"/></geometry>
+</collision></link><link name="b"><visual><geometry><mesh filename="a.stl" scale="1 1 1"/>
+</geometry></visual></link></robot>"""
 _HARDWARE = b"""<robot name="arm"><link name="a"/><ros2_control name="h" type="system">
 <hardware><plugin>x/Y</plugin><param name="b">1</param></hardware><joint name="j">
 <command_interface name="position"/><state_interface name="position"><param name="initial_value">1
@@ -212,7 +220,7 @@ TEXT_READERS = (
     ),
     Reader(
         "message_values",
-        ("zbot_cli.input.message_values",),
+        ("zbot_cli.input.message_values", "zbot.interfaces.yaml_message"),
         lambda data: Template(PoseStamped, text_of(data)),
         _VALUE_ERRORS,
         (
@@ -233,7 +241,7 @@ TEXT_READERS = (
         "form_entry",
         ("zbot.web.forms.form_value",),
         _form,
-        (EntryError,),
+        (FieldMisfitError,),
         (
             b"\x001, 2.5",
             b"\x01[1, 2, 3]",
@@ -345,15 +353,22 @@ TEXT_READERS = (
         "launch_loop",
         ("zbot.launch.actions.loop",),
         lambda data: _values(text_of(data)),
-        (LaunchArgumentError,),
+        (LaunchUsageError,),
         (b"{name: a, id: 1}", *_YAML),
     ),
     Reader(
         "robot_description",
-        ("zbot_nodes.description.xml_text", "zbot_nodes.description.urdf"),
+        ("zbot.description.xml_text", "zbot.description.urdf"),
         lambda data: read_urdf(text_of(data)),
         (DescriptionError,),
         (_URDF, b"<a>" * 200, b'<!DOCTYPE a [<!ENTITY b "c">]><robot>&b;</robot>'),
+    ),
+    Reader(
+        "robot_appearance",
+        ("zbot.description.appearance",),
+        lambda data: read_appearance(text_of(data)),
+        (DescriptionError,),
+        (_APPEARANCE, _URDF),
     ),
     Reader(
         "camera_calibration",
@@ -378,8 +393,15 @@ TEXT_READERS = (
         (b"{x: 1.0, y: 2, yaw: 0.5}", *_YAML),
     ),
     Reader(
+        "outline",
+        ("zbot_nodes.navigation.grids.footprint",),
+        lambda data: footprint_of(text_of(data), 0.1),
+        (ValueError,),
+        (b"[[0.1, 0.1], [0.1, -0.1], [-0.1, 0.0]]", b"[]", b"[[1e400, 1], [2, 3], [4, 5]]"),
+    ),
+    Reader(
         "map_settings",
-        ("zbot_nodes.navigation.map_file",),
+        ("zbot.libraries.navigation.map_file",),
         lambda data: read_settings(text_of(data)),
         (MapFileError,),
         (
@@ -392,7 +414,7 @@ TEXT_READERS = (
     ),
     Reader(
         "map_image",
-        ("zbot_nodes.navigation.map_image",),
+        ("zbot.libraries.navigation.map_image",),
         lambda data: read_image(file_with("map.png", data)),
         (MapImageError,),
         (b"P5\n# a\n2 2\n255\nabcd", b"P2 2 2 9 1 2 3 4", b"P5 1 1 65535 ab", _png()),

@@ -44,7 +44,7 @@ class Run(NamedTuple):
 def _work(
     name: str, seed: str, first: int, count: int, deadline: float, place: Any, found: Any
 ) -> None:
-    reader = next(one for one in READERS if one.name == name)
+    reader = next(each for each in READERS if each.name == name)
     _limit_memory()
 
     def note(number: int) -> None:

@@ -24,7 +24,9 @@ if TYPE_CHECKING:
 @pytest.fixture(autouse=True)
 def finders(monkeypatch: pytest.MonkeyPatch) -> None:
     """Give the test finders without sources."""
-    known = [one for one in sys.meta_path if not isinstance(one, import_finder.ImportFinder)]
+    known = [
+        finder for finder in sys.meta_path if not isinstance(finder, import_finder.ImportFinder)
+    ]
     monkeypatch.setattr(sys, "meta_path", known)
     monkeypatch.setattr(import_finder, "_first", import_finder.ImportFinder())
     monkeypatch.setattr(import_finder, "_last", import_finder.ImportFinder())

@@ -26,7 +26,8 @@ DEEP = "[" * 64 + "1" + "]" * 64
         (b'{"\\udfff": 1}', "UTF-8"),
         ('["\ud800"]', "UTF-8"),
         (f"[{DEEP}]".encode(), "nested deeper than 64 levels"),
-        (b"[" * 1_000_000, "nested deeper than 64 levels"),
+        (b"[" * 100_000, "nested deeper than 64 levels"),
+        (b"[" * 1_000_000, "more than 200000 objects and lists"),
         (b'{"a":' * 100_000, "nested deeper than 64 levels"),
         (b" " * 1001 + b"1", "longer than 1000 bytes"),
     ],
@@ -47,3 +48,29 @@ def test_valid_json_is_read() -> None:
     assert read_json_object("{}") == {}
     with pytest.raises(JsonError, match="it is not an object"):
         read_json_object("[]")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "[" + "{}," * 200_000 + "1]",
+        "[" + "[]," * 200_000 + "1]",
+        "[" + "1," * 1_100_000 + "1]",
+        '["\\\\",' + "{}," * 200_000 + "1]",
+        '"' + "[" * 5_000_000 + '"',  # too long for a count without strings
+    ],
+)
+def test_json_that_needs_much_more_memory_than_its_text_is_refused(text: str) -> None:
+    begin = time.process_time()
+    with pytest.raises(JsonError, match="more than 200000 objects and lists, or 1100000 values"):
+        read_json(text)
+    assert time.process_time() - begin < 1
+
+
+@pytest.mark.parametrize("text", ["{,[" * 200_000, '{\\"' * 200_000])
+def test_the_characters_inside_strings_are_no_values(text: str) -> None:
+    assert read_json(f'["{text}"]') == [text.replace("\\", "")]
+
+
+def test_a_map_of_a_million_cells_is_read() -> None:
+    assert len(read_json("[" + "0," * 999_999 + "0]")) == 1_000_000

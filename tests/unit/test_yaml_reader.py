@@ -8,17 +8,18 @@ import pytest
 import zbot  # noqa: F401 - makes the messages importable
 from tests.conftest import allowed
 from zbot.interfaces.content_filter import ContentFilter, ContentFilterError
+from zbot.interfaces.message_reader import FieldMisfitError
 from zbot.interfaces.spec import FieldType
-from zbot.launch.errors import CoercionError
-from zbot.launch.frontend import substitution_text, xml_file, yaml_file
-from zbot.launch.frontend.errors import (
+from zbot.launch.errors import (
+    CoercionError,
     InvalidFrontendLaunchFileError,
     SubstitutionSyntaxError,
 )
+from zbot.launch.frontend import substitution_text, xml_file, yaml_file
 from zbot.launch.typed_value import coerce_to_type
 from zbot.parameters.errors import ParametersFileError, ParameterValueError
 from zbot.parameters.file import parse_value, sections
-from zbot.web.forms.form_value import DURATION, EntryError, read
+from zbot.web.forms.form_value import DURATION, read
 from zbot.yaml_reader import (
     YamlError,
     compose_untagged,
@@ -146,7 +147,7 @@ def test_values_of_users_are_refused(tmp_path: Path, name: str) -> None:
                 sections(str(path))
     with pytest.raises((ValuesError, PopulateError)):
         Template(Int64, f"{{data: {text}}}")
-    with pytest.raises(EntryError):
+    with pytest.raises(FieldMisfitError):
         read(FieldType("int64", "sequence"), text, "a", lambda: 0)
     with pytest.raises(CoercionError):
         coerce_to_type(text, int)
@@ -173,7 +174,7 @@ def test_values_of_users_are_refused(tmp_path: Path, name: str) -> None:
     ],
 )
 def test_odd_numbers_in_a_form_are_refused(kind: str, entry: str) -> None:
-    with pytest.raises(EntryError):
+    with pytest.raises(FieldMisfitError):
         read(FieldType(kind), entry, "a", lambda: 0)
 
 

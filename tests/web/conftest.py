@@ -25,9 +25,10 @@ if TYPE_CHECKING:
 Value = TypeVar("Value")
 
 _LOCAL = {"127.0.0.1", "localhost"}
-_ARGUMENTS = [
+ARGUMENTS = [
     "--no-sandbox",  # Chromium refuses to run as root otherwise
     "--disable-gpu",
+    "--enable-unsafe-swiftshader",  # WebGL without a graphics card, for the 3D view
     "--disable-background-networking",
     "--disable-component-update",
     "--disable-sync",
@@ -43,6 +44,14 @@ def chromium() -> str | None:
     """Return the path of this machine's Chromium or Chrome, if there is one."""
     names = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
     return next(filter(None, map(shutil.which, names)), None)
+
+
+#: Parts of errors in the console that are no faults of the page.
+_HARMLESS = (
+    "net::ERR_CONNECTION_REFUSED",  # pages that are still open, after a test ended their server
+    # viser's page, if a change comes before the element, which then has this change.
+    "Tried to update non-existent component",
+)
 
 
 class Visit:
@@ -64,8 +73,8 @@ class Visit:
         return page
 
     def _note(self, message: Any) -> None:
-        # Pages that are still open report a refused connection after a test ended their server.
-        if message.type == "error" and "net::ERR_CONNECTION_REFUSED" not in message.text:
+        print(f"the page's console: {message.type}: {message.text}")  # pytest shows it on a failure
+        if message.type == "error" and not any(part in message.text for part in _HARMLESS):
             self.errors.append(message.text)
 
     @property
@@ -108,7 +117,7 @@ class SharedBrowser:
             pytest.skip("there is no Chromium on this machine")
         playwright.expect.set_options(timeout=PAGE_TIMEOUT_MS)
         driver = self._ends.enter_context(playwright.sync_playwright())
-        browser: Browser = driver.chromium.launch(executable_path=path, args=_ARGUMENTS)
+        browser: Browser = driver.chromium.launch(executable_path=path, args=ARGUMENTS)
         self._ends.callback(browser.close)
         return browser
 
@@ -210,10 +219,10 @@ def visit(browser: Browser, start: object) -> Iterator[Callable[..., Visit]]:  #
         return visits[-1]
 
     yield open_window
-    for one in visits:
-        one.context.close()
-    for one in visits:
-        assert one.new_errors() == []
+    for past in visits:
+        past.context.close()
+    for past in visits:
+        assert past.new_errors() == []
 
 
 @pytest.fixture
@@ -230,8 +239,8 @@ def page(window: Visit, start: object) -> Iterator[Page]:  # noqa: ARG001 - prog
 def another_page(window: Visit, page: Page) -> Iterator[Callable[[], Page]]:  # noqa: ARG001
     """Return a function that opens one more page in the window; it closes before `page`."""
     yield window.new_page
-    for one in window.context.pages[1:]:
-        one.close()
+    for other in window.context.pages[1:]:
+        other.close()
 
 
 @pytest.fixture

@@ -36,16 +36,21 @@ _THEMES: dict[int, tuple[Literal["light", "dark"], ...]] = {
 }
 
 
+#: Several tests, so that several workers share the panels.
+_PARTS = 4
+
+
 @pytest.mark.usefixtures("turtlesim")
+@pytest.mark.parametrize("part", range(_PARTS))
 def test_axe_finds_nothing_in_any_panel(
-    visit: Callable[..., Visit], server: Server, make_context: Callable[[], zbot.Context]
+    visit: Callable[..., Visit], server: Server, make_context: Callable[[], zbot.Context], part: int
 ) -> None:
     node = zbot.Node("talker", context=make_context())
     node.create_publisher(String, "chatter", 10)
     node.get_logger().info("Hello")
     page = visit().page
     found = []
-    for panel in PANELS:
+    for panel in PANELS[part::_PARTS]:
         page.goto(f"{server.address}{panel.path}")
         expect(page.locator(".zb-command")).not_to_be_empty()
         for width, themes in _THEMES.items():
@@ -53,7 +58,13 @@ def test_axe_finds_nothing_in_any_panel(
             for theme in themes:
                 page.emulate_media(color_scheme=theme)
                 found += [
-                    (panel.path, width, theme, fault["id"], [one["html"] for one in fault["nodes"]])
+                    (
+                        panel.path,
+                        width,
+                        theme,
+                        fault["id"],
+                        [node["html"] for node in fault["nodes"]],
+                    )
                     for fault in Axe().run(page, _WITHOUT_BAR).response["violations"]
                 ]
     assert not found, "\n".join(map(str, found))

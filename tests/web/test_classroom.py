@@ -8,8 +8,18 @@ from typing import TYPE_CHECKING
 
 import pytest
 
+import zbot
 from tests.classroom.local_machine import LocalMachine
+from tests.conftest import wait_until
+from tests.web.conftest import COMMAND, Server
+from zbot.classroom.sensor_rule import FORBIDDEN
 from zbot.testing.domain import reserved_domain
+
+from sensor_msgs.msg import NavSatFix
+
+pytest.importorskip("playwright.sync_api", reason="Playwright is not installed")
+
+from playwright.sync_api import expect
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -17,7 +27,8 @@ if TYPE_CHECKING:
 
     from playwright.sync_api import Page
 
-    from tests.conftest import Program
+    from tests.conftest import MakeContext, Program, Spin
+    from tests.web.conftest import Visit
 
 NAME = "Ana <img src=x onerror=alert(1)>"
 
@@ -86,6 +97,28 @@ def test_each_student_has_a_card_that_opens_the_graph(
     assert re.search(rf"/class\?student={domain}$", page.url)
 
 
+def test_the_teacher_opens_the_view_of_a_student(
+    page: Page,
+    student: LocalMachine,
+    start: Callable[..., Program],
+    serve: Callable[..., object],
+    domain: int,
+) -> None:
+    pytest.importorskip("viser", reason='the view needs viser: pip install "zbot[view]"')
+    start(source=FAULTY, env=student.environment).wait_for("ready")
+    address = getattr(serve(), "address", "")
+    page.goto(f"{address}/class?student={domain}")
+    with page.expect_popup() as opened:
+        page.get_by_role("link", name="Open the 3D view").click()
+    view = opened.value
+    inner = view.frame_locator("iframe[title='3D view']")
+    inner.get_by_text(f"zbot, domain {domain}").wait_for()
+    view.get_by_text(f"zbot --domain {domain} view").wait_for()
+    view.close()
+    page.goto(f"{address}/view?student=999")
+    page.get_by_text("the class has no student 999").wait_for()
+
+
 def test_a_student_who_leaves_the_network_is_shown_as_lost(
     page: Page, student: LocalMachine, serve: Callable[..., object]
 ) -> None:
@@ -114,3 +147,38 @@ def test_the_teachers_browser_shows_code_pin_and_qr_code(
     page.wait_for_function(width)
     page.get_by_role("button", name="Hide the code").click()
     card.wait_for(state="hidden")
+
+
+def test_a_teacher_forbids_the_sensors_of_browsers_and_allows_them_again(
+    visit: Callable[..., Visit],
+    teacher: LocalMachine,
+    student: LocalMachine,
+    start: Callable[..., Program],
+    make_context: MakeContext,
+    spin: Spin,
+) -> None:
+    heard: list[NavSatFix] = []
+    node = zbot.Node("listener", context=make_context())
+    node.create_subscription(NavSatFix, "/laptop/fix", heard.append, 10)
+    spin(node)
+    place = {"latitude": 46.5, "longitude": 6.6, "accuracy": 10}
+    page = visit(geolocation=place, permissions=["geolocation"]).page
+    page.goto(f"{Server(start(*COMMAND, env=student.environment)).address}/sensors")
+    switch = page.get_by_role("switch", name="Position")
+    switch.click()
+    assert wait_until(lambda: bool(heard))
+    told = teacher.succeed("class", "start", "--no-sensors")
+    assert "The live page publishes no sensors of browsers in this class" in told
+    expect(page.get_by_text(FORBIDDEN).first).to_be_visible()
+    expect(switch).to_be_disabled()
+    assert wait_until(lambda: node.count_publishers("/laptop/fix") == 0)
+    heard.clear()
+    # The server itself refuses, also if the browser goes on.
+    page.evaluate("emitEvent('zbot_sensor', ['position', 1, [46.5, 6.6, null, 10, null]])")
+    page.reload()
+    expect(switch).to_be_disabled()
+    assert not heard
+    teacher.succeed("class", "start", "--sensors")
+    expect(switch).to_be_enabled()
+    switch.click()
+    assert wait_until(lambda: bool(heard))

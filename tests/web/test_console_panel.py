@@ -31,7 +31,10 @@ def loggers(
     context = make_context()
     nodes = zbot.Node("left", context=context), zbot.Node("right", context=context)
     page.goto(f"{server.address}/console")
-    clear(page)  # lines that other tests logged
+    # With a line to clear, the end of the clearing is visible. A later one would take new lines.
+    nodes[0].get_logger().info("before the test")
+    expect(lines(page).last).to_contain_text("before the test")
+    clear(page)
     expect(page.get_by_text("No log line yet.")).to_be_visible()
     return nodes
 

@@ -101,7 +101,7 @@ def test_page_shows_what_the_command_prints(server: Server, page: Page, node: No
         ).stdout
         printed = json.loads(out)
         assert shows(page, *printed["nodes"]), drawn(page, "node")
-        topics = [f"t:{one['name']}" for one in printed["topics"]]
+        topics = [f"t:{topic['name']}" for topic in printed["topics"]]
         assert wait_until(lambda topics=topics: drawn(page, "topic") == topics)  # type: ignore[misc]
         count = len(printed["edges"])
         assert wait_until(lambda count=count: len(drawn(page, "edge")) == count)  # type: ignore[misc]
@@ -261,7 +261,7 @@ def test_a_picture_is_downloaded(server: Server, page: Page, node: Nodes, tmp_pa
         target = tmp_path / download.value.suggested_filename
         download.value.save_as(target)
         saved[target.name] = target.read_bytes()
-    names = [one.get("data-node") for one in ET.fromstring(saved["graph.svg"]).iter()]
+    names = [element.get("data-node") for element in ET.fromstring(saved["graph.svg"]).iter()]
     assert [name for name in names if name] == ["/listener", "/talker"]
     assert saved["graph.png"].startswith(b"\x89PNG\r\n\x1a\n")
     assert len(saved["graph.png"]) > 5_000

@@ -85,7 +85,7 @@ def test_a_refused_value_is_reset_with_the_reason(demo: Page) -> None:
     expect(field(demo, "driver")).to_have_value("Ada")
     field(demo, "laps").fill("many")
     demo.keyboard.press("Enter")
-    expect(entry(demo, "laps")).to_contain_text("write a number, not 'many'")
+    expect(entry(demo, "laps")).to_contain_text("not 'many'; laps is an int64: write laps: 2")
     expect(field(demo, "laps")).to_have_value("3")
 
 
@@ -97,6 +97,27 @@ def test_values_set_by_other_programs_are_shown(demo: Page) -> None:
     expect(command(demo)).to_have_text("zbot param set /parameter_demo driver Hedy")
     expect(field(demo, "driver")).to_have_value("Hedy")
     assert zbot("param", "get", "/parameter_demo", "driver").out == "String value is: Hedy\n"
+
+
+def test_a_node_that_was_started_again_is_shown_as_it_is_now(
+    start: Start, server: Server, page: Page, another_page: Callable[[], Page]
+) -> None:
+    address = f"{server.address}/parameters?node=/parameter_demo"
+    first = start("zbot", "run", "parameter_demo")
+    first.wait_for("drives")
+    page.goto(address)
+    assert zbot("param", "set", "/parameter_demo", "driver", "Grace").code == 0
+    expect(field(page, "driver")).to_have_value("Grace")
+    first.stop()
+    start("zbot", "run", "parameter_demo").wait_for("drives")
+    expect(field(page, "driver")).to_have_value("Ada")
+    later = another_page()
+    later.goto(address)
+    expect(field(later, "driver")).to_have_value("Ada")
+    # The events of the former node are not shown after the load.
+    assert zbot("param", "set", "/parameter_demo", "laps", "7").code == 0
+    expect(field(later, "laps")).to_have_value("7")
+    expect(field(later, "driver")).to_have_value("Ada")
 
 
 def test_a_read_only_page_shows_values(start: Start, read_only_server: Server, page: Page) -> None:

@@ -95,7 +95,7 @@ def test_roslibjs_in_a_page_of_another_server(
     call = "([library, url]) => window.callAll(library, url)"
     outcomes = guest_page.evaluate(call, [library, socket_address(server)])
     assert len(outcomes) > 25
-    assert {name: one for name, one in outcomes.items() if one != "ok"} == {}
+    assert {name: outcome for name, outcome in outcomes.items() if outcome != "ok"} == {}
 
 
 def test_pages_of_other_servers_need_the_option(

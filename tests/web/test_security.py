@@ -17,9 +17,9 @@ if TYPE_CHECKING:
 
 #: Attempts of a page of another site; returns the result of each.
 ATTACK = """async address => {
-    const host = address.replace("http://", "");
+    const socketAddress = `${address.replace("http", "ws")}/_nicegui_ws/socket.io/`;
     const socket = new Promise(done => {
-        const one = new WebSocket(`ws://${host}/_nicegui_ws/socket.io/?EIO=4&transport=websocket`);
+        const one = new WebSocket(`${socketAddress}?EIO=4&transport=websocket`);
         one.onopen = () => done("open");
         one.onerror = () => done("refused");
     });

@@ -104,4 +104,4 @@ def test_ctrl_c_ends_the_server_without_output(
     assert server.program.output.count("\n") == 0
     page.goto("about:blank")
     # The browser may report that the server has closed the websocket.
-    window.errors[:] = [one for one in window.errors if "WebSocket" not in one]
+    window.errors[:] = [error for error in window.errors if "WebSocket" not in error]

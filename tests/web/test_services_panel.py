@@ -82,7 +82,7 @@ def test_an_invalid_entry_cannot_be_sent(server: Server, page: Page, node: zbot.
     node.create_service(AddTwoInts, "add", lambda _, response: response)
     page.goto(f"{server.address}/services?service=/add")
     page.get_by_label("a", exact=True).fill("two")
-    expect(page.get_by_text("write a number, not 'two'")).to_be_visible()
+    expect(page.get_by_text("not 'two'; a is an int64: write a: 2")).to_be_visible()
     expect(page.get_by_role("button", name="Call")).to_be_disabled()
 
 

@@ -17,6 +17,7 @@ pytest.importorskip("playwright.sync_api", reason="Playwright is not installed")
 
 from playwright.sync_api import expect
 
+from geometry_msgs.msg import Twist
 from std_msgs.msg import String
 
 if TYPE_CHECKING:
@@ -29,7 +30,10 @@ PROJECTOR = {"width": 1024, "height": 640}
 PANELS = [
     "topics",
     "plot",
+    "frames",
     "turtle",
+    "drive",
+    "joints",
     "services",
     "actions",
     "parameters",
@@ -38,6 +42,7 @@ PANELS = [
     "bags",
 ]
 TOPIC = "/a_robot_with_a_long_name/front_camera/image_rectified"
+DRIVEN = "/a_robot_with_a_long_name/base_controller/cmd_vel"
 NODE = "/the_node_that_rectifies_images"
 BAG = "a_recording_of_the_front_camera_on_a_sunny_day"
 #: The smallest text that people can read on a phone, in CSS pixels.
@@ -62,6 +67,7 @@ SCRIPTS = (BEYOND, CUT, HIGH)
 def node(server: Server, make_context: Callable[[], zbot.Context]) -> zbot.Node:  # noqa: ARG001
     node = zbot.Node(NODE.strip("/"), context=make_context())
     node.create_publisher(String, TOPIC, 1)
+    node.create_subscription(Twist, DRIVEN, lambda _: None, 1)
     node.get_logger().info("The image is rectified. " * 20)
     return node
 
@@ -88,7 +94,11 @@ def test_nothing_is_beyond_the_edge_and_names_are_whole(
             name = bag if panel == "bags" else TOPIC if panel == "topics" else NODE
             expect(page.get_by_role("cell", name=name)).to_be_visible()
         expect(page.locator(".zb-command")).not_to_be_empty()
-        assert settled(page, lambda: [page.evaluate(one) for one in SCRIPTS]) == [[], [], []], panel
+        assert settled(page, lambda: [page.evaluate(script) for script in SCRIPTS]) == [
+            [],
+            [],
+            [],
+        ], panel
 
 
 @pytest.mark.usefixtures("node")

@@ -113,13 +113,21 @@ def test_claimed_names_are_not_shown(kiosk: Server, page: Page, window: Visit, p
     [
         "topics?topic=", "graph?nodes=", "graph?topics=", "plot?curve=", "services?service=",
         "actions?action=", "parameters?node=", "console?text=", "console?node=", "turtle?turtle=",
-        "processes?process=", "class?student=",
+        "processes?process=", "class?student=", "frames?frame=",
+        "pictures?topics=", "diagnostics?status=", "diagnostics?topic=", "launch?process=",
+        "layout?layout=",
     ],
 )  # fmt: skip
 def test_addresses_are_text(server: Server, page: Page, window: Visit, query: str) -> None:
     page.goto(f"{server.address}/{query}{quote('/' + EVIL)}")
     page.wait_for_function("window.socket?.connected")
     expect(page.locator(".zb-main")).to_be_visible()
+    check(page, window)
+
+
+def test_a_topic_of_pictures_with_quotes_is_text(server: Server, page: Page, window: Visit) -> None:
+    page.goto(f"{server.address}/pictures?topics={quote(f'/a{QUOTED}', safe='')}")
+    expect(page.get_by_label(f"Pause /a{QUOTED}", exact=True)).to_be_visible()
     check(page, window)
 
 

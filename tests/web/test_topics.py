@@ -121,7 +121,7 @@ def test_publish_form_reports_invalid_entries(server: Server, page: Page, node: 
     node.create_subscription(Float64, "x", print, 10)
     page.goto(f"{server.address}/topics?topic=/x")
     page.fill("input[aria-label='data']", "1,5")
-    page.wait_for_selector("text=write 1.5 with a point")
+    page.wait_for_selector("text=write a point, not a comma")
     expect(page.locator("button:has-text('Publish once')")).to_be_disabled()
 
 

@@ -10,13 +10,18 @@ import weakref
 from functools import partial
 from typing import TYPE_CHECKING, Any, TypeVar, cast
 
-from zbot.action.client_goal_handle import ClientGoalHandle
-from zbot.action.endpoint import ActionEndpoint, check_arguments
+from zbot.action.client_goal_handle import ClientGoalHandle, SentGoal
+from zbot.action.endpoint import (
+    ActionEndpoint,
+    FeedbackT,
+    GoalT,
+    ResultT,
+    WorkQueue,
+    check_arguments,
+)
 from zbot.action.errors import ActionMessageError
 from zbot.action.feedback import FeedbackSubscription
-from zbot.action.generic import FeedbackT, GoalT, ResultT
 from zbot.action.goal_state import GoalState
-from zbot.action.work_queue import WorkQueue
 from zbot.errors import InvalidHandleError
 from zbot.executor.callback_check import check_callback, unless_called
 from zbot.executor.callback_group import ReentrantCallbackGroup
@@ -54,28 +59,6 @@ _SERVER_TIMEOUT_S = 3.0  # a goal waits this long for a server that starts
 # Time between two attempts to send a goal. A wait for the graph also consists of waits of this
 # length, because a shutdown does not end a wait.
 _STEP_S = 0.5
-
-
-class _Goal:
-    """A goal that a client stores until the result has come and all feedback is handled."""
-
-    def __init__(self, feedback_callback: Callable[[Any], Any] | None) -> None:
-        self.feedback_callback = feedback_callback
-        self.handle: weakref.ref[ClientGoalHandle[Any, Any, Any]] | None = None
-        self.state = GoalState.UNKNOWN
-        self.is_over = False  #: whether the result has come
-
-    def set_state(self, state: GoalState) -> None:
-        """Set the goal's state. If there is no handle yet, the handle gets the state later.
-
-        After the result has come, the state does not change, because an older state may come later.
-        """
-        if self.is_over:
-            return
-        self.state = state
-        handle = self.handle() if self.handle is not None else None
-        if handle is not None:
-            handle.status = state.value
 
 
 class _ActionFuture(Future[T]):
@@ -134,7 +117,7 @@ class ActionClient(ActionEndpoint[GoalT, ResultT, FeedbackT]):
         self._action_name = node.resolve_service_name(action_name)
         self._lock = threading.RLock()  # re-entrant: a signal handler may take it
         self._has_warned = False  #: whether a missing server was logged
-        self._goals: dict[bytes, _Goal] = {}
+        self._goals: dict[bytes, SentGoal] = {}
         impl, name = action_type.Impl, f"{self._action_name}/_action"
         # The subscription is made before the clients. So no feedback of the first goal is lost.
         self._feedback = FeedbackSubscription(
@@ -303,7 +286,7 @@ class ActionClient(ActionEndpoint[GoalT, ResultT, FeedbackT]):
 
     def _remember(self, goal_id: UUID, feedback_callback: Callable[[Any], Any] | None) -> None:
         with self._lock:
-            self._goals.setdefault(bytes(goal_id.uuid), _Goal(feedback_callback))
+            self._goals.setdefault(bytes(goal_id.uuid), SentGoal(feedback_callback))
 
     def _forget(self, key: bytes) -> None:
         with self._lock:

@@ -1,12 +1,16 @@
-"""Handle of a goal for an action client."""
+"""Handle of a goal for an action client, and what the client stores for it."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Protocol
 
-from zbot.action.generic import ActionGeneric, FeedbackT, GoalT, ResultT
+from zbot.action.endpoint import ActionGeneric, FeedbackT, GoalT, ResultT
+from zbot.action.goal_state import GoalState
 
 if TYPE_CHECKING:
+    import weakref
+    from collections.abc import Callable
+
     from zbot.executor.task import Future
 
     from action_msgs.srv import CancelGoal
@@ -121,3 +125,25 @@ class ClientGoalHandle(ActionGeneric[GoalT, ResultT, FeedbackT]):
     def cancel_goal_async(self) -> Future[CancelGoal.Response]:
         """Ask the server to cancel the goal. Return a future of the response."""
         return self._action_client.cancel_goal_async(self)
+
+
+class SentGoal:
+    """A goal that a client stores until the result has come and all feedback is handled."""
+
+    def __init__(self, feedback_callback: Callable[[Any], Any] | None) -> None:
+        self.feedback_callback = feedback_callback
+        self.handle: weakref.ref[ClientGoalHandle[Any, Any, Any]] | None = None
+        self.state = GoalState.UNKNOWN
+        self.is_over = False  #: whether the result has come
+
+    def set_state(self, state: GoalState) -> None:
+        """Set the goal's state. If there is no handle yet, the handle gets the state later.
+
+        After the result has come, the state does not change, because an older state may come later.
+        """
+        if self.is_over:
+            return
+        self.state = state
+        handle = self.handle() if self.handle is not None else None
+        if handle is not None:
+            handle.status = state.value

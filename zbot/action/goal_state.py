@@ -75,7 +75,7 @@ class GoalTransitionError(ZbotError, RuntimeError):
 
     def __init__(self, state: GoalState, event: GoalEvent) -> None:
         self.state, self.event = state, event
-        possible = [f"{one.value}()" for one in events_of(state) if one in _METHODS]
+        possible = [f"{event.value}()" for event in events_of(state) if event in _METHODS]
         hint = f"possible now: {', '.join(possible)}" if possible else "it has ended"
         super().__init__(f"a goal that is {state.name} cannot {_phrase(event)}: {hint}")
 

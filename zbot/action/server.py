@@ -10,13 +10,18 @@ from functools import partial
 from typing import TYPE_CHECKING, Any, cast
 
 from zbot.action.cancellation import ERROR_REJECTED, CancelQuery
-from zbot.action.endpoint import ActionEndpoint, check_arguments
+from zbot.action.endpoint import (
+    ActionEndpoint,
+    FeedbackT,
+    GoalT,
+    ResultT,
+    WorkQueue,
+    check_arguments,
+)
 from zbot.action.errors import ActionMessageError
-from zbot.action.generic import FeedbackT, GoalT, ResultT
 from zbot.action.goal_state import GoalEvent, GoalState, GoalTransitionError
 from zbot.action.server_goal_handle import ServerGoalHandle
 from zbot.action.service import Reply, call, create_action_service
-from zbot.action.work_queue import WorkQueue
 from zbot.errors import InvalidHandleError
 from zbot.executor.callback_check import check_callback, unless_called
 from zbot.executor.callback_group import ReentrantCallbackGroup
@@ -24,7 +29,7 @@ from zbot.executor.timer import Timer
 from zbot.executor.waitable import NumberOfEntities
 from zbot.interfaces import type_name
 from zbot.node.argument_check import is_name
-from zbot.process.hooks import user_traceback
+from zbot.process.hooks import advise, user_traceback
 from zbot.qos import (
     QoSProfile,
     qos_profile_action_status_default,
@@ -341,6 +346,7 @@ class ActionServer(ActionEndpoint[GoalT, ResultT, FeedbackT]):
         return cast("ResultT | None", result)
 
     def _report(self, error: Exception) -> None:
+        advise(error)
         lines = traceback.format_exception(type(error), error, user_traceback(error.__traceback__))
         self._logger.error(f"Error raised in execute callback: {error}\n{''.join(lines).rstrip()}")
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Protocol
 
-from zbot.action.generic import ActionGeneric, FeedbackT, GoalT, ResultT
+from zbot.action.endpoint import ActionGeneric, FeedbackT, GoalT, ResultT
 from zbot.action.goal_state import GoalEvent, GoalState, next_state
 from zbot.executor.task import Future
 from zbot.time import S_TO_NS

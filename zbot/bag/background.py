@@ -6,14 +6,14 @@ import contextlib
 import threading
 import time
 import traceback
-from typing import TYPE_CHECKING, Any
+from pathlib import Path
+from typing import TYPE_CHECKING
 
 from zbot.bag.errors import BagError
 from zbot.bag.player import Player
 from zbot.bag.player_services import PlayerServices
 from zbot.bag.reader import Reader
-from zbot.bag.recorder import Discovery, Recorder
-from zbot.bag.writer import Writer
+from zbot.bag.recorder import Recorder
 from zbot.context import Context
 from zbot.errors import ExternalShutdownException, ZbotError
 from zbot.executor.single_threaded_executor import SingleThreadedExecutor
@@ -23,10 +23,8 @@ from zbot.node.node import Node
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
-    from pathlib import Path
 
-    from zbot.bag.play_options import PlayOptions
-    from zbot.bag.selection import Selection
+    from zbot.bag.options import PlayOptions, RecordOptions, StorageOptions
 
 _START_S = 20.0  #: longest wait for the node
 _STOP_S = 60.0  #: longest wait for the end; a recording may have much to write
@@ -147,11 +145,10 @@ class BackgroundRecording(_Background):
     """Recording of topics. It begins immediately. Any thread may call its methods.
 
     Args:
-        path: Folder of the new bag.
-        selection: The topics.
+        storage: The new bag.
+        options: What to record.
         domain_id: 0 to 232. `None` means the same as in `zbot.init`.
         is_client: Whether to be a client of the domain's router, e.g. for the domain of a student.
-        options: Arguments of `Writer`.
 
     Raises:
         BagError: The recording does not start.
@@ -159,25 +156,23 @@ class BackgroundRecording(_Background):
 
     def __init__(
         self,
-        path: Path,
-        selection: Selection,
+        storage: StorageOptions,
+        options: RecordOptions,
         domain_id: int | None = None,
         *,
         is_client: bool = False,
-        **options: Any,
     ) -> None:
-        self.path = path
+        self.path = Path(storage.uri)
         self.started_s = time.monotonic()
         self.recorder: Recorder | None = None  #: `None` if the bag cannot be written
-        self._selection = selection
-        self._options = options
+        self._storage, self._options = storage, options
         super().__init__("zbot bag recording", domain_id, is_client=is_client)
 
     @property
     def bytes(self) -> int:
         """Size of the files so far."""
         with contextlib.suppress(OSError):  # the folder was removed
-            return sum(one.stat().st_size for one in self.path.iterdir())
+            return sum(path.stat().st_size for path in self.path.iterdir())
         return 0
 
     def _end(self) -> None:
@@ -187,13 +182,7 @@ class BackgroundRecording(_Background):
 
     def _work(self) -> None:
         with self._node(RECORDER_NAME) as node:
-            recorder = Recorder(
-                node,
-                Writer(self.path, **self._options),
-                self._selection,
-                discovery=Discovery(),
-                overrides={},
-            )
+            recorder = Recorder(node, self._storage, self._options)
             executor = SingleThreadedExecutor(context=node.context)
             executor.add_node(node)
             self.recorder = recorder

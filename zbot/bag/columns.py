@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.bag.errors import BagError, BagValueError, bag_topic_error
 from zbot.bag.reader import Reader
+from zbot.errors import require_numpy
+from zbot.errors.installation import pip_install
 from zbot.interfaces import get_spec
 from zbot.wire.serialization import deserialize_message
 
@@ -27,7 +29,7 @@ class NoPandasError(BagError, ImportError):
     """The package pandas is not installed."""
 
     def __init__(self) -> None:
-        super().__init__("to_pandas needs pandas: install it with pip install pandas")
+        super().__init__(f"to_pandas needs pandas: install it with {pip_install('pandas')}")
 
 
 def to_numpy(path: str | Path, topic: str, fields: Sequence[str] | None = None) -> dict[str, Any]:
@@ -55,6 +57,7 @@ def to_numpy(path: str | Path, topic: str, fields: Sequence[str] | None = None) 
         CodecError: The bytes of a message do not fit its type.
         NoBagExtraError: The extra `bag` is not installed.
     """
+    require_numpy("to_numpy()")
     import numpy as np  # noqa: PLC0415 - takes 100 ms
 
     times, columns = topic_columns(path, topic, fields)
@@ -153,12 +156,12 @@ def fields_of(type_name: str, *, only_numbers: bool = False) -> list[str]:
 
 def _paths(type_name: str, prefix: str) -> Iterator[tuple[str, FieldType]]:
     spec: Any = get_spec(type_name)
-    for one in spec.fields:
-        name = f"{prefix}{one.name}"
-        if not one.type.is_message:
-            yield name, one.type
-        elif one.type.kind == "scalar":
-            yield from _paths(one.type.base, f"{name}{_SEPARATOR}")
+    for field in spec.fields:
+        name = f"{prefix}{field.name}"
+        if not field.type.is_message:
+            yield name, field.type
+        elif field.type.kind == "scalar":
+            yield from _paths(field.type.base, f"{name}{_SEPARATOR}")
 
 
 def topic_columns(
@@ -213,7 +216,7 @@ class _Table:
         self._class = bag.message_class(bag.topics[name])  # registers a new type
         known = fields_of(bag.topics[name].type_name)
         self.fields = known if fields is None else list(fields)
-        missing = next((one for one in self.fields if one not in known), None)
+        missing = next((field for field in self.fields if field not in known), None)
         if missing is not None:
             raise BagValueError(
                 f"topic '{topic}' has no field '{missing}'; it has {', '.join(known)}"
@@ -222,7 +225,7 @@ class _Table:
 
     def rows(self, start_ns: int, end_ns: int | None) -> Iterator[tuple[int, list[Any]]]:
         """Yield the time of recording and the values of each message."""
-        getters = [attrgetter(one) for one in self.fields]
+        getters = [attrgetter(field) for field in self.fields]
         for message in self._bag.messages([self._name], start_ns, end_ns):
             decoded = deserialize_message(message.data, self._class)
             yield message.log_ns, [get(decoded) for get in getters]
@@ -235,8 +238,8 @@ def _array(values: list[Any]) -> Any:
     if isinstance(first, (str, bytes)):
         return np.array(values, dtype=object)
     if hasattr(first, "__len__"):
-        if len({len(one) for one in values}) == 1 and not (len(first) and _is_text(first[0])):
-            return np.array([np.asarray(one) for one in values])
+        if len({len(value) for value in values}) == 1 and not (len(first) and _is_text(first[0])):
+            return np.array([np.asarray(value) for value in values])
         column = np.empty(len(values), dtype=object)
         column[:] = values
         return column

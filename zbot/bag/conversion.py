@@ -2,50 +2,27 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
-from pathlib import Path
+from dataclasses import dataclass, fields, replace
 from typing import TYPE_CHECKING, Any
 
 from zbot.bag.errors import BagReadError, BagValueError, BagWriteError
 from zbot.bag.mcap_options import PRESETS
 from zbot.bag.metadata import METADATA_FILE, metadata_text
+from zbot.bag.options import RecordOptions, StorageOptions
 from zbot.bag.reader import Reader, merge
-from zbot.bag.selection import Selection
-from zbot.bag.writer import STORAGES, Writer
+from zbot.bag.writer import STORAGES, writer_for
 from zbot.errors import ZbotError
 from zbot.yaml_reader import read_yaml
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
+    from pathlib import Path
 
     from zbot.bag.metadata import BagMetadata
 
-_LISTS = {
-    "topics": "topics",
-    "topic_types": "topic_types",
-    "services": "services",
-    "actions": "actions",
-    "exclude_topics": "exclude_topics",
-    "exclude_topic_types": "exclude_types",
-    "exclude_service_events": "exclude_services",
-    "exclude_actions": "exclude_actions",
-}
-_WORDS = ("regex", "exclude_regex")
-# Keys of rosbag2 that are allowed, but have no effect in zbot.
-_WITHOUT_EFFECT = frozenset(
-    {
-        "compression_queue_size",
-        "compression_threads",
-        "compression_threads_priority",
-        "ignore_leaf_topics",
-        "include_hidden_topics",
-        "include_unpublished_topics",
-        "is_discovery_disabled",
-        "max_cache_size",
-        "rmw_serialization_format",
-        "storage_config_uri",
-    }
-)
+_RECORD_KEYS = frozenset(field.name for field in fields(RecordOptions))
+_STORAGE_KEYS = frozenset(field.name for field in fields(StorageOptions))
+_NUMBERS = ("max_bagfile_size", "max_bagfile_duration", "start_time_ns", "end_time_ns")
 
 
 def output_options_error(path: Path, reason: str) -> BagValueError:
@@ -55,13 +32,10 @@ def output_options_error(path: Path, reason: str) -> BagValueError:
 
 @dataclass(frozen=True)
 class Output:
-    """A new bag, and what it contains. Times are nanoseconds since the epoch."""
+    """A new bag, and what it contains."""
 
-    path: Path
-    selection: Selection
-    options: dict[str, Any] = field(default_factory=dict)  #: arguments of `Writer`
-    start_ns: int = 0
-    end_ns: int | None = None
+    storage: StorageOptions
+    record: RecordOptions
 
 
 def read_outputs(path: Path) -> list[Output]:
@@ -92,13 +66,16 @@ def convert(bags: Sequence[Reader], output: Output) -> int:
         BagReadError: A part of a bag is damaged.
         BagWriteError: The new bag cannot be written, e.g. because the disk is full.
     """
-    with Writer(output.path, **output.options) as writer:
+    selection = output.record.selection()
+    start_ns, end_ns = max(output.storage.start_time_ns, 0), output.storage.end_time_ns
+    until_ns = end_ns if end_ns >= 0 else None
+    with writer_for(output.storage, output.record) as writer:
         for bag in bags:
             for name, topic in bag.topics.items():
-                if output.selection.takes(name, topic.type_name):
+                if selection.takes(name, topic.type_name):
                     writer.create_topic(topic, bag.definition(topic.type_name))
         topics = writer.topics
-        streams = [bag.messages(topics, output.start_ns, output.end_ns) for bag in bags]
+        streams = [bag.messages(topics, start_ns, until_ns) for bag in bags]
         for message in merge(streams):
             writer.write_serialized(*message)
         return writer.message_count
@@ -124,50 +101,42 @@ def reindex(folder: Path) -> BagMetadata:
 
 
 def _read_output(values: dict[str, Any]) -> Output:
-    values = dict(values)
-    output = Output(
-        path=Path(str(values.pop("uri"))),
-        selection=_selection(values),
-        start_ns=max(int(values.pop("start_time_ns", 0)), 0),
-    )
-    end_ns = int(values.pop("end_time_ns", -1))
-    storage = values.pop("storage_id", "") or "mcap"
-    if storage not in STORAGES:
-        raise ValueError(f"storage_id cannot be {storage!r}: choose mcap or sqlite3")
-    mode = str(values.pop("compression_mode", "none")).lower()
-    if mode not in {"", "none", "file", "message"}:
-        raise ValueError(f"compression_mode cannot be {mode!r}: choose none, file or message")
-    if values.pop("compression_format", "") not in {"", "zstd", None}:
-        raise ValueError("compression_format can only be zstd")
-    preset = values.pop("storage_preset_profile", "") or "zstd"
-    if preset not in PRESETS:
-        raise ValueError(f"storage_preset_profile cannot be {preset!r}: choose one of {PRESETS}")
-    options = {
-        "storage_id": storage,
-        "preset": preset,
-        "compress_files": mode == "file",
-        "compress_messages": mode == "message",
-        "max_bytes": int(values.pop("max_bagfile_size", 0)),
-        "max_duration_s": int(values.pop("max_bagfile_duration", 0)),
-        "custom_data": {str(k): str(v) for k, v in (values.pop("custom_data", None) or {}).items()},
-    }
-    unknown = sorted(set(values) - _WITHOUT_EFFECT)
-    if unknown:
-        raise ValueError(f"zbot does not know the key {unknown[0]!r}")
-    return replace(output, options=options, end_ns=end_ns if end_ns >= 0 else None)
-
-
-def _selection(values: dict[str, Any]) -> Selection:
+    values = {name: value for name, value in values.items() if value is not None}
     everything = bool(values.pop("all", False))
-    rules: dict[str, Any] = {
-        new: frozenset(values.pop(old, None) or ()) for old, new in _LISTS.items()
-    }
     if "exclude" in values:  # the name of `exclude_regex` before Jazzy
         values.setdefault("exclude_regex", values.pop("exclude"))
-    rules |= {name: str(values.pop(name, "") or "") for name in _WORDS}
-    return Selection(
-        all_topics=bool(values.pop("all_topics", False)) or everything,
-        all_services=bool(values.pop("all_services", False)) or everything,
-        all_actions=bool(values.pop("all_actions", False)) or everything,
-        **rules,
+    values |= {name: str(values[name]) for name in ("regex", "exclude_regex") if name in values}
+    unknown = sorted(set(values) - _STORAGE_KEYS - _RECORD_KEYS)
+    if unknown:
+        raise ValueError(f"zbot does not know the key {unknown[0]!r}")
+    uri = values["uri"]
+    numbers = {name: int(values[name]) for name in _NUMBERS if name in values}
+    custom = {str(key): str(value) for key, value in values.get("custom_data", {}).items()}
+    storage = _options(
+        StorageOptions(str(uri)), values, **numbers, uri=str(uri), custom_data=custom
     )
+    record = _options(RecordOptions(), values)
+    if everything:
+        record = replace(record, all_topics=True, all_services=True, all_actions=True)
+    _check(storage, record)
+    return Output(storage, record)
+
+
+def _options(options: Any, values: dict[str, Any], **read: Any) -> Any:
+    """Return options with the values of the YAML. `read` has the values that were converted."""
+    names = {field.name for field in fields(options)} & set(values)
+    return replace(options, **{name: values[name] for name in names} | read)
+
+
+def _check(storage: StorageOptions, record: RecordOptions) -> None:
+    if storage.storage_id not in {"", *STORAGES}:
+        raise ValueError(f"storage_id cannot be {storage.storage_id!r}: choose mcap or sqlite3")
+    mode = str(record.compression_mode)
+    if mode.lower() not in {"", "none", "file", "message"}:
+        raise ValueError(f"compression_mode cannot be {mode!r}: choose none, file or message")
+    if record.compression_format not in {"", "zstd"}:
+        raise ValueError("compression_format can only be zstd")
+    preset = storage.storage_preset_profile
+    if preset not in {"", *PRESETS}:
+        raise ValueError(f"storage_preset_profile cannot be {preset!r}: choose one of {PRESETS}")
+    record.selection()  # the regular expressions must be valid

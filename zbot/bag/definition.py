@@ -32,8 +32,8 @@ def definition_text(type_name: str) -> str:
 def _with_parts(type_name: str, seen: set[str]) -> str:
     spec = get_spec(type_name)
     fields = spec.fields if isinstance(spec, MessageSpec) else ()
-    text = spec.text or "".join(f"{one.type.text} {one.name}\n" for one in fields)
-    for part in sorted({one.type.base for one in fields if one.type.is_message}):
+    text = spec.text or "".join(f"{field.type.text} {field.name}\n" for field in fields)
+    for part in sorted({field.type.base for field in fields if field.type.is_message}):
         if part not in seen:
             seen.add(part)
             text += f"\n{_SEPARATOR}\nMSG: {_short(part)}\n{_with_parts(part, seen)}"

@@ -6,12 +6,11 @@ import time
 from collections import Counter
 from typing import TYPE_CHECKING, Any
 
-from zbot.bag.action_description import action_name, action_text
-from zbot.bag.size_text import size_text
+from zbot.names import ACTION_PART
 from zbot.time import S_TO_NS
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Sequence
+    from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
     from zbot.bag.metadata import BagMetadata, TopicInformation
     from zbot.bag.reader import Reader
@@ -19,10 +18,10 @@ if TYPE_CHECKING:
 _INDENT = 19
 _EVENT_TOPIC, _EVENT_TYPE = "/_service_event", "_Event"
 SORT_KEYS: dict[str, Callable[[TopicInformation], Any]] = {
-    "name": lambda one: one.topic.name,
-    "type": lambda one: one.topic.type_name,
-    "count": lambda one: one.message_count,
-    "serialization_format": lambda one: one.topic.serialization_format,
+    "name": lambda information: information.topic.name,
+    "type": lambda information: information.topic.type_name,
+    "count": lambda information: information.message_count,
+    "serialization_format": lambda information: information.topic.serialization_format,
 }
 
 
@@ -39,9 +38,9 @@ def service_name(topic: str) -> str:
 def topic_names(metadata: BagMetadata, sort: str = "name") -> list[str]:
     """Return the names of topics, without the topics of services and actions."""
     return [
-        one.topic.name
-        for one in _sorted(metadata, sort)
-        if not _is_event(one) and not action_name(one.topic.name)
+        information.topic.name
+        for information in _sorted(metadata, sort)
+        if not _is_event(information) and not action_name(information.topic.name)
     ]
 
 
@@ -62,9 +61,9 @@ def description(
     """
     everything = _sorted(metadata, sort)
     actions = _actions(everything)
-    plain = [one for one in everything if not action_name(one.topic.name)]
-    events = [one for one in plain if _is_event(one)]
-    topics = [one for one in plain if not _is_event(one)]
+    plain = [information for information in everything if not action_name(information.topic.name)]
+    events = [information for information in plain if _is_event(information)]
+    topics = [information for information in plain if not _is_event(information)]
     lines = [
         "",
         f"Files:             {_below(metadata.paths)}",
@@ -74,7 +73,7 @@ def description(
         f"Duration:          {_seconds(metadata.duration_ns)}s",
         f"Start:             {_time(metadata.start_ns)}",
         f"End:               {_time(metadata.end_ns)}",
-        f"Messages:          {sum(one.message_count for one in topics)}",
+        f"Messages:          {sum(information.message_count for information in topics)}",
         f"Topic information: {_below(_topic_lines(topics, sizes))}",
         f"Service:           {len(events)}",
         f"Service information: {_below(_service_lines(events, sizes, calls), _INDENT + 2)}",
@@ -85,10 +84,10 @@ def description(
 
 def _actions(topics: Sequence[TopicInformation]) -> dict[str, list[TopicInformation]]:
     found: dict[str, list[TopicInformation]] = {}
-    for one in topics:
-        name = action_name(one.topic.name)
+    for information in topics:
+        name = action_name(information.topic.name)
         if name:
-            found.setdefault(name, []).append(one)
+            found.setdefault(name, []).append(information)
     return found
 
 
@@ -100,11 +99,11 @@ def contributions(bag: Reader) -> tuple[dict[str, int], dict[str, tuple[int, int
     """
     sizes: Counter[str] = Counter()
     kinds: dict[str, Counter[int]] = {}
-    events = {name for name, one in bag.topics.items() if is_service_event(name, one.type_name)}
-    for one in bag.messages():
-        sizes[one.topic] += len(one.data)
-        if one.topic in events and len(one.data) > _EVENT_KIND:
-            kinds.setdefault(one.topic, Counter())[one.data[_EVENT_KIND]] += 1
+    events = {name for name, topic in bag.topics.items() if is_service_event(name, topic.type_name)}
+    for message in bag.messages():
+        sizes[message.topic] += len(message.data)
+        if message.topic in events and len(message.data) > _EVENT_KIND:
+            kinds.setdefault(message.topic, Counter())[message.data[_EVENT_KIND]] += 1
     # The client and the server may both report a call. Such a call is counted once.
     calls = {name: (max(k[0], k[1]), max(k[2], k[3])) for name, k in kinds.items()}
     return dict(sizes), calls
@@ -113,8 +112,8 @@ def contributions(bag: Reader) -> tuple[dict[str, int], dict[str, tuple[int, int
 _EVENT_KIND = 4  # `event_type` is the first field of an event, after the 4 bytes of CDR's header
 
 
-def _is_event(one: TopicInformation) -> bool:
-    return is_service_event(one.topic.name, one.topic.type_name)
+def _is_event(information: TopicInformation) -> bool:
+    return is_service_event(information.topic.name, information.topic.type_name)
 
 
 def _sorted(metadata: BagMetadata, sort: str) -> list[TopicInformation]:
@@ -122,11 +121,11 @@ def _sorted(metadata: BagMetadata, sort: str) -> list[TopicInformation]:
 
 
 def _topic_lines(topics: Sequence[TopicInformation], sizes: dict[str, int] | None) -> Iterable[str]:
-    for one in topics:
-        topic = one.topic
+    for information in topics:
+        topic = information.topic
         size = "" if sizes is None else f"{_contribution(sizes, topic.name)} | "
         yield (
-            f"Topic: {topic.name} | Type: {topic.type_name} | Count: {one.message_count} | "
+            f"Topic: {topic.name} | Type: {topic.type_name} | Count: {information.message_count} | "
             f"{size}Serialization Format: {topic.serialization_format}"
         )
 
@@ -136,10 +135,10 @@ def _service_lines(
     sizes: dict[str, int] | None,
     calls: dict[str, tuple[int, int]] | None,
 ) -> Iterable[str]:
-    for one in events:
-        topic = one.topic
+    for information in events:
+        topic = information.topic
         if calls is None:
-            count = f"Event Count: {one.message_count}"
+            count = f"Event Count: {information.message_count}"
         else:
             requests, responses = calls.get(topic.name, (0, 0))
             count = f"Request Count: {requests} | Response Count: {responses}"
@@ -178,3 +177,77 @@ def _time(time_ns: int) -> str:
 
 # The names are English in all languages of the system.
 _MONTHS = ("Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec")
+
+
+_EVENT_TOPIC = "/_service_event"
+_FEEDBACK_TYPE = "_FeedbackMessage"
+_TOPICS = ("feedback", "status")
+_SERVICES = ("send_goal", "cancel_goal", "get_result")
+
+
+def action_name(topic: str) -> str:
+    """Return the name of the action that a topic belongs to, or an empty text."""
+    name, part, _ = topic.partition(ACTION_PART)
+    return name if part else ""
+
+
+def action_text(
+    actions: Mapping[str, Sequence[TopicInformation]],
+    sizes: dict[str, int] | None,
+    calls: dict[str, tuple[int, int]] | None,
+) -> str:
+    """Return the lines about actions. They are the last lines of `ros2 bag info`.
+
+    Args:
+        actions: The topics of each action, by the action's name.
+        sizes: Bytes of the messages of each topic, for `--verbose`.
+        calls: Numbers of requests and responses of each service, for `--verbose`.
+    """
+    lines = [f"Actions:           {len(actions)}", "Action information: "]
+    for name, topics in actions.items():
+        lines += _lines(name, topics, sizes, calls)
+    return "\n".join(lines) + "\n"
+
+
+def _lines(
+    name: str,
+    topics: Sequence[TopicInformation],
+    sizes: dict[str, int] | None,
+    calls: dict[str, tuple[int, int]] | None,
+) -> Iterator[str]:
+    size = ""
+    if sizes is not None:
+        total = sum(sizes.get(information.topic.name, 0) for information in topics)
+        size = f"Size Contribution: {size_text(total)} | "
+    yield (
+        f"  Action: {name} | Type: {_type(topics)} | Topics: 2 | Service: 3 | "
+        f"{size}Serialization Format: {topics[0].topic.serialization_format}"
+    )
+    counts = {information.topic.name: information.message_count for information in topics}
+    for part in _TOPICS:
+        yield f"    Topic: {part} | Count: {counts.get(f'{name}{ACTION_PART}{part}', 0)}"
+    for part in _SERVICES:
+        topic = f"{name}{ACTION_PART}{part}{_EVENT_TOPIC}"
+        if calls is None:
+            yield f"    Service: {part} | Event Count: {counts.get(topic, 0)}"
+        else:
+            requests, responses = calls.get(topic, (0, 0))
+            yield f"    Service: {part} | Request Count: {requests} | Response Count: {responses}"
+
+
+def _type(topics: Sequence[TopicInformation]) -> str:
+    """Return the type of an action. It is `unknown` if the feedback was not recorded."""
+    names = (information.topic.type_name for information in topics)
+    feedback = (name for name in names if name.endswith(_FEEDBACK_TYPE))
+    return next((name.removesuffix(_FEEDBACK_TYPE) for name in feedback), "unknown")
+
+
+_UNITS = ("B", "KiB", "MiB", "GiB", "TiB")
+
+
+def size_text(size: int) -> str:
+    """Return bytes as text with a unit, e.g. `228.5 KiB`."""
+    number, index = float(size), 0
+    while number >= 1024 and index < len(_UNITS) - 1:
+        number, index = number / 1024, index + 1
+    return f"{number:.1f} {_UNITS[index]}" if index else f"{size} B"

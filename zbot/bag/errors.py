@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from zbot.errors import ZbotError
+from zbot.errors.installation import pip_install
 from zbot.errors.suggestion import did_you_mean
 
 
@@ -21,7 +22,7 @@ class NoBagExtraError(BagError, ImportError):
 
     def __init__(self, missing: str) -> None:
         self.missing = missing
-        super().__init__(f'bags need {missing}: install it with pip install "zbot[bag]"')
+        super().__init__(f"bags need {missing}: install it with {pip_install('zbot[bag]')}")
 
 
 class BagNotFoundError(BagError, LookupError):
@@ -30,18 +31,24 @@ class BagNotFoundError(BagError, LookupError):
     def __init__(self, path: Path | str) -> None:
         self.path = str(path)
         parent = Path(path).parent
-        present = [str(one) for one in parent.iterdir()] if parent.is_dir() else []
+        present = [str(entry) for entry in parent.iterdir()] if parent.is_dir() else []
         self.hint = did_you_mean(str(Path(path)), present)
         super().__init__(f"Bag path '{path}' does not exist!")
 
 
 class BagExistsError(BagError):
-    """A new bag cannot be written, because there is a file or folder with its name."""
+    """A new bag cannot be written, because there is a file or folder with its name.
 
-    def __init__(self, path: Path | str) -> None:
+    Args:
+        path: The path of the bag.
+        advice: What a program can do. A command prints the hint instead.
+    """
+
+    def __init__(self, path: Path | str, advice: str = "") -> None:
         self.path = str(path)
-        self.hint = "choose another name with -o, or delete the folder"
-        super().__init__(f"Output folder '{path}' already exists.")
+        self.hint = "" if advice else "choose another name with -o, or delete the folder"
+        ending = f": {advice}" if advice else "."
+        super().__init__(f"Output folder '{path}' already exists{ending}")
 
 
 class BagReadError(BagError, ValueError):

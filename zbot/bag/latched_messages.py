@@ -35,9 +35,9 @@ class LatchedMessages:
     def add_topic(self, topic: TopicMetadata) -> None:
         """Add a topic. A topic that is not latched is ignored."""
         depths = [
-            min(max(one.depth, 1), _MAX_DEPTH)
-            for one in topic.offered_qos_profiles
-            if one.durability is DurabilityPolicy.TRANSIENT_LOCAL
+            min(max(profile.depth, 1), _MAX_DEPTH)
+            for profile in topic.offered_qos_profiles
+            if profile.durability is DurabilityPolicy.TRANSIENT_LOCAL
         ]
         if depths:
             self._messages[topic.name] = deque(maxlen=max(depths))

@@ -7,9 +7,12 @@ messages.
 
 from __future__ import annotations
 
+import os
 import struct
+import zlib
 from collections import deque
 from heapq import heappop, heappush, heapreplace
+from io import BytesIO
 from typing import TYPE_CHECKING, Any, BinaryIO, NamedTuple
 
 from zbot.bag.message import BagMessage
@@ -21,6 +24,11 @@ if TYPE_CHECKING:
 _RECORD = struct.Struct("<BQ")
 _MESSAGE = struct.Struct("<HIQQ")  # channel, sequence, log time, publish time; the data follow
 _MESSAGE_OPCODE = 5
+#: Size of a chunk after decompression. rosbag2 and zbot write chunks of some megabytes.
+MAX_CHUNK_BYTES = 2**28
+# Each record needs some 200 bytes of memory.
+_MAX_RECORDS = 2_000_000
+_HEAD_BYTES = 1000  # of a chunk: times, sizes and the name of the compression
 
 
 class _Place(NamedTuple):
@@ -46,7 +54,7 @@ def chunk_messages(
     Raises:
         ValueError: A chunk is damaged. `mcap` and its decompressors raise other exceptions, too.
     """
-    waiting = deque(sorted(chunks, key=lambda one: one.message_start_time))
+    waiting = deque(sorted(chunks, key=lambda chunk: chunk.message_start_time))
     heap: list[tuple[int, int, BagMessage, Iterator[BagMessage]]] = []
     while waiting or heap:
         if waiting and (not heap or waiting[0].message_start_time <= heap[0][0]):
@@ -68,25 +76,75 @@ def chunk_messages(
 def _messages_at(stream: BinaryIO, offset: int, topics: Mapping[int, str]) -> Iterator[BagMessage]:
     from mcap.data_stream import ReadDataStream  # noqa: PLC0415 - an extra
     from mcap.records import Chunk  # noqa: PLC0415 - an extra
-    from mcap.stream_reader import get_chunk_data_stream  # noqa: PLC0415 - an extra
 
-    stream.seek(offset + _RECORD.size)
-    source, size = get_chunk_data_stream(Chunk.read(ReadDataStream(stream)), validate_crc=True)
-    data = source.read(size)
+    stream.seek(offset)
+    _, length = _RECORD.unpack(stream.read(_RECORD.size))
+    # A length that the file does not have would allocate memory.
+    if length > min(os.fstat(stream.fileno()).st_size, MAX_CHUNK_BYTES + _HEAD_BYTES):
+        raise ValueError(f"a chunk has {length} bytes")
+    data = chunk_data(Chunk.read(ReadDataStream(BytesIO(stream.read(length)))))
     for place in sorted(_places(data, topics)):
         yield BagMessage(place.topic, data[place.begin : place.end], place.log_ns, place.publish_ns)
 
 
-def _places(data: bytes, topics: Mapping[int, str]) -> Iterator[_Place]:
+def chunk_data(chunk: Any) -> bytes:
+    """Return the records of a chunk. The size after decompression is limited before and while it.
+
+    Raises:
+        ValueError: The chunk is larger than the limit or than it says, or is damaged. The
+            decompressors raise other exceptions, too.
+    """
+    size = chunk.uncompressed_size
+    if size > MAX_CHUNK_BYTES:
+        raise ValueError(f"a chunk has {size} bytes, and the limit is {MAX_CHUNK_BYTES}")
+    data = _decompressed(chunk.compression, chunk.data, size)
+    if len(data) != size:
+        raise ValueError(f"a chunk has {len(data)} bytes and says that it has {size}")
+    if chunk.uncompressed_crc and zlib.crc32(data) != chunk.uncompressed_crc:
+        raise ValueError("the checksum of a chunk is wrong")
+    return data
+
+
+def _decompressed(compression: str, data: bytes, size: int) -> bytes:
+    """Decompress data to one byte more than `size` at most."""
+    if compression == "zstd":
+        import zstandard  # noqa: PLC0415 - an extra
+
+        decompressor = zstandard.ZstdDecompressor(max_window_size=MAX_CHUNK_BYTES)
+        with decompressor.stream_reader(data) as reader:
+            return bytes(reader.read(size + 1))
+    if compression == "lz4":
+        import lz4.frame  # type: ignore[import-untyped]  # noqa: PLC0415 - an extra
+
+        return bytes(lz4.frame.LZ4FrameDecompressor().decompress(data, size + 1))
+    if compression:
+        raise ValueError(f"the compression {compression!r} is not known")
+    return data
+
+
+def records(data: bytes) -> Iterator[tuple[int, int, int]]:
+    """Yield the opcode, the beginning and the end of each record of a chunk.
+
+    Raises:
+        ValueError: The chunk has too many records, or a record is longer than the chunk.
+    """
     end = 0
-    while end < len(data):
+    for _ in range(_MAX_RECORDS):
+        if end >= len(data):
+            return
         opcode, length = _RECORD.unpack_from(data, end)
         begin = end + _RECORD.size
         end = begin + length
         if end > len(data):
             raise ValueError("a record is longer than its chunk")
+        yield opcode, begin, end
+    raise ValueError(f"a chunk has more than {_MAX_RECORDS} records")
+
+
+def _places(data: bytes, topics: Mapping[int, str]) -> Iterator[_Place]:
+    for opcode, begin, end in records(data):
         if opcode == _MESSAGE_OPCODE:
-            if length < _MESSAGE.size:
+            if end - begin < _MESSAGE.size:
                 raise ValueError("a message is too short")
             channel, _, log_ns, publish_ns = _MESSAGE.unpack_from(data, begin)
             if channel in topics:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-import os
 import struct
-from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, BinaryIO
+from collections import deque
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, Any
 
 from zbot.bag.errors import BagReadError
-from zbot.bag.mcap_chunk import chunk_messages
+from zbot.bag.mcap_chunk import MAX_CHUNK_BYTES, chunk_data, chunk_messages
+from zbot.bag.mcap_chunk import records as chunk_records
 from zbot.bag.message import BagMessage, Definition
 from zbot.bag.metadata import (
     BagMetadata,
@@ -26,10 +27,7 @@ if TYPE_CHECKING:
 
 STORAGE_ID = "mcap"
 _MIN_BYTES = 64  #: a shorter file has no room for a footer
-# Limit after decompression, because a damaged or bad chunk may claim to be larger than the memory.
-_MAX_CHUNK_BYTES = 2**30
-# Before the compressed bytes, a chunk has an opcode, five numbers, and the name of the compression.
-_COMPRESSION_AT, _SIZE_BYTES, _FRAME_HEADER_BYTES = 1 + 8 + 8 + 8 + 8 + 4, 8, 18
+_MAX_RECORD_BYTES = 2**30  #: attachments are records, too
 
 
 @dataclass
@@ -74,8 +72,8 @@ class McapReader:
         except self._errors as error:
             raise BagReadError(path, _reason(error)) from error
         self.definitions = {
-            one.name: Definition(one.encoding, one.data.decode("utf-8", "replace"))
-            for one in self._contents.schemas.values()
+            schema.name: Definition(schema.encoding, schema.data.decode("utf-8", "replace"))
+            for schema in self._contents.schemas.values()
         }
 
     def messages(
@@ -90,17 +88,17 @@ class McapReader:
             BagReadError: A part in the middle of the file is damaged.
         """
         wanted = {
-            number: one.topic
-            for number, one in self._contents.channels.items()
-            if topics is None or one.topic in topics
+            number: channel.topic
+            for number, channel in self._contents.channels.items()
+            if topics is None or channel.topic in topics
         }
         found = self._indexed(wanted, start_ns, end_ns)
         if not self._contents.chunks:
             found = self._unindexed(wanted)
         try:
-            for one in found:
-                if start_ns <= one.log_ns and (end_ns is None or one.log_ns <= end_ns):
-                    yield one
+            for message in found:
+                if start_ns <= message.log_ns and (end_ns is None or message.log_ns <= end_ns):
+                    yield message
         except self._errors as error:
             raise BagReadError(self._path, _reason(error)) from error
 
@@ -108,22 +106,22 @@ class McapReader:
         self, wanted: dict[int, str], start_ns: int, end_ns: int | None
     ) -> Iterator[BagMessage]:
         chunks = [
-            one
-            for one in self._contents.chunks
-            if start_ns <= one.message_end_time
-            and (end_ns is None or one.message_start_time <= end_ns)
+            chunk
+            for chunk in self._contents.chunks
+            if start_ns <= chunk.message_end_time
+            and (end_ns is None or chunk.message_start_time <= end_ns)
             # Without offsets, which a writer may leave out, the topics of a chunk are not known.
-            and not wanted.keys().isdisjoint(one.message_index_offsets or wanted)
+            and not wanted.keys().isdisjoint(chunk.message_index_offsets or wanted)
         ]
         with self._path.open("rb") as stream:
             yield from chunk_messages(stream, chunks, wanted)
 
     def _unindexed(self, wanted: dict[int, str]) -> Iterator[BagMessage]:
         for block in self._blocks():
-            for one in sorted(block, key=lambda record: getattr(record, "log_time", 0)):
-                if hasattr(one, "log_time") and getattr(one, "channel_id", None) in wanted:
-                    topic = wanted[one.channel_id]
-                    yield BagMessage(topic, one.data, one.log_time, one.publish_time)
+            for entry in sorted(block, key=lambda record: getattr(record, "log_time", 0)):
+                if hasattr(entry, "log_time") and getattr(entry, "channel_id", None) in wanted:
+                    topic = wanted[entry.channel_id]
+                    yield BagMessage(topic, entry.data, entry.log_time, entry.publish_time)
 
     def _summary(self) -> _Contents | None:
         """Return the contents from the file's summary, or `None` if the summary lacks a part."""
@@ -140,11 +138,12 @@ class McapReader:
             counted = None if summary is None else summary.statistics
             if summary is None or counted is None or not _is_complete(summary, counted):
                 return None
-            for index in summary.chunk_indexes:
-                _check_chunk(stream, index)
-            for one in reader.iter_metadata():
-                if one.name == "rosbag2":
-                    self._extra = dict(one.metadata)
+            largest = max(index.uncompressed_size for index in summary.chunk_indexes)
+            if largest > MAX_CHUNK_BYTES:
+                raise ValueError(f"a chunk has {largest} bytes, and the limit is {MAX_CHUNK_BYTES}")
+            for metadata in reader.iter_metadata():
+                if metadata.name == "rosbag2":
+                    self._extra = dict(metadata.metadata)
         return _Contents(
             channels=summary.channels,
             schemas=summary.schemas,
@@ -160,15 +159,15 @@ class McapReader:
 
         found = _Contents()
         for block in self._blocks():
-            for one in block:
-                if isinstance(one, records.Message):
-                    found.add(one.channel_id, one.log_time)
-                elif isinstance(one, records.Channel):
-                    found.channels[one.id] = one
-                elif isinstance(one, records.Schema):
-                    found.schemas[one.id] = one
-                elif isinstance(one, records.Metadata) and one.name == "rosbag2":
-                    self._extra = dict(one.metadata)
+            for record in block:
+                if isinstance(record, records.Message):
+                    found.add(record.channel_id, record.log_time)
+                elif isinstance(record, records.Channel):
+                    found.channels[record.id] = record
+                elif isinstance(record, records.Schema):
+                    found.schemas[record.id] = record
+                elif isinstance(record, records.Metadata) and record.name == "rosbag2":
+                    self._extra = dict(record.metadata)
         return found
 
     def _blocks(self) -> Iterator[list[Any]]:
@@ -181,20 +180,23 @@ class McapReader:
             from mcap.data_stream import ReadDataStream  # noqa: PLC0415 - an extra
 
             read_magic(ReadDataStream(stream))
-            # A record cannot be longer than the file, so a damaged length allocates no memory.
+            # A record cannot be longer than the file, so a damaged length allocates no memory. A
+            # file with holes can be longer than the disk.
+            limit = min(size, _MAX_RECORD_BYTES)
             records = StreamReader(
-                stream, skip_magic=True, emit_chunks=True, record_size_limit=size
+                stream, skip_magic=True, emit_chunks=True, record_size_limit=limit
             ).records
             while True:
                 try:
-                    one = next(records, None)
-                    if one is None:
+                    record = next(records, None)
+                    if record is None:
                         return
-                    if isinstance(one, Chunk):
-                        _check_sizes(one.compression, one.uncompressed_size, one.data)
-                        yield breakup_chunk(one, validate_crc=True)
+                    if isinstance(record, Chunk):
+                        data = chunk_data(record)
+                        deque(chunk_records(data), maxlen=0)  # raises the errors of its records
+                        yield breakup_chunk(replace(record, compression="", data=data))
                     else:
-                        yield [one]
+                        yield [record]
                 except self._errors as error:
                     # The records after the damage are not read.
                     self.damage = self.damage or _reason(error)
@@ -205,10 +207,10 @@ class McapReader:
         count = sum(contents.counts.values())
         start, duration = contents.start_ns, contents.end_ns - contents.start_ns
         topics: dict[str, TopicInformation] = {}
-        for number, one in contents.channels.items():
-            known = topics.get(one.topic)
+        for number, channel in contents.channels.items():
+            known = topics.get(channel.topic)
             messages = contents.counts.get(number, 0) + (known.message_count if known else 0)
-            topics[one.topic] = TopicInformation(self._topic(one), messages)
+            topics[channel.topic] = TopicInformation(self._topic(channel), messages)
         written = self._written()
         return BagMetadata(
             storage_id=STORAGE_ID,
@@ -255,33 +257,10 @@ def _is_complete(summary: Any, counted: Any) -> bool:
         and len(channels) >= counted.channel_count
         and len(summary.schemas) >= counted.schema_count
         and len(summary.metadata_indexes) >= counted.metadata_count
-        and {0, *summary.schemas}.issuperset(one.schema_id for one in channels)
+        and {0, *summary.schemas}.issuperset(channel.schema_id for channel in channels)
         and summary.channels.keys() >= counted.channel_message_counts.keys()
         and sum(counted.channel_message_counts.values()) == counted.message_count
     )
-
-
-def _check_chunk(stream: BinaryIO, index: Any) -> None:
-    """Check the sizes of a chunk of the file without reading the chunk."""
-    stream.seek(index.chunk_start_offset + _COMPRESSION_AT)
-    name_bytes = int.from_bytes(stream.read(4), "little")
-    stream.seek(name_bytes + _SIZE_BYTES, os.SEEK_CUR)
-    _check_sizes(index.compression, index.uncompressed_size, stream.read(_FRAME_HEADER_BYTES))
-
-
-def _check_sizes(compression: str, size: int, data: bytes) -> None:
-    """Check the size of a chunk after decompression.
-
-    Raises:
-        ValueError: The chunk is too large.
-    """
-    import zstandard  # noqa: PLC0415 - an extra
-
-    sizes = [size]
-    if compression == "zstd":
-        sizes.append(zstandard.frame_content_size(data[:_FRAME_HEADER_BYTES]))
-    if max(sizes) > _MAX_CHUNK_BYTES:
-        raise ValueError(f"a chunk has {max(sizes)} bytes, and the limit is {_MAX_CHUNK_BYTES}")
 
 
 def _read_errors() -> tuple[type[Exception], ...]:

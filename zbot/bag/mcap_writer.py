@@ -6,10 +6,9 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.bag.mcap_options import McapOptions
 from zbot.bag.mcap_reader import STORAGE_ID
-from zbot.bag.metadata import metadata_text
+from zbot.bag.metadata import RecordedPart, metadata_text
 from zbot.bag.packages import import_mcap
 from zbot.bag.qos_profiles import profiles_text
-from zbot.bag.recorded_part import RecordedPart
 from zbot.version import __version__
 
 if TYPE_CHECKING:

@@ -81,14 +81,16 @@ def merged(parts: Iterable[BagMetadata]) -> BagMetadata:
     end = max((part.end_ns for part in filled), default=0)
     topics: dict[str, TopicInformation] = {}
     for part in all_parts:
-        for one in part.topics:
-            known = topics.get(one.topic.name)
-            count = one.message_count + (known.message_count if known else 0)
-            topics[one.topic.name] = TopicInformation(known.topic if known else one.topic, count)
+        for information in part.topics:
+            known = topics.get(information.topic.name)
+            count = information.message_count + (known.message_count if known else 0)
+            topics[information.topic.name] = TopicInformation(
+                known.topic if known else information.topic, count
+            )
     return BagMetadata(
         storage_id=all_parts[0].storage_id,
         topics=tuple(topics.values()),
-        files=tuple(one for part in all_parts for one in part.files),
+        files=tuple(file for part in all_parts for file in part.files),
         paths=tuple(path for part in all_parts for path in part.paths),
         start_ns=start,
         duration_ns=end - start,
@@ -115,12 +117,12 @@ def metadata_values(metadata: BagMetadata) -> dict[str, Any]:
         "relative_file_paths": list(metadata.paths),
         "files": [
             {
-                "path": one.path,
-                "starting_time": {"nanoseconds_since_epoch": one.start_ns},
-                "duration": {"nanoseconds": one.duration_ns},
-                "message_count": one.message_count,
+                "path": file.path,
+                "starting_time": {"nanoseconds_since_epoch": file.start_ns},
+                "duration": {"nanoseconds": file.duration_ns},
+                "message_count": file.message_count,
             }
-            for one in metadata.files
+            for file in metadata.files
         ],
         "custom_data": dict(metadata.custom_data),
         "ros_distro": metadata.ros_distro,
@@ -186,8 +188,8 @@ def read_metadata(text: str) -> BagMetadata:
     )
 
 
-def _topic_values(one: TopicInformation) -> dict[str, Any]:
-    topic = one.topic
+def _topic_values(information: TopicInformation) -> dict[str, Any]:
+    topic = information.topic
     return {
         "topic_metadata": {
             "name": topic.name,
@@ -196,7 +198,7 @@ def _topic_values(one: TopicInformation) -> dict[str, Any]:
             "offered_qos_profiles": list(map(profile_values, topic.offered_qos_profiles)),
             "type_description_hash": topic.type_hash,
         },
-        "message_count": one.message_count,
+        "message_count": information.message_count,
     }
 
 
@@ -221,3 +223,51 @@ def _read_file(values: dict[str, Any]) -> FileInformation:
         duration_ns=int(values["duration"]["nanoseconds"]),
         message_count=int(values["message_count"]),
     )
+
+
+class RecordedPart:
+    """Counts and times of the messages in one file of a bag.
+
+    Args:
+        storage_id: `mcap` or `sqlite3`.
+        path: The file.
+    """
+
+    def __init__(self, storage_id: str, path: Path) -> None:
+        self._storage_id = storage_id
+        self._name = path.name
+        self._topics: dict[str, TopicMetadata] = {}
+        self._counts: dict[str, int] = {}
+        self.count = 0  #: messages in the file
+        self.start_ns = 0  #: time of the first message
+        self._end_ns = 0
+
+    def add_topic(self, topic: TopicMetadata) -> None:
+        """Add a topic without messages."""
+        self._topics[topic.name] = topic
+        self._counts[topic.name] = 0
+
+    def add_message(self, topic: str, log_ns: int) -> None:
+        """Count a message. The time is nanoseconds since the epoch."""
+        self.start_ns = min(log_ns, self.start_ns) if self.count else log_ns
+        self._end_ns = max(log_ns, self._end_ns)
+        self.count += 1
+        self._counts[topic] += 1
+
+    def metadata(self, custom_data: dict[str, str], ros_distro: str) -> BagMetadata:
+        """Return the description of the file."""
+        duration_ns = self._end_ns - self.start_ns
+        file = FileInformation(self._name, self.start_ns, duration_ns, self.count)
+        return BagMetadata(
+            storage_id=self._storage_id,
+            topics=tuple(
+                TopicInformation(topic, self._counts[name]) for name, topic in self._topics.items()
+            ),
+            files=(file,),
+            paths=(self._name,),
+            start_ns=self.start_ns,
+            duration_ns=duration_ns,
+            message_count=self.count,
+            custom_data=custom_data,
+            ros_distro=ros_distro,
+        )

@@ -10,13 +10,13 @@ import time
 from collections import deque
 from typing import TYPE_CHECKING, Any
 
+from zbot.bag.options import MessageOrder
 from zbot.bag.playback_clock import PlaybackClock
 from zbot.bag.player_topics import CLOCK_TOPIC, PlayedTopic, played_topics
 from zbot.bag.qos_profiles import profile_to_publish
-from zbot.bag.read_ahead import ReadAhead
+from zbot.bag.read_ahead import ReadAhead, in_send_order
 from zbot.bag.reader import merge
-from zbot.bag.send_order import in_send_order
-from zbot.errors import NotInitializedError, ZbotError
+from zbot.errors import NotInitializedError, ZbotError, counted
 from zbot.process.memory import LARGE_BYTES
 from zbot.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from zbot.threads.deadline import Deadline
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
     from zbot.bag.message import BagMessage
-    from zbot.bag.play_options import PlayOptions
+    from zbot.bag.options import PlayOptions
     from zbot.bag.reader import Reader
     from zbot.node.node import Node
     from zbot.node.publisher import Publisher
@@ -69,11 +69,12 @@ class Player:
         self._log = node.get_logger()
         self._bags = bags
         self._options = options
+        self._topics_with_clock = options.topics_with_clock
         filled = [bag.metadata for bag in bags if bag.metadata.message_count]
-        self.bag_start_ns = min((one.start_ns for one in filled), default=0)
-        self.bag_end_ns = max((one.end_ns for one in filled), default=0)
-        self._start_ns = self.bag_start_ns + int(options.start_offset_s * S_TO_NS)
-        self._is_paused = options.is_paused
+        self.bag_start_ns = min((bag.start_ns for bag in filled), default=0)
+        self.bag_end_ns = max((bag.end_ns for bag in filled), default=0)
+        self._start_ns = self.bag_start_ns + int(options.start_offset * S_TO_NS)
+        self._is_paused = options.start_paused
         self._has_begun = False
         # The clock stands still until the first messages are read.
         self._clock = PlaybackClock(self._start_ns, options.rate, is_paused=True)
@@ -127,13 +128,13 @@ class Player:
         self._log.info(f"Playback until timestamp: {-1 if end_ns is None else end_ns}")
         self._node.context.wait_for_peers()
         ticker = None
-        if self._options.clock_hz > 0:
+        if self._options.clock_publish_frequency > 0:
             ticker = threading.Thread(target=self._tick, name="zbot clock", daemon=True)
             ticker.start()
         try:
             is_first, before = True, -1
             # The loop ends after a round without messages, because such rounds never wait.
-            while is_first or (self._options.loops and self.sent_count > before and self._is_ok()):
+            while is_first or (self._options.loop and self.sent_count > before and self._is_ok()):
                 before = self.sent_count
                 self._play_once(is_first=is_first)
                 is_first = False
@@ -147,7 +148,7 @@ class Player:
                 ticker.join()
             for name, topic in self._topics.items():
                 if topic.errors:
-                    self._log.error(f"{name}: {topic.errors} messages could not be read")
+                    self._log.error(f"{name}: {counted(topic.errors, 'message')} could not be read")
 
     def stop(self) -> None:
         """End `run`."""
@@ -259,10 +260,10 @@ class Player:
             self.play_next()
 
     def _play_once(self, *, is_first: bool) -> None:
-        if is_first and self._options.delay_s > 0:
-            self._log.info(f"Sleep {int(self._options.delay_s * S_TO_NS)} ns")
+        if is_first and self._options.delay > 0:
+            self._log.info(f"Sleep {int(self._options.delay * S_TO_NS)} ns")
             self._is_delayed = True
-            self._sleep(self._options.delay_s)
+            self._sleep(self._options.delay)
             self._is_delayed = False
         self._play_from(self._start_ns, is_first=is_first)
         while self._seek_ns is not None and self._is_ok():
@@ -270,7 +271,7 @@ class Player:
             self._play_from(start_ns, is_first=False)
 
     def _play_from(self, start_ns: int, *, is_first: bool) -> None:
-        messages = ReadAhead(self._messages(max(start_ns, 0)), self._options.queue_size)
+        messages = ReadAhead(self._messages(max(start_ns, 0)), self._options.read_ahead_queue_size)
         try:
             messages.wait_until_filled(_FILL_S)
             if is_first and messages.largest >= LARGE_BYTES:
@@ -292,8 +293,8 @@ class Player:
     def _messages(self, start_ns: int) -> Iterator[BagMessage]:
         topics = frozenset(self._topics)
         found = merge([bag.messages(topics, start_ns, self._end_ns()) for bag in self._bags])
-        if self._options.is_by_send_time:
-            return in_send_order(found, self._options.queue_size)
+        if self._options.message_order == MessageOrder.SENT_TIMESTAMP:
+            return in_send_order(found, self._options.read_ahead_queue_size)
         return found
 
     def _play(self, messages: ReadAhead) -> None:
@@ -308,7 +309,7 @@ class Player:
 
     def _publish_latched(self) -> None:
         """Publish the transient local messages before the start. Late subscriptions expect them."""
-        if self._options.start_offset_s <= 0:
+        if self._options.start_offset <= 0:
             return
         for bag in self._bags:
             for name, topic in bag.topics.items():
@@ -331,7 +332,7 @@ class Player:
             start_ns = max(time_ns - S_TO_NS, 0)
             for message in bag.messages(frozenset(self._topics), start_ns, time_ns - 1):
                 last[message.topic] = message
-        for message in sorted(last.values(), key=lambda one: one.log_ns):
+        for message in sorted(last.values(), key=lambda message: message.log_ns):
             topic = self._topics[message.topic]
             prepared = self._prepared(topic, message)
             if prepared is not None:
@@ -339,10 +340,10 @@ class Player:
 
     def _end_ns(self) -> int | None:
         ends = []
-        if self._options.duration_s >= 0:
-            ends.append(self._start_ns + int(self._options.duration_s * S_TO_NS))
-        if self._options.until_ns >= 0:
-            ends.append(self._options.until_ns)
+        if self._options.playback_duration >= 0:
+            ends.append(self._start_ns + int(self._options.playback_duration * S_TO_NS))
+        if self._options.playback_until_timestamp >= 0:
+            ends.append(self._options.playback_until_timestamp)
         return max(ends, default=None)
 
     def _prepared(self, topic: PlayedTopic, message: BagMessage) -> Any:
@@ -356,7 +357,7 @@ class Player:
             return None
 
     def _publish(self, topic: PlayedTopic, message: BagMessage, prepared: Any) -> None:
-        wanted = self._options.clock_topics
+        wanted = self._topics_with_clock
         if wanted is None or message.topic in wanted:
             self._publish_clock(message.log_ns)
         topic.publisher.publish(prepared)
@@ -394,18 +395,18 @@ class Player:
 
     def _wait_for_subscribers(self) -> None:
         """Wait until the sessions with reliable subscriptions have received all messages."""
-        if self._options.acknowledge_s < 0 or not self._is_ok():
+        if self._options.wait_acked_timeout < 0 or not self._is_ok():
             return
         names = [topic.name for topic in self._topics.values()]
         graph = self._node.context.graph.snapshot()
         missing = {
-            one.zid
+            subscription.zid
             for name in names
-            for one in graph.subscriptions(name)
-            if one.qos.reliability is ReliabilityPolicy.RELIABLE
+            for subscription in graph.subscriptions(name)
+            if subscription.qos.reliability is ReliabilityPolicy.RELIABLE
         } - {self._node.context.zid}
         # A query takes the same links as the messages, so a session answers after the messages.
-        limit_s = self._options.acknowledge_s or _FOREVER_S
+        limit_s = self._options.wait_acked_timeout / 1000 or _FOREVER_S
         for key, _ in answers(self._node.context.session, "@/*/*", limit_s):
             missing.discard(key.split("/")[1])
             if not missing or not self._is_ok():
@@ -414,7 +415,7 @@ class Player:
             self._log.error("Timed out while waiting for all published messages to be acknowledged")
 
     def _create_clock(self) -> Publisher[Any] | None:
-        if self._options.clock_hz <= 0 and self._options.clock_topics == frozenset():
+        if self._options.clock_publish_frequency <= 0 and self._topics_with_clock == frozenset():
             return None
         from rosgraph_msgs.msg import Clock  # noqa: PLC0415 - the import makes the class
 
@@ -430,7 +431,7 @@ class Player:
         try:
             while self._is_ok():
                 self._publish_clock(self._clock.now_ns())
-                if self._is_over.wait(1 / self._options.clock_hz):
+                if self._is_over.wait(1 / self._options.clock_publish_frequency):
                     return
         except NotInitializedError:
             return  # the context was shut down at the same time

@@ -5,8 +5,7 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING, Any, Protocol
 
-from zbot.bag.action_description import action_name
-from zbot.bag.description import is_service_event, service_name
+from zbot.bag.description import action_name, is_service_event, service_name
 from zbot.bag.qos_profiles import profile_to_publish
 from zbot.bag.service_requests import GoalPublisher, RequestPublisher
 from zbot.errors import ZbotError
@@ -20,8 +19,9 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from zbot.bag.metadata import TopicMetadata
-    from zbot.bag.play_options import PlayOptions
+    from zbot.bag.options import PlayOptions
     from zbot.bag.reader import Reader
+    from zbot.bag.selection import Selection
     from zbot.bag.service_requests import Goals
     from zbot.node.node import Node
     from zbot.wire.dialect import Dialect
@@ -63,24 +63,25 @@ def played_topics(
             topics.setdefault(name, (topic, bag))
     found = {}
     goals: Goals = {}
+    selection = options.selection()
     for name, (topic, bag) in topics.items():
-        if _is_wanted(topic, options):
+        if _is_wanted(topic, options, selection):
             played = _played(node, topic, bag, options, goals)
             if played is not None:
                 found[name] = played
     deadline = Deadline(_DISCOVERY_S)
-    for one in found.values():
-        if isinstance(one.publisher, RequestPublisher):
-            one.publisher.wait_for_server(deadline.left_s)
+    for played_topic in found.values():
+        if isinstance(played_topic.publisher, RequestPublisher):
+            played_topic.publisher.wait_for_server(deadline.left_s)
     return found
 
 
-def _is_wanted(topic: TopicMetadata, options: PlayOptions) -> bool:
-    if options.clock_hz > 0 and topic.name == CLOCK_TOPIC:
+def _is_wanted(topic: TopicMetadata, options: PlayOptions, selection: Selection) -> bool:
+    if options.clock_publish_frequency > 0 and topic.name == CLOCK_TOPIC:
         return False  # the player publishes its own clock, not the recorded clock
-    if options.sends_goals and action_name(topic.name) and not _is_event(topic):
+    if options.send_actions_as_client and action_name(topic.name) and not _is_event(topic):
         return False  # the action's server publishes its feedback and its status itself
-    return options.selection.takes(topic.name, topic.type_name)
+    return selection.takes(topic.name, topic.type_name)
 
 
 def _is_event(topic: TopicMetadata) -> bool:
@@ -101,7 +102,7 @@ def _played(
         prepare = partial(_payload, node.context.dialect, message_class)
     # The first call generates code for the type, which takes milliseconds.
     prepare(serialize_message(message_class()))
-    return PlayedTopic(options.remap.get(topic.name, topic.name), publisher, prepare)
+    return PlayedTopic(options.remap(topic.name), publisher, prepare)
 
 
 def _payload(dialect: Dialect, message_class: type[Any], data: bytes) -> bytes:
@@ -117,14 +118,14 @@ def _publisher(
     options: PlayOptions,
     goals: Goals,
 ) -> MessagePublisher:
-    name = options.remap.get(topic.name, topic.name)
+    name = options.remap(topic.name)
     if _is_event(topic):
         service, of_clients = service_name(name), options.requests_of_clients
-        if options.sends_goals and action_name(topic.name):
+        if options.send_actions_as_client and action_name(topic.name):
             return GoalPublisher(node, service, topic.type_name, goals, is_of_clients=of_clients)
-        if options.publishes_requests:
+        if options.publish_service_requests:
             return RequestPublisher(node, service, topic.type_name, is_of_clients=of_clients)
-    profile = options.overrides.get(topic.name)
+    profile = options.topic_qos_profile_overrides.get(topic.name)
     if profile is None:
         profile = profile_to_publish(topic.offered_qos_profiles)
     else:

@@ -71,9 +71,9 @@ def read_profiles(value: Any) -> list[QoSProfile]:
         except YamlError:
             return []
     found = []
-    for one in value if isinstance(value, list) else []:
+    for item in value if isinstance(value, list) else []:
         try:
-            found.append(read_profile(one))
+            found.append(read_profile(item))
         except (ZbotError, AttributeError, KeyError, TypeError, ValueError):
             continue
     return found
@@ -124,7 +124,7 @@ def profile_to_publish(recorded: Sequence[QoSProfile]) -> QoSProfile:
     result is the first profile. Otherwise the result is the default profile, which is compatible
     with most subscriptions.
     """
-    if not recorded or any(_contract(one) != _contract(recorded[0]) for one in recorded):
+    if not recorded or any(_contract(profile) != _contract(recorded[0]) for profile in recorded):
         return QoSProfile(depth=10)
     return recorded[0]
 

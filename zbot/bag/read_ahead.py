@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import heapq
 import queue
 import threading
 from typing import TYPE_CHECKING
@@ -12,6 +13,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from zbot.bag.message import BagMessage
+
 
 _POLL_S = 0.1
 # Number of messages in a batch. Each batch wakes the player's thread, which takes longer than
@@ -82,3 +84,23 @@ class ReadAhead:
                 continue
             return True
         return False
+
+
+def in_send_order(messages: Iterator[BagMessage], size: int) -> Iterator[BagMessage]:
+    """Yield messages in the order of sending. Their `log_ns` becomes the time of sending.
+
+    The input has the order of recording, and `size` messages are sorted at a time. So a message
+    comes too late if it was recorded more than `size` messages after a message that was sent later.
+    """
+    waiting: list[tuple[int, int, BagMessage]] = []
+    for number, message in enumerate(messages):
+        heapq.heappush(waiting, (message.publish_ns, number, message))
+        if len(waiting) > size:
+            yield _first(waiting)
+    while waiting:
+        yield _first(waiting)
+
+
+def _first(waiting: list[tuple[int, int, BagMessage]]) -> BagMessage:
+    time_ns, _, message = heapq.heappop(waiting)
+    return message._replace(log_ns=time_ns)

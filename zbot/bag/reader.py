@@ -12,8 +12,7 @@ from typing import TYPE_CHECKING, Any
 from zbot.bag import mcap_reader, ros1_reader, sqlite_reader
 from zbot.bag.definition import message_class
 from zbot.bag.errors import BagNotFoundError, BagReadError, BagTypeError
-from zbot.bag.message import NO_DEFINITION, BagMessage, Definition, StorageReader
-from zbot.bag.message_compression import plain_message
+from zbot.bag.message import NO_DEFINITION, BagMessage, Definition, StorageReader, plain_message
 from zbot.bag.metadata import METADATA_FILE, BagMetadata, merged, read_metadata_file
 from zbot.wire.serialization import deserialize_message
 
@@ -31,6 +30,8 @@ _STORAGES: dict[str, type[Any]] = {
     ".bag": ros1_reader.Ros1Reader,
 }
 _PACKED = ".zstd"
+# A compressed file may become this large, and larger by this number of times its own size.
+_MOST_UNPACKED_BYTES, _MOST_TIMES = 2**28, 200
 CDR = "cdr"  #: the only serialization that zbot decodes
 
 
@@ -60,7 +61,11 @@ class Reader:
         if uses_metadata_file and (self.path / METADATA_FILE).exists():
             written = read_metadata_file(self.path)
         self._paths = self._find(written)
-        self._files = [self._open(one) for one in self._paths]
+        try:
+            self._files = [self._open(part) for part in self._paths]
+        except BaseException:
+            self.close()
+            raise
         self.has_metadata_file = written is not None
         self.metadata: BagMetadata = self._described(written)
         if storage_id and storage_id != self.metadata.storage_id:
@@ -71,16 +76,16 @@ class Reader:
     @property
     def topics(self) -> dict[str, TopicMetadata]:
         """The topics by name."""
-        return {one.topic.name: one.topic for one in self.metadata.topics}
+        return {information.topic.name: information.topic for information in self.metadata.topics}
 
     @property
     def damage(self) -> str:
         """Why only a part of the bag can be read, or an empty text if the bag is complete."""
-        return next((one.damage for one in self._files if one.damage), "")
+        return next((part.damage for part in self._files if part.damage), "")
 
     def definition(self, type_name: str) -> Definition:
         """Return the bag's definition of a message type."""
-        found = (one.definitions.get(type_name) for one in self._files)
+        found = (part.definitions.get(type_name) for part in self._files)
         return next(filter(None, found), NO_DEFINITION)
 
     def message_class(self, topic: TopicMetadata) -> type[Any]:
@@ -116,9 +121,9 @@ class Reader:
             is_early = described.start_ns + described.duration_ns < start_ns
             is_late = end_ns is not None and described.start_ns > end_ns
             if not (is_early or is_late):
-                for one in file.messages(topics, start_ns, end_ns):
-                    plain = plain_message(one.data)
-                    yield one if plain is one.data else one._replace(data=plain)
+                for message in file.messages(topics, start_ns, end_ns):
+                    plain = plain_message(message.data)
+                    yield message if plain is message.data else message._replace(data=plain)
 
     def close(self) -> None:
         """Remove temporary files, which exist only for bags with compressed files."""
@@ -142,18 +147,25 @@ class Reader:
             return [self.path]
         if written is not None:
             # Before Foxy, the paths began with the name of the folder.
-            paths = [self.path / one for one in written.paths]
-            paths = [one if one.exists() else self.path / one.name for one in paths]
+            paths = [self._inside(Path(path)) for path in written.paths]
         else:
             paths = bag_files(self.path)
-        missing = next((one for one in paths if not one.exists()), None)
+        missing = next((path for path in paths if not path.exists()), None)
         if missing is not None:
             raise BagReadError(self.path, f"its file {missing.name} is missing")
         if not paths:
             raise BagReadError(self.path, "there is no .mcap, .db3 or .bag file in this folder")
         return paths
 
+    def _inside(self, path: Path) -> Path:
+        """Return the path of a file that the description names. It is always in the folder."""
+        is_inside = not path.is_absolute() and ".." not in path.parts
+        whole = self.path / path
+        return whole if is_inside and whole.exists() else self.path / path.name
+
     def _open(self, path: Path) -> StorageReader:
+        if not path.is_file():
+            raise BagReadError(path, "it is no file")  # a pipe would never end
         packed = path.suffix == _PACKED
         suffix = Path(path.stem).suffix if packed else path.suffix
         storage = _STORAGES.get(suffix)
@@ -172,8 +184,12 @@ class Reader:
             self._unpacked = tempfile.TemporaryDirectory(prefix="zbot_bag_")
         target = Path(self._unpacked.name) / path.stem
         try:
+            limit = _MOST_UNPACKED_BYTES + _MOST_TIMES * path.stat().st_size
             with path.open("rb") as source, target.open("wb") as sink:
-                zstandard.ZstdDecompressor().copy_stream(source, sink)
+                for block in zstandard.ZstdDecompressor().read_to_iter(source):
+                    sink.write(block)
+                    if sink.tell() > limit:
+                        raise BagReadError(path, f"it becomes larger than {limit} bytes")
         except OSError as error:
             raise BagReadError(path, error.strerror or str(error)) from error
         except zstandard.ZstdError as error:
@@ -183,20 +199,21 @@ class Reader:
     def _described(self, written: BagMetadata | None) -> BagMetadata:
         if written is None:
             parts = (
-                _renamed(one.metadata, path)
-                for one, path in zip(self._files, self._paths, strict=True)
+                _renamed(file.metadata, path)
+                for file, path in zip(self._files, self._paths, strict=True)
             )
             return merged(parts)
-        size = sum(one.stat().st_size for one in self.path.iterdir() if one.is_file())
+        size = sum(path.stat().st_size for path in self.path.iterdir() if path.is_file())
         return replace(written, bag_size=size)
 
 
 def bag_files(folder: Path) -> list[Path]:
     """Return the files of a bag in a folder, in the order of their numbers."""
     found = (
-        one
-        for one in folder.iterdir()
-        if one.suffix in _STORAGES or (one.suffix == _PACKED and Path(one.stem).suffix in _STORAGES)
+        path
+        for path in folder.iterdir()
+        if path.suffix in _STORAGES
+        or (path.suffix == _PACKED and Path(path.stem).suffix in _STORAGES)
     )
     return sorted(found, key=_number)
 
@@ -224,20 +241,20 @@ def read(path: str | Path, topics: Iterable[str] | None = None) -> Iterator[tupl
         NoBagExtraError: The extra `bag` is not installed.
     """
     # Names in bags begin with a slash, except in some bags that other programs wrote.
-    wanted = None if topics is None else {name for one in topics for name in (one, f"/{one}")}
+    wanted = None if topics is None else {name for topic in topics for name in (topic, f"/{topic}")}
     with Reader(path) as bag:
         known = bag.topics
         classes: dict[str, type[Any]] = {}
-        for one in bag.messages(wanted):
-            cls = classes.get(one.topic)
+        for message in bag.messages(wanted):
+            cls = classes.get(message.topic)
             if cls is None:
-                cls = classes[one.topic] = bag.message_class(known[one.topic])
-            yield one.topic, deserialize_message(one.data, cls), one.log_ns
+                cls = classes[message.topic] = bag.message_class(known[message.topic])
+            yield message.topic, deserialize_message(message.data, cls), message.log_ns
 
 
 def merge(streams: Iterable[Iterator[BagMessage]]) -> Iterator[BagMessage]:
     """Yield the messages of several bags, ordered by the time at which they were recorded."""
-    return heapq.merge(*streams, key=lambda one: one.log_ns)
+    return heapq.merge(*streams, key=lambda message: message.log_ns)
 
 
 def _renamed(part: BagMetadata, path: Path) -> BagMetadata:

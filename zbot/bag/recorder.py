@@ -7,13 +7,13 @@ from dataclasses import dataclass, field
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from zbot.bag.action_description import action_name
 from zbot.bag.definition import ENCODING, definition_text
+from zbot.bag.description import action_name
 from zbot.bag.message import BagMessage, Definition
 from zbot.bag.metadata import TopicMetadata
-from zbot.bag.recorder_services import RecorderServices
-from zbot.bag.write_queue import WriteQueue
-from zbot.errors import ZbotError
+from zbot.bag.write_queue import SnapshotBuffer, WriteQueue
+from zbot.bag.writer import writer_for
+from zbot.errors import ZbotError, counted
 from zbot.executor.clock import Clock
 from zbot.executor.task import Future
 from zbot.interfaces import has_sequences, type_hash
@@ -23,36 +23,21 @@ from zbot.remote.types import UnknownTypeError, interface
 from zbot.time import ClockType
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from pathlib import Path
 
-    from zbot.bag.selection import Selection
-    from zbot.bag.snapshot_buffer import SnapshotBuffer
-    from zbot.bag.writer import Writer
+    from zbot.bag.options import RecordOptions, StorageOptions
     from zbot.executor.executor import Executor
     from zbot.graph.snapshot import Snapshot
     from zbot.node.message_info import MessageInfo
     from zbot.node.node import Node
     from zbot.node.subscription import Subscription
-    from zbot.qos import QoSProfile
 
-MAX_CACHE_BYTES = 100 * 2**20  #: rosbag2's default
 # Number of messages that can wait in Zenoh while this process is busy. A message with sequences may
 # be large, so fewer such messages can wait.
 _DEPTH = 2000
 _DEPTH_OF_SEQUENCES = 500
 _CHECK_S = 0.1
 _REPORT_NS = 1_000_000_000
-
-
-@dataclass(frozen=True)
-class Discovery:
-    """How a recorder finds topics."""
-
-    is_on: bool = True  #: whether topics that appear later are recorded
-    period_s: float = 0.1
-    includes_hidden: bool = False
-    includes_unpublished: bool = False
-    ignores_leaves: bool = False  #: whether topics without a subscription are left out
 
 
 @dataclass
@@ -65,7 +50,7 @@ class Losses:
     def text(self) -> str:
         """Return the losses as text: `3 messages were lost: /a 2, /b 1`."""
         total = sum(self.counts.values())
-        return f"{total} {'message was' if total == 1 else 'messages were'} lost: {self.list()}"
+        return f"{counted(total, 'message')} {'was' if total == 1 else 'were'} lost: {self.list()}"
 
     def list(self) -> str:
         """Return the losses by topic: `/a 2, /b 1`. Without losses, the text is empty."""
@@ -77,40 +62,30 @@ class Recorder:
 
     Args:
         node: The node that subscribes.
-        writer: The bag. The recorder closes it.
-        selection: The topics.
-        discovery: How topics are found.
-        overrides: Profiles of the subscriptions to some topics.
-        max_cache_bytes: Bytes of the messages that may wait for the disk. 0 means no limit.
-        is_paused: Whether to begin paused.
-        uses_sim_time: Whether the node's time is simulated. Messages that arrive before the first
-            message of `/clock` are dropped.
-        snapshots: Memory of the newest messages. Only `take_snapshot` writes them to the bag.
-            `None` means that all messages are written to the bag.
+        storage: The new bag.
+        options: What to record. If the time is simulated, messages that arrive before the first
+            message of `/clock` are dropped. In snapshot mode, the newest messages stay in memory,
+            and only `take_snapshot` writes them to the bag.
+
+    Raises:
+        BagExistsError: The bag exists.
+        BagWriteError: The bag cannot be made.
+        BagValueError: The storage's settings are not valid.
     """
 
-    def __init__(
-        self,
-        node: Node,
-        writer: Writer,
-        selection: Selection,
-        *,
-        discovery: Discovery,
-        overrides: Mapping[str, QoSProfile],
-        max_cache_bytes: int = MAX_CACHE_BYTES,
-        is_paused: bool = False,
-        uses_sim_time: bool = False,
-        snapshots: SnapshotBuffer | None = None,
-    ) -> None:
+    def __init__(self, node: Node, storage: StorageOptions, options: RecordOptions) -> None:
+        self._selection = options.selection()
+        writer = writer_for(storage, options)
         self._node = node
         self._log = node.get_logger()
-        self._queue = WriteQueue(writer, max_cache_bytes)
-        self._selection = selection
-        self._discovery = discovery
-        self._overrides = overrides
-        self._is_paused = is_paused
-        self._uses_sim_time = uses_sim_time
-        self._snapshots = snapshots
+        self._queue = WriteQueue(writer, storage.max_cache_size)
+        self._options = options
+        self._is_paused = options.start_paused
+        self._snapshots = (
+            SnapshotBuffer(storage.max_cache_size, storage.max_cache_duration)
+            if storage.snapshot_mode
+            else None
+        )
         self._subscriptions: dict[str, Subscription[Any]] = {}
         self._known: Snapshot | None = None
         self._warned: set[str] = set()
@@ -171,7 +146,7 @@ class Recorder:
         messages = self._snapshots.take()
         self._queue.split()
         self._queue.put_all(messages)
-        self._log.info(f"Snapshot of {len(messages)} messages")
+        self._log.info(f"Snapshot of {counted(len(messages), 'message')}")
         return True
 
     def end(self) -> None:
@@ -194,9 +169,11 @@ class Recorder:
             self._log.info("Recording...")
         # The timers use a steady clock, because simulated time may stand still.
         finder = None
-        if self._discovery.is_on:
+        if not self._options.is_discovery_disabled:
             finder = self._node.create_timer(
-                max(self._discovery.period_s, 0.001), self._rediscover, clock=self._clock
+                max(self._options.topic_polling_interval.total_seconds(), 0.001),
+                self._rediscover,
+                clock=self._clock,
             )
         checker = self._node.create_timer(_CHECK_S, self._check, clock=self._clock)
         self._finder = finder
@@ -218,8 +195,8 @@ class Recorder:
             self._log.info("Recording stopped")
             for name, subscription in self._subscriptions.items():
                 if subscription.refused_count:
-                    count = subscription.refused_count
-                    self._log.error(f"{name}: {count} messages could not be read")
+                    count = counted(subscription.refused_count, "message")
+                    self._log.error(f"{name}: {count} could not be read")
             if self._losses.counts:
                 self._log.warning(self._losses.text())
 
@@ -254,7 +231,7 @@ class Recorder:
                 self._subscribe(snapshot, topic, types[0])
 
     def _is_wanted(self, snapshot: Snapshot, topic: str, types: list[str]) -> bool:
-        if not any(self._selection.takes(topic, one) for one in types):
+        if not any(self._selection.takes(topic, type_name) for type_name in types):
             return False
         if len(types) > 1:
             self._warn(
@@ -268,14 +245,20 @@ class Recorder:
                 "", "Hidden topics are not recorded. Enable them with --include-hidden-topics"
             )
             return False
-        others = [one for one in snapshot.publishers(topic) if not self._is_own(one)]
-        if not others and not self._discovery.includes_unpublished:
+        others = [
+            publisher for publisher in snapshot.publishers(topic) if not self._is_own(publisher)
+        ]
+        if not others and not self._options.include_unpublished_topics:
             return False
-        listeners = [one for one in snapshot.subscriptions(topic) if not self._is_own(one)]
-        return bool(listeners) or not self._discovery.ignores_leaves
+        listeners = [
+            subscription
+            for subscription in snapshot.subscriptions(topic)
+            if not self._is_own(subscription)
+        ]
+        return bool(listeners) or not self._options.ignore_leaf_topics
 
     def _is_left_out(self, topic: str) -> bool:
-        is_wanted = self._discovery.includes_hidden or topic in self._selection.names
+        is_wanted = self._options.include_hidden_topics or topic in self._selection.names
         is_selected = topic.endswith("/_service_event") or action_name(topic)
         return is_hidden(topic) and not is_wanted and not is_selected
 
@@ -286,9 +269,9 @@ class Recorder:
         message_class = self._class(topic, type_name)
         if message_class is None:
             return
-        offered = [one.qos for one in snapshot.publishers(topic)]
+        offered = [publisher.qos for publisher in snapshot.publishers(topic)]
         depth = _DEPTH_OF_SEQUENCES if has_sequences(message_class) else _DEPTH
-        profile = self._overrides.get(topic)
+        profile = self._options.topic_qos_profile_overrides.get(topic)
         if profile is None:
             profile = profile_to_record(offered, depth)
         else:
@@ -328,7 +311,7 @@ class Recorder:
         if self._is_paused:
             return
         log_ns = info["received_timestamp"]
-        if self._uses_sim_time:
+        if self._options.use_sim_time:
             log_ns = self._node.get_clock().now().nanoseconds
             if log_ns == 0:
                 return  # no message of /clock has come
@@ -347,3 +330,56 @@ class Recorder:
         if subject not in self._warned:
             self._warned.add(subject)
             self._log.warning(text)
+
+
+class RecorderServices:
+    """Services `~/pause`, `~/resume`, `~/is_paused`, `~/split_bagfile` and `~/snapshot`.
+
+    The node also publishes on `events/write_split` when a file of the bag is complete.
+
+    Args:
+        node: The recorder's node. Its executor runs the services.
+        recorder: The recorder.
+    """
+
+    def __init__(self, node: Node, recorder: Recorder) -> None:
+        from rosbag2_interfaces import msg, srv  # noqa: PLC0415 - the import makes the classes
+
+        self._name = node.get_fully_qualified_name()
+        self._recorder = recorder
+        self._event_class: Any = msg.WriteSplitEvent
+        self._splits = node.create_publisher(self._event_class, "events/write_split", 1)
+        node.create_service(srv.Pause, "~/pause", self._pause)
+        node.create_service(srv.Resume, "~/resume", self._resume)
+        node.create_service(srv.IsPaused, "~/is_paused", self._is_paused)
+        node.create_service(srv.SplitBagfile, "~/split_bagfile", self._split)
+        if recorder.takes_snapshots:
+            node.create_service(srv.Snapshot, "~/snapshot", self._snapshot)
+
+    def announce_split(self, closed: Path, opened: Path) -> None:
+        """Publish that a file is complete."""
+        self._splits.publish(
+            self._event_class(
+                closed_file=str(closed), opened_file=str(opened), node_name=self._name
+            )
+        )
+
+    def _pause(self, request: Any, response: Any) -> Any:  # noqa: ARG002 - rclpy's signature
+        self._recorder.pause()
+        return response
+
+    def _resume(self, request: Any, response: Any) -> Any:  # noqa: ARG002 - as above
+        self._recorder.resume()
+        return response
+
+    def _is_paused(self, request: Any, response: Any) -> Any:  # noqa: ARG002 - as above
+        response.paused = self._recorder.is_paused
+        return response
+
+    def _split(self, request: Any, response: Any) -> Any:  # noqa: ARG002 - as above
+        self._recorder.split()
+        return response
+
+    def _snapshot(self, request: Any, response: Any) -> Any:  # noqa: ARG002 - as above
+        response.success = self._recorder.take_snapshot()
+        return response

@@ -71,9 +71,9 @@ def ros2_text(type_name: str, definitions: Mapping[str, list[Ros1Field]]) -> str
     texts = []
     for name, fields in definitions.items():
         if name != _HEADER:
-            lines = "".join(f"{_ros2_type(one)} {one.name.lower()}\n" for one in fields)
+            lines = "".join(f"{_ros2_type(field)} {field.name.lower()}\n" for field in fields)
             texts.append(lines if name == type_name else f"MSG: {name}\n{lines}")
-    own = texts.index(next(one for one in texts if not one.startswith("MSG: ")))
+    own = texts.index(next(text for text in texts if not text.startswith("MSG: ")))
     return f"{'=' * 80}\n".join([texts.pop(own), *texts])
 
 
@@ -142,7 +142,7 @@ class _Decoders:
     def _new_message(self, name: str, target: str, level: int) -> Decode:
         cls: Any = get_message(target)
         spec: Any = get_spec(target)
-        places = {one.name.lower(): one for one in spec.fields}
+        places = {field.name.lower(): field for field in spec.fields}
         steps: list[tuple[str, Decode]] = []
         for field in self._definitions[name]:
             place = places.get(field.name.lower())
@@ -166,8 +166,8 @@ class _Decoders:
         is_number = field.base in _FORMATS and field.base not in {"bool", "byte"}
         if is_number and field.size is not None:
             return _numbers(field, _FORMATS[field.base])
-        one = self._single(field, base, level)
-        return one if field.size is None else _list(one, field.size)
+        decode = self._single(field, base, level)
+        return decode if field.size is None else _list(decode, field.size)
 
     def _single(self, field: Ros1Field, base: str, level: int) -> Decode:
         if field.base == "string":
@@ -179,7 +179,7 @@ class _Decoders:
         return self.message(field.base, base, level + 1)
 
 
-def _list(one: Decode, size: int) -> Decode:
+def _list(decode_element: Decode, size: int) -> Decode:
     def decode(data: bytes, position: int) -> tuple[Any, int]:
         count = size
         if size < 0:
@@ -187,7 +187,7 @@ def _list(one: Decode, size: int) -> Decode:
             position += 4
         values = []
         for _ in range(count):
-            value, end = one(data, position)
+            value, end = decode_element(data, position)
             if end == position and count > 1:  # else a few bytes could mean a list of any length
                 raise struct.error("the elements of a list have no bytes")
             values.append(value)

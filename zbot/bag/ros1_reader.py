@@ -100,16 +100,16 @@ class Ros1Reader:
             BagTypeError: The definition of a type is incomplete.
         """
         wanted = {
-            number: one
-            for number, one in self._connections.items()
-            if topics is None or one.topic in topics
+            number: connection
+            for number, connection in self._connections.items()
+            if topics is None or connection.topic in topics
         }
         last_ns = 2**63 if end_ns is None else end_ns
         waiting: list[tuple[int, int, int, bytes]] = []
         serial = itertools.count()
         try:
             with self._path.open("rb") as stream:
-                for chunk in sorted(self._chunks, key=lambda one: one.start_ns):
+                for chunk in sorted(self._chunks, key=lambda chunk: chunk.start_ns):
                     while waiting and waiting[0][0] < chunk.start_ns:
                         yield self._converted(*heapq.heappop(waiting))
                     is_out = chunk.end_ns < start_ns or chunk.start_ns > last_ns
@@ -159,26 +159,30 @@ class Ros1Reader:
             raise BagReadError(self._path, "the file is not complete")
 
     def _definitions(self) -> Iterator[tuple[str, Definition]]:
-        for one in self._connections.values():
-            name = ros2_name(one.type_name)
+        for connection in self._connections.values():
+            name = ros2_name(connection.type_name)
             try:
                 text = definition_text(name)
             except LookupError:
-                text = ros2_text(one.type_name, read_definitions(one.type_name, one.text))
+                text = ros2_text(
+                    connection.type_name, read_definitions(connection.type_name, connection.text)
+                )
             yield name, Definition(ENCODING, text)
 
     def _metadata(self) -> BagMetadata:
         counts: Counter[int] = Counter()
         for chunk in self._chunks:
             counts.update(chunk.counts)
-        filled = [one for one in self._chunks if one.counts]
-        start = min((one.start_ns for one in filled), default=0)
-        end = max((one.end_ns for one in filled), default=0)
+        filled = [chunk for chunk in self._chunks if chunk.counts]
+        start = min((chunk.start_ns for chunk in filled), default=0)
+        end = max((chunk.end_ns for chunk in filled), default=0)
         topics: dict[str, TopicInformation] = {}
-        for number, one in self._connections.items():
-            known = topics.get(one.topic)
+        for number, connection in self._connections.items():
+            known = topics.get(connection.topic)
             count = counts[number] + (known.message_count if known else 0)
-            topics[one.topic] = TopicInformation(known.topic if known else _topic(one), count)
+            topics[connection.topic] = TopicInformation(
+                known.topic if known else _topic(connection), count
+            )
         total = sum(counts.values())
         return BagMetadata(
             storage_id=STORAGE_ID,

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from typing import Any
 
-from zbot.bag.action_description import action_name
-from zbot.bag.description import is_service_event, service_name
+from zbot.bag.description import action_name, is_service_event, service_name
 from zbot.bag.errors import BagValueError
+from zbot.names import ACTION_PART
 
 _ACTION_TOPICS = (
     "feedback",
@@ -45,6 +46,29 @@ class Selection:
     exclude_actions: frozenset[str] = frozenset()
     exclude_regex: str = ""
 
+    @classmethod
+    def narrowed(
+        cls,
+        *,
+        topics: frozenset[str],
+        services: frozenset[str],
+        actions: frozenset[str],
+        regex: str,
+        **exclusions: Any,
+    ) -> Selection:
+        """Return rules that select everything if they name nothing. `exclusions` override them."""
+        is_all = not (topics or services or actions or regex)
+        return cls(
+            all_topics=is_all,
+            all_services=is_all,
+            all_actions=is_all,
+            topics=topics,
+            services=services,
+            actions=actions,
+            regex=regex,
+            **exclusions,
+        )
+
     def __post_init__(self) -> None:
         for pattern in (self.regex, self.exclude_regex):
             try:
@@ -61,8 +85,10 @@ class Selection:
     @property
     def names(self) -> frozenset[str]:
         """The topics that are selected by name, also those of services and actions."""
-        events = {f"{one}/_service_event" for one in self.services}
-        parts = {f"{one}/_action/{part}" for one in self.actions for part in _ACTION_TOPICS}
+        events = {f"{service}/_service_event" for service in self.services}
+        parts = {
+            f"{action}{ACTION_PART}{part}" for action in self.actions for part in _ACTION_TOPICS
+        }
         return self.topics | events | parts
 
     def takes(self, topic: str, type_name: str) -> bool:

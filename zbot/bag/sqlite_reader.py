@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
 STORAGE_ID = "sqlite3"
+_TABLES = ("topics", "messages", "message_definitions")
 
 
 class SqliteReader:
@@ -33,12 +34,13 @@ class SqliteReader:
         self.damage = ""
         try:
             with closing(self._connect()) as bag:
+                _check_tables(bag)
                 self.definitions = _definitions(bag)
                 self._topics = {
                     row["id"]: _topic(row) for row in bag.execute("SELECT * FROM topics")
                 }
                 self.metadata = self._metadata(bag)
-        except (sqlite3.Error, IndexError, UnicodeError) as error:
+        except (sqlite3.Error, IndexError, TypeError, UnicodeError) as error:
             raise BagReadError(path, str(error)) from error
 
     def messages(
@@ -50,9 +52,9 @@ class SqliteReader:
             BagReadError: The file is damaged.
         """
         wanted = {
-            number: one.name
-            for number, one in self._topics.items()
-            if topics is None or one.name in topics
+            number: topic.name
+            for number, topic in self._topics.items()
+            if topics is None or topic.name in topics
         }
         query = (
             "SELECT topic_id, data, timestamp FROM messages WHERE timestamp BETWEEN ? AND ? "
@@ -63,13 +65,18 @@ class SqliteReader:
                 last = 2**63 - 1 if end_ns is None else end_ns
                 for number, data, time_ns in bag.execute(query, (start_ns, last)):
                     if number in wanted:
-                        yield BagMessage(wanted[number], bytes(data), time_ns, time_ns)
+                        # sqlite3 allows any kind of value in any column.
+                        if not isinstance(data, bytes) or not isinstance(time_ns, int):
+                            raise BagReadError(self._path, "a message is not made of bytes")
+                        yield BagMessage(wanted[number], data, time_ns, time_ns)
         except sqlite3.Error as error:
             raise BagReadError(self._path, str(error)) from error
 
     def _connect(self) -> sqlite3.Connection:
         bag = sqlite3.connect(f"{self._path.absolute().as_uri()}?mode=ro", uri=True)
         bag.row_factory = sqlite3.Row
+        # The file's own functions must not run, e.g. in a view, an index or a computed column.
+        bag.execute("PRAGMA trusted_schema = OFF")
         return bag
 
     def _metadata(self, bag: sqlite3.Connection) -> BagMetadata:
@@ -79,7 +86,8 @@ class SqliteReader:
         return BagMetadata(
             storage_id=STORAGE_ID,
             topics=tuple(
-                TopicInformation(one, counts.get(number, 0)) for number, one in self._topics.items()
+                TopicInformation(topic, counts.get(number, 0))
+                for number, topic in self._topics.items()
             ),
             files=(FileInformation(self._path.name, start, duration, count),),
             paths=(self._path.name,),
@@ -90,12 +98,28 @@ class SqliteReader:
         )
 
 
+def _check_tables(bag: sqlite3.Connection) -> None:
+    """Check that what is read is in the file. A view or a computed column has no end or no limit.
+
+    Raises:
+        sqlite3.DatabaseError: It is a view, a virtual table or a computed column.
+    """
+    for table in _TABLES:
+        for kind, sql in bag.execute("SELECT type, sql FROM sqlite_master WHERE name=?", (table,)):
+            is_virtual = str(sql).upper().startswith("CREATE VIRTUAL")
+            if kind != "table" or is_virtual:
+                raise sqlite3.DatabaseError(f"{table} is no table")
+        # The last column is 0 for a column whose values are in the file.
+        if any(column[-1] for column in bag.execute(f"PRAGMA table_xinfo({table})")):
+            raise sqlite3.DatabaseError(f"a column of {table} is computed")
+
+
 def _topic(row: sqlite3.Row) -> TopicMetadata:
     columns: list[Any] = row.keys()  # older versions of rosbag2 wrote fewer columns
     return TopicMetadata(
-        name=row["name"],
-        type_name=row["type"],
-        serialization_format=row["serialization_format"],
+        name=str(row["name"]),
+        type_name=str(row["type"]),
+        serialization_format=str(row["serialization_format"]),
         offered_qos_profiles=tuple(
             read_profiles(row["offered_qos_profiles"]) if "offered_qos_profiles" in columns else ()
         ),
@@ -108,4 +132,4 @@ def _definitions(bag: sqlite3.Connection) -> dict[str, Definition]:
     if "message_definitions" not in tables:
         return {}
     query = "SELECT topic_type, encoding, encoded_message_definition FROM message_definitions"
-    return {row[0]: Definition(row[1], row[2]) for row in bag.execute(query)}
+    return {str(row[0]): Definition(str(row[1]), str(row[2])) for row in bag.execute(query)}

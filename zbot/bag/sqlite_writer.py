@@ -7,9 +7,8 @@ import sqlite3
 from contextlib import closing, suppress
 from typing import TYPE_CHECKING
 
-from zbot.bag.metadata import VERSION, metadata_text
+from zbot.bag.metadata import VERSION, RecordedPart, metadata_text
 from zbot.bag.qos_profiles import profiles_text
-from zbot.bag.recorded_part import RecordedPart
 from zbot.bag.sqlite_reader import STORAGE_ID
 
 if TYPE_CHECKING:

@@ -5,11 +5,13 @@ from __future__ import annotations
 import enum
 import queue
 import threading
+from collections import deque
 from typing import TYPE_CHECKING
 
 from zbot.bag.message import BagMessage
 from zbot.errors import ZbotError
 from zbot.threads.deadline import Deadline
+from zbot.time import S_TO_NS
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -67,9 +69,9 @@ class WriteQueue:
 
     def put_all(self, messages: Iterable[BagMessage]) -> None:
         """Add messages without the limit `max_bytes`."""
-        for one in messages:
-            self._put_bytes += len(one.data)
-            self._items.put(one)
+        for message in messages:
+            self._put_bytes += len(message.data)
+            self._items.put(message)
 
     def split(self) -> None:
         """Begin the next file of the bag when the waiting messages are written."""
@@ -118,3 +120,38 @@ class WriteQueue:
                 self._writer.create_topic(*item)
             else:
                 self._writer.split()
+
+
+class SnapshotBuffer:
+    """Ring of messages with a limit of bytes and of time. Only one thread may use the buffer.
+
+    Args:
+        max_bytes: Bytes of the messages. 0 means no limit.
+        max_duration_s: Seconds between the oldest and the newest message. 0 means no limit.
+    """
+
+    def __init__(self, max_bytes: int, max_duration_s: float) -> None:
+        self._max_bytes = max_bytes
+        self._max_duration_ns = int(max_duration_s * S_TO_NS)
+        self._messages: deque[BagMessage] = deque()
+        self._bytes = 0
+
+    def add(self, message: BagMessage) -> None:
+        """Keep a message. Forget the oldest messages while a limit is exceeded."""
+        self._messages.append(message)
+        self._bytes += len(message.data)
+        while len(self._messages) > 1 and self._is_over(message.log_ns):
+            self._bytes -= len(self._messages.popleft().data)
+
+    def take(self) -> list[BagMessage]:
+        """Return all messages, the oldest first, and forget them."""
+        taken = list(self._messages)
+        self._messages.clear()
+        self._bytes = 0
+        return taken
+
+    def _is_over(self, now_ns: int) -> bool:
+        if self._max_bytes and self._bytes > self._max_bytes:
+            return True
+        age_ns = now_ns - self._messages[0].log_ns
+        return bool(self._max_duration_ns) and age_ns > self._max_duration_ns

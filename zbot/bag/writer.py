@@ -11,10 +11,9 @@ from typing import TYPE_CHECKING, Any
 from zbot.bag.definition import ENCODING, definition_text
 from zbot.bag.errors import BagExistsError, BagWriteError, bag_topic_error
 from zbot.bag.latched_messages import LatchedMessages
-from zbot.bag.mcap_options import McapOptions, preset_options
+from zbot.bag.mcap_options import McapOptions, preset_options, read_storage_config
 from zbot.bag.mcap_writer import McapWriter
-from zbot.bag.message import NO_DEFINITION, Definition
-from zbot.bag.message_compression import compressed_message
+from zbot.bag.message import NO_DEFINITION, Definition, compressed_message
 from zbot.bag.metadata import (
     METADATA_FILE,
     BagMetadata,
@@ -37,6 +36,7 @@ if TYPE_CHECKING:
     from typing_extensions import Self
 
     from zbot.bag.message import StorageWriter
+    from zbot.bag.options import RecordOptions, StorageOptions
 
 STORAGES = ("mcap", "sqlite3")
 _SUFFIXES = {"mcap": ".mcap", "sqlite3": ".db3"}
@@ -112,7 +112,7 @@ class Writer:
             self.path.mkdir(parents=True)
             self._file = self._new_file()
         except FileExistsError:
-            raise BagExistsError(path) from None
+            raise BagExistsError(path, "choose another name, or delete the folder") from None
         except OSError as error:
             raise BagWriteError(path, _reason(error)) from error
 
@@ -346,3 +346,21 @@ def _compressed(folder: Path, described: BagMetadata) -> BagMetadata:
 
 def _reason(error: OSError) -> str:
     return error.strerror or str(error)
+
+
+def writer_for(storage: StorageOptions, record: RecordOptions) -> Writer:
+    """Return the writer of a new bag. Raise the errors of `Writer` and `read_storage_config`."""
+    preset, config = storage.storage_preset_profile or "zstd", storage.storage_config_uri
+    mode = record.compression_mode.lower()
+    return Writer(
+        storage.uri,
+        storage_id=storage.storage_id or "mcap",
+        max_bytes=storage.max_bagfile_size,
+        max_duration_s=storage.max_bagfile_duration,
+        preset=preset,
+        mcap_options=read_storage_config(Path(config), preset) if config else None,
+        compress_files=mode == "file",
+        compress_messages=mode == "message",
+        custom_data=storage.custom_data,
+        repeats_latched=storage.repeat_latched,
+    )

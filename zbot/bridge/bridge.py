@@ -1,4 +1,4 @@
-"""Bridge that runs until Ctrl-C. It has a zbot node, two sides and a carrier."""
+"""Bridge that runs until Ctrl-C. It has a zbot node, two sides and a route manager."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from contextlib import ExitStack, suppress
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Protocol
 
-from zbot.bridge.carrier import Carrier
 from zbot.bridge.rclpy_import import import_rclpy
 from zbot.bridge.rclpy_side import RclpySide
+from zbot.bridge.route_manager import RouteManager
 from zbot.bridge.selection import Selection
 from zbot.bridge.side import NODE_PREFIX
 from zbot.bridge.zbot_side import ZbotSide
@@ -102,7 +102,7 @@ def run_rmw_zenoh(options: BridgeOptions) -> None:
 
     Raises:
         NoRouterError: The router of ROS 2 is on another machine and does not answer.
-        ConfigError: The address of the router is not valid.
+        SettingError: The address of the router is not valid.
     """
     if options.connect:
         given = os.environ.get(_OVERRIDE, "").rstrip(";")
@@ -164,12 +164,12 @@ def _carry(
     if options.make_filter is not None:
 
         def halt() -> None:
-            carrier.halt()
+            manager.halt()
 
         publisher_filter = options.make_filter(context, halt, context.interrupt)
     zbot = ZbotSide(node, admits=None if publisher_filter is None else publisher_filter.admits)
     stack.callback(zbot.close)
-    carrier = Carrier(
+    manager = RouteManager(
         zbot,
         ros,
         options.selection,
@@ -181,14 +181,14 @@ def _carry(
 
     def carry() -> None:
         try:
-            carrier.run()
+            manager.run()
         except Exception as error:  # noqa: BLE001 - the main thread raises it
             failure.note(error)
 
     thread = threading.Thread(target=carry, name="zbot bridge", daemon=True)
     thread.start()
     stack.callback(thread.join)
-    stack.callback(carrier.close)
+    stack.callback(manager.close)
     if publisher_filter is not None:
         publisher_filter.start()
         stack.callback(publisher_filter.close)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 
 from zbot.errors import ZbotError
+from zbot.errors.installation import pip_install
 
 
 class BridgeError(ZbotError):
@@ -16,7 +17,7 @@ def no_rclpy_error(reason: str) -> BridgeError:
     if sys.platform == "linux":
         advice = (
             "source your ROS 2 (`source /opt/ros/<name>/setup.bash`), "
-            'or type `pip install "zbot[ros2]"`'
+            f"or type `{pip_install('zbot[ros2]')}`"
         )
     else:
         advice = "run the bridge on a Linux machine: there are no packages for this system"

@@ -30,10 +30,15 @@ def profiles(
     must not lose messages while the bridge is busy.
     """
     promised = publishers or subscriptions
-    wants_old = any(one.durability is DurabilityPolicy.TRANSIENT_LOCAL for one in subscriptions)
+    wants_old = any(
+        subscription.durability is DurabilityPolicy.TRANSIENT_LOCAL
+        for subscription in subscriptions
+    )
     wanted = DurabilityPolicy.TRANSIENT_LOCAL if wants_old else DurabilityPolicy.VOLATILE
     both = profile_to_subscribe(publishers, QoSProfile(depth=DEPTH, durability=wanted))
-    depths = (one.depth for one in promised if one.history is not HistoryPolicy.KEEP_ALL)
+    depths = (
+        profile.depth for profile in promised if profile.history is not HistoryPolicy.KEEP_ALL
+    )
     kept = max([DEPTH, *depths])
     if both.durability is DurabilityPolicy.TRANSIENT_LOCAL:
         # Each transient local publisher keeps at least one message for late subscriptions.

@@ -98,7 +98,7 @@ class RclpyGraph:
                 nodes.add(fully_qualified(namespace, name))
                 ends.update(self._service_ends(name, namespace))
         bridges.discard(self._node.get_name().removeprefix(NODE_PREFIX))
-        return World(frozenset(nodes), frozenset(ends), {one: frozenset() for one in bridges})
+        return World(frozenset(nodes), frozenset(ends), {bridge: frozenset() for bridge in bridges})
 
     def _topic_ends(self) -> Iterator[End]:
         node = self._node

@@ -128,17 +128,17 @@ class Loop:
         """Wait until an entity has data or the next tick is due. Return entities with data."""
         entities = self._entities
         wait_set.clear_entities()
-        for one in entities["subscription"]:
-            wait_set.add_subscription(one.handle)
-        for one in entities["client"]:
-            wait_set.add_client(one.handle)
-        for one in entities["service"]:
-            wait_set.add_service(one.handle)
+        for subscription in entities["subscription"]:
+            wait_set.add_subscription(subscription.handle)
+        for client in entities["client"]:
+            wait_set.add_client(client.handle)
+        for service in entities["service"]:
+            wait_set.add_service(service.handle)
         wait_set.add_guard_condition(self._wake)
         wait_set.wait(min(int(due.left_s * 1e9), _LONGEST_WAIT_NS))
         found = []
         for kind, all_of_kind in entities.items():
             if all_of_kind:
                 ready = set(wait_set.get_ready_entities(kind))
-                found += [one for one in all_of_kind if one.handle.pointer in ready]
+                found += [waiting for waiting in all_of_kind if waiting.handle.pointer in ready]
         return found

@@ -328,8 +328,8 @@ class _Caller:
             answer.fail(CallError("server_gone", _GONE))
         late_s = time.monotonic() - _NO_SERVER_S
         with self._lock:
-            late = [one for one in self._unsent if one[0] < late_s]
-            self._unsent = [one for one in self._unsent if one[0] >= late_s]
+            late = [unsent for unsent in self._unsent if unsent[0] < late_s]
+            self._unsent = [unsent for unsent in self._unsent if unsent[0] >= late_s]
         for _, _, answer in late:
             answer.fail(CallError("no_server", _NO_SERVER))
 
@@ -358,7 +358,7 @@ class _Caller:
         self._side.loop.remove(self._waiting, self._destroy)
 
     def _destroy(self) -> None:
-        answers = [*self._pending.values(), *(one[2] for one in self._unsent)]
+        answers = [*self._pending.values(), *(unsent[2] for unsent in self._unsent)]
         self._pending, self._unsent = {}, []
         for answer in answers:
             answer.fail(CallError("server_gone", _GONE))

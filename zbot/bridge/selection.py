@@ -9,12 +9,11 @@ from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
 from zbot.bridge.errors import PatternError
-from zbot.names import is_hidden
+from zbot.names import ACTION_PART, is_hidden
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-ACTION = "/_action/"
 #: Topics that every node has.
 _NODE_TOPICS = frozenset({"/rosout", "/parameter_events"})
 #: Packages with the types of the services that every node has.
@@ -45,7 +44,7 @@ class Pattern:
         name, colon, direction = text.partition(":")
         if not name:
             raise PatternError(text, "a name or a pattern such as '/camera/*' is needed")
-        if colon and direction not in {one.value for one in Direction}:
+        if colon and direction not in {way.value for way in Direction}:
             raise PatternError(text, "after the colon, write in (to zbot) or out (to ROS 2)")
         full = name if name.startswith(("/", "*")) else f"/{name}"
         return cls(full, Direction(direction) if colon else None)
@@ -98,7 +97,7 @@ class Selection:
 
     def takes_topic(self, name: str, direction: Direction) -> bool:
         """Return whether a topic is carried in a direction."""
-        if ACTION in name:
+        if ACTION_PART in name:
             return self._takes_action(name, direction)
         if self.parameters and name == "/parameter_events":
             return True
@@ -107,7 +106,7 @@ class Selection:
 
     def takes_service(self, name: str, type_name: str, direction: Direction) -> bool:
         """Return whether a service is offered in a direction."""
-        if ACTION in name:
+        if ACTION_PART in name:
             return self._takes_action(name, direction)
         if self.parameters and type_name.startswith("rcl_interfaces/srv/"):
             return True
@@ -115,23 +114,23 @@ class Selection:
         return self._takes(self.services, name, direction, usual=usual)
 
     def _takes_action(self, name: str, direction: Direction) -> bool:
-        action = name.partition(ACTION)[0]
+        action = name.partition(ACTION_PART)[0]
         return self._takes(self.actions, action, direction, usual=not is_hidden(action))
 
     def _takes(
         self, wanted: tuple[Pattern, ...], name: str, direction: Direction, *, usual: bool
     ) -> bool:
-        if any(one.matches(name, direction) for one in self.excluded):
+        if any(pattern.matches(name, direction) for pattern in self.excluded):
             return False
         if self._is_everything:
             return usual
-        for one in wanted:
+        for pattern in wanted:
             # A hidden name, or a name that every node has, e.g. `/rosout`, is carried only if it
             # is written out in a pattern without `*`.
-            if one.matches(name, direction) and (usual or "*" not in one.text):
+            if pattern.matches(name, direction) and (usual or "*" not in pattern.text):
                 return True
         return False
 
     def rate(self, name: str, direction: Direction) -> float:
         """Return a topic's largest rate (messages per second), or 0 without a limit."""
-        return next((hz for one, hz in self.rates if one.matches(name, direction)), 0.0)
+        return next((hz for pattern, hz in self.rates if pattern.matches(name, direction)), 0.0)

@@ -1,4 +1,4 @@
-"""Side of a bridge: the interface through which the carrier uses zbot and ROS 2."""
+"""Side of a bridge: the interface through which the route manager uses zbot and ROS 2."""
 
 from __future__ import annotations
 
@@ -97,7 +97,7 @@ class Caller(Entity, Protocol):
 
 
 class Side(Protocol):
-    """zbot or ROS 2, as the carrier uses it. The carrier's thread calls the methods."""
+    """zbot or ROS 2, as the route manager uses it. The route manager's thread calls the methods."""
 
     label: str  #: name of the side in messages for users: `zbot` or `ROS 2`
     format: Format  #: format of messages as bytes

@@ -91,7 +91,7 @@ class ZbotSide:
                 nodes.add(fully_qualified(token.namespace, token.node))
             else:
                 ends.add(_end(token))
-        known = {one: frozenset(offers) for one, offers in bridges.items()}
+        known = {bridge: frozenset(offers) for bridge, offers in bridges.items()}
         return World(frozenset(nodes), frozenset(ends), known)
 
     def lack(self, type_name: str) -> str:
@@ -159,9 +159,9 @@ class ZbotSide:
 
     def show(self, nodes: frozenset[str], ends: frozenset[End]) -> None:
         """Announce the nodes of the other side, and their endpoints."""
-        for end in [one for one in self._ends if one not in ends]:
+        for end in [known for known in self._ends if known not in ends]:
             self._ends.pop(end).undeclare()
-        for name in [one for one in self._nodes if one not in nodes]:
+        for name in [known for known in self._nodes if known not in nodes]:
             self._nodes.pop(name)[1].undeclare()
         graph = self._context.graph
         for name in nodes - self._nodes.keys():

@@ -12,22 +12,20 @@ from zbot.classroom.errors import not_joined_error
 from zbot.classroom.hub import running_hub
 from zbot.classroom.student.laptop_hub import run_student
 from zbot.classroom.teacher.opening import run_teacher
-from zbot.errors import ZbotError
 from zbot.transport import membership
 
 
 def main() -> int:
     """Run the hub of this machine's role (teacher or student), and return the exit code."""
-    try:
-        joined = membership.load()
-        if joined is None:
-            raise not_joined_error()
-        run = run_teacher if joined.role == "teacher" else run_student
-        run(joined, running_hub.report_ready)
-    except ZbotError as error:
-        print(error, flush=True)
-        return 1
-    return 0
+    return running_hub.exit_code(_run)
+
+
+def _run() -> None:
+    joined = membership.load()
+    if joined is None:
+        raise not_joined_error()
+    run = run_teacher if joined.role == "teacher" else run_student
+    run(joined, running_hub.report_ready)
 
 
 if __name__ == "__main__":

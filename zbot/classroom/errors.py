@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from zbot.errors import SetupError
 from zbot.errors.suggestion import did_you_mean
+from zbot.transport.config import port_of
+from zbot.transport.errors import is_in_use
 
 
 class ClassroomError(SetupError):
@@ -76,9 +78,13 @@ class NoHubError(ClassroomError, ConnectionError):
 
 def hub_port_error(endpoint: str, reason: str) -> ClassroomError:
     """Return the error that a hub cannot listen on its endpoint."""
+    if not is_in_use(reason):
+        return ClassroomError(f"cannot listen on {endpoint}: {reason}")
+    port = min(int(port_of(endpoint)) + 1, 65535)
     return ClassroomError(
-        f"cannot listen on {endpoint}: {reason}; if `zbot status` shows a hub, stop it with "
-        "`zbot leave`; otherwise stop the program that listens there"
+        f"cannot listen on {endpoint}, because another program of this machine uses the port, "
+        "perhaps the hub of another user: stop that program, or choose another port, e.g. "
+        f"`zbot class start --port {port}` or `zbot hub --listen 0.0.0.0:{port}`"
     )
 
 
@@ -90,6 +96,14 @@ def hub_start_error(log: str, last_line: str) -> ClassroomError:
 def already_joined_error(what: str) -> ClassroomError:
     """Return the error that this machine has joined a class or hub, or runs a hub."""
     return ClassroomError(f"this machine {what}: leave first with `zbot leave`")
+
+
+def own_class_error(name: str) -> ClassroomError:
+    """Return the error that a teacher's machine joins a class, while its own class is open."""
+    return ClassroomError(
+        f"this machine has opened the class {name}, which students join from their own machines: "
+        "end it with `zbot class stop` to join another class"
+    )
 
 
 def not_joined_error() -> ClassroomError:
@@ -128,7 +142,7 @@ def open_class_error(class_name: str, reason: str) -> ClassroomError:
 
 
 class RefusedError(ClassroomError, PermissionError):
-    """The class refuses this machine. The message comes from the class.
+    """The class refuses a machine. The teacher's machine sends the error, and the laptop raises it.
 
     Attributes:
         kind: Kind of the reason, e.g. `taken`.
@@ -141,18 +155,6 @@ class RefusedError(ClassroomError, PermissionError):
     ) -> None:
         self.kind, self.known, self.wait_s = kind, known, wait_s
         super().__init__(sentence)
-
-
-class ReopeningError(ClassroomError):
-    """The hub of the class is opened again before it accepts this laptop.
-
-    Attributes:
-        wait_s: Seconds after which the laptop may ask again.
-    """
-
-    def __init__(self) -> None:
-        self.wait_s = 0.5
-        super().__init__("the class is being opened again: try again in a moment")
 
 
 class SilentHubError(ClassroomError, TimeoutError):

@@ -1,4 +1,4 @@
-"""Requests of a laptop to a class: the request to join, and the proof of a number's owner."""
+"""Requests of a laptop to a class: to join, with names safe to print, and the proof of an owner."""
 
 from __future__ import annotations
 
@@ -6,11 +6,20 @@ import hmac
 from dataclasses import dataclass
 from typing import Any
 
-from zbot.classroom.student_name import clean_name
+from zbot.terminal.text import single_line
 
 _MACHINE_LENGTH = 64
 
 Document = dict[str, Any]
+MAX_NAME_LENGTH = 64
+
+
+def clean_name(text: str) -> str:
+    """Return a name that is safe to print: one line of at most 64 printable characters.
+
+    Control characters and characters that change the direction of writing become spaces.
+    """
+    return single_line(text, MAX_NAME_LENGTH)
 
 
 @dataclass(frozen=True)

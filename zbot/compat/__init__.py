@@ -4,7 +4,7 @@
 module `zbot_ros2_names` imports this package at the first import of one of ROS 2's names. Each
 folder in `packages/` is a package with one of these names, and only imports classes and functions
 of zbot. `table.py` says where these are. If a real package of ROS 2 is installed, Python imports
-the real package instead.
+the real package instead, except if zbot is preferred (`import_finder`).
 
 The sources of such a package in a workspace are not imported, because most of them have parts in
 C++ that zbot cannot build: `tf2_ros` imports the C++ of `tf2_py`.
@@ -36,9 +36,8 @@ def _find_package(
     if path is not None:
         return None
     own = PathFinder.find_spec(fullname, [_PACKAGES], target)
-    if own is None or (fullname not in _preferred and _is_installed(fullname)):
-        return None
-    return own
+    is_preferred = fullname in _preferred or import_finder.prefers_zbot()
+    return own if own and (is_preferred or not _is_installed(fullname)) else None
 
 
 def _is_installed(name: str) -> bool:

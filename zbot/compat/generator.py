@@ -52,14 +52,20 @@ def _lines(name: str, module: Module, table: Iterable[str]) -> Iterator[str]:
     if module.same:
         yield from _same(module.same)
         return
-    inner = [one.rpartition(".")[2] for one in table if one.rpartition(".")[0] == name]
-    own = [one for one in inner if one in module.names]
-    lazy = [one for one in inner if one not in own and not one.startswith("_")]
+    inner = [
+        full_name.rpartition(".")[2] for full_name in table if full_name.rpartition(".")[0] == name
+    ]
+    own = [part for part in inner if part in module.names]
+    lazy = [part for part in inner if part not in own and not part.startswith("_")]
     if lazy or module.later:
         yield from ("from typing import TYPE_CHECKING", "")
-        yield "from zbot.compat.first_use import at_first_use"
+        yield "from zbot.lazy_imports import lazy_names"
     yield from _imports(name, module, own)
-    public = [f'"{one}"' for one in sorted(module.names) if not one.startswith("_")]
+    public = [
+        f'"{public_name}"'
+        for public_name in sorted(module.names)
+        if not public_name.startswith("_")
+    ]
     if public:
         yield from ("", *_bracketed("__all__ = [", public, "]"))
     if lazy or module.later:
@@ -83,8 +89,8 @@ def _imports(name: str, module: Module, own: list[str]) -> Iterator[str]:
         yield from _import(where, {here: names[here] for here in names if here not in own})
     # `rosidl_runtime_py.get_interfaces` is a function and a module: the function must win. Python
     # replaces a package's attribute when it loads a module, so the module is loaded first.
-    for one in own:
-        yield from _import(f".{one}", {one: one})
+    for module_name in own:
+        yield from _import(f".{module_name}", {module_name: module_name})
 
 
 def _import(place: str, names: Mapping[str, str]) -> list[str]:
@@ -100,14 +106,15 @@ def _bracketed(first: str, items: Iterable[str], last: str) -> list[str]:
 
 
 def _first_use(lazy: list[str], later: Mapping[str, Mapping[str, str]]) -> Iterator[str]:
-    places = {one: place for place, names in later.items() for one in names}
     yield "if TYPE_CHECKING:"
-    for one, place in {**dict.fromkeys(lazy, "."), **places}.items():
-        yield f"    from {place} import {one} as {one}"
-    yield from ("else:", "    __getattr__ = at_first_use(", "        __name__,")
-    yield from (f'        "{one}",' for one in lazy)
-    yield from (f'        {one}="{place}",' for one, place in places.items())
-    yield "    )"
+    places = {name: place for place, names in later.items() for name in names}
+    for name, place in {**dict.fromkeys(lazy, "."), **places}.items():
+        yield f"    from {place} import {name} as {name}"
+    yield from ("else:", "    __getattr__ = lazy_names(", "        __name__,", "        {")
+    yield from (f'            "{place}": "{" ".join(names)}",' for place, names in later.items())
+    yield from ("        },", "        submodules=(")
+    yield from (f'            "{submodule}",' for submodule in lazy)
+    yield from ("        ),", "    )[0]")
 
 
 def main(arguments: list[str]) -> int:

@@ -59,7 +59,7 @@ def isclassinstance(obj: object) -> bool:
 def create_future(loop: asyncio.AbstractEventLoop | None) -> asyncio.Future[Any]:
     """Return a new future of an event loop. None means the loop of this thread."""
     if loop is None:
-        loop = asyncio.get_event_loop_policy().get_event_loop()
+        loop = asyncio.get_event_loop()
     return loop.create_future()
 
 
@@ -70,6 +70,6 @@ def visit_all_entities_and_collect_futures(
     following = entity.visit(context)
     future = entity.get_asyncio_future()
     found = [] if future is None else [(entity, future)]
-    for one in following or ():
-        found += visit_all_entities_and_collect_futures(one, context)
+    for following_entity in following or ():
+        found += visit_all_entities_and_collect_futures(following_entity, context)
     return found

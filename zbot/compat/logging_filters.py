@@ -208,14 +208,14 @@ def get_filters_from_kwargs(**kwargs: Any) -> list[SupportedFiltersKeys]:
     Raises:
         WrongTypeError: An option is unknown, or a required option is missing.
     """
-    known = [name for one in supported_filters.values() for name in one.params]
+    known = [name for filter_ in supported_filters.values() for name in filter_.params]
     for name in kwargs:
         if name not in known:
             raise log_option_error(
                 name, f"is not one of the recognized ones: use {', '.join(known)}"
             )
     found: list[SupportedFiltersKeys] = [
-        key for key, one in supported_filters.items() if any(map(kwargs.get, one.params))
+        key for key, filter_ in supported_filters.items() if any(map(kwargs.get, filter_.params))
     ]
     for key in found:
         for name, default in supported_filters[key].params.items():

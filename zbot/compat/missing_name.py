@@ -26,7 +26,7 @@ class WrongImportError(ZbotError, ModuleNotFoundError):
 def explain_missing_name(fullname: str, path: Sequence[str] | None) -> WrongImportError | None:
     """Return the error for a module that does not exist in a package that zbot has."""
     package, _, name = fullname.rpartition(".")
-    if path is None or not any(str(one).startswith(str(_PACKAGES)) for one in path):
+    if path is None or not any(str(folder).startswith(str(_PACKAGES)) for folder in path):
         return None
     if name.startswith("_"):
         return None
@@ -42,13 +42,20 @@ def _advice(package: str, name: str) -> str:
         if module.startswith(f"{package}.") and not module.rpartition(".")[2].startswith("_")
     }
     last_part = {module.rpartition(".")[2]: module for module in known}
-    near = tuple(last_part[one] for one in similar_names(name, last_part))
+    near = tuple(last_part[near_name] for near_name in similar_names(name, last_part))
     if not name.islower():  # a class
-        classes = {one for names in known.values() for one in names if one[0].isupper()}
+        classes = {
+            class_name
+            for names in known.values()
+            for class_name in names
+            if class_name[0].isupper()
+        }
         name = name if name in classes else next(iter(similar_names(name, classes)), name)
     holders = [module for module, names in known.items() if name in names]
     if not holders or (near and name.islower()):
         return question(near, "; ")
     # `rclpy.duration` comes before `rclpy.qos`, and `launch.actions` before `launch.events`.
-    best = last_part.get(name.lower()) or min(holders, key=lambda one: ("event" in one, len(one)))
+    best = last_part.get(name.lower()) or min(
+        holders, key=lambda holder: ("event" in holder, len(holder))
+    )
     return f": write from {best} import {name}"

@@ -75,14 +75,24 @@ def _skip_linter(fullname: str, path: object) -> BaseException | None:
 def pytest_pycollect_makemodule(
     module_path: Path, parent: pytest.Collector
 ) -> pytest.Module | None:
-    """Return a collector for a file with one of the marks, or `None` for other files."""
+    """Return a collector for a file that describes a launch, or `None` for other files.
+
+    In ROS 2, pytest launches only files with one of the marks. Without a launch, the test cases
+    would wait for programs that nobody starts.
+    """
     text = module_path.read_text(encoding="utf-8", errors="replace")
     if "generate_test_description" not in text or not any(mark in text for mark in _MARKS):
         return None  # such a file is not imported here, because it contains no launch test
     module: pytest.Module = pytest.Module.from_parent(parent, path=module_path)
     function = getattr(module.obj, "generate_test_description", None)
     marks = {mark.name for mark in getattr(function, "pytestmark", [])}
-    return _LaunchModule.from_parent(parent, path=module_path) if marks & _MARKS else module
+    is_launch = marks & _MARKS or (function is not None and _has_test_cases(module.obj))
+    return _LaunchModule.from_parent(parent, path=module_path) if is_launch else module
+
+
+def _has_test_cases(module: object) -> bool:
+    values = vars(module).values()
+    return any(isinstance(value, type) and issubclass(value, unittest.TestCase) for value in values)
 
 
 class _LaunchModule(pytest.Module):
@@ -112,10 +122,10 @@ class _LaunchItem(pytest.Item):
         with redirect_stderr(report):
             results = self._run.run()
         print(report.getvalue())
-        failed = [failure for one in results for failure in (*one.failures, *one.errors)]
+        failed = [failure for result in results for failure in (*result.failures, *result.errors)]
         if failed:
             raise _FailedCasesError([(str(case), text) for case, text in failed])
-        if results and all(len(one.skipped) == one.testsRun for one in results):
+        if results and all(len(result.skipped) == result.testsRun for result in results):
             raise unittest.SkipTest("all tests of this launch were skipped")
 
     def repr_failure(self, excinfo: pytest.ExceptionInfo[BaseException], style: Any = None) -> Any:
@@ -218,7 +228,7 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
             places[stage.key(item)].append(place)
     for shared in places.values():
         in_order = sorted(
-            (items[place] for place in shared), key=lambda one: one.stash[_STAGE].is_last
+            (items[place] for place in shared), key=lambda item: item.stash[_STAGE].is_last
         )
         for place, item in zip(shared, in_order, strict=True):
             items[place] = item

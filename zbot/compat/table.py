@@ -86,7 +86,7 @@ def _module(entry: dict[str, Any], earlier: dict[str, Module]) -> Module:
 def _places(texts: dict[str, str]) -> dict[str, dict[str, str]]:
     """Return the names of each place: of `A, B as C`, the names A and C."""
     pairs = {
-        place: [one.split(" as ") for one in text.split(", ")] for place, text in texts.items()
+        place: [part.split(" as ") for part in text.split(", ")] for place, text in texts.items()
     }
     return {place: {pair[-1]: pair[0] for pair in found} for place, found in pairs.items()}
 
@@ -94,6 +94,8 @@ def _places(texts: dict[str, str]) -> dict[str, dict[str, str]]:
 def _submodule(parent: Module, package: str, text: str) -> Module:
     names = parent.names if text == "all" else text.split(", ")
     shown = (
-        f"all names of `{package}`" if text == "all" else " and ".join(f"`{one}`" for one in names)
+        f"all names of `{package}`"
+        if text == "all"
+        else " and ".join(f"`{name}`" for name in names)
     )
     return parent.part(f"ROS 2's module for {shown}.", names)

@@ -204,7 +204,7 @@ class Context(ContextState):
         Raises:
             NotInitializedError: `init()` was not called, or `shutdown()` was called.
             SessionError: Zenoh cannot open the session.
-            ConfigError: The Zenoh configuration file cannot be read or is invalid.
+            SettingError: The Zenoh configuration file cannot be read or is invalid.
         """
         if self._domain_session.session is None:
             with self._lock:
@@ -233,6 +233,7 @@ class Context(ContextState):
                         asks_first=self._domain_session.asks_router,
                         settle=self.wait_for_discovery,
                         receiver=self.receiver,
+                        start_thread=self.start_thread,
                     )
         return self._graph
 
@@ -286,9 +287,9 @@ class Context(ContextState):
         """Run a function in a thread that `shutdown()` waits for (see `SessionThreads.start`)."""
         self._threads.start(name, run, wake)
 
-    def receiver(self, receive: Callable[[Any], object]) -> Any:
+    def receiver(self, receive: Callable[[Any], object], *, may_wait: bool = False) -> Any:
         """Return a Zenoh handler that calls a function (see `SessionThreads.receiver`)."""
-        return self._threads.receiver(receive)
+        return self._threads.receiver(receive, may_wait=may_wait)
 
     @defers_signals
     def close(self) -> None:

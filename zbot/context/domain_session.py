@@ -35,7 +35,7 @@ class DomainSession:
     Args:
         mode: `peer` for a process with nodes, or `client` for a tool.
         rmw: The middleware, or `None` for that of the settings.
-        receiver: Returns a Zenoh handler that calls a function in a thread of Zenoh.
+        receiver: Returns a Zenoh handler that calls a function (see `SessionThreads.receiver`).
         when_open: Called when the session is open, before anything uses it.
     """
 
@@ -43,7 +43,7 @@ class DomainSession:
         self,
         mode: Literal["peer", "client"],
         rmw: str | None,
-        receiver: Callable[[Callable[[Any], object]], Any],
+        receiver: Callable[..., Any],
         when_open: Callable[[], object],
     ) -> None:
         self.is_tool = mode == "client"
@@ -85,7 +85,8 @@ class DomainSession:
         session = meeting.open_node_session()
         self._keep(session, meeting)
         if self._in_class:
-            without_interruption(session.declare_subscriber, NOTICE_KEY, self._receiver(log_notice))
+            receiver = self._receiver(log_notice, may_wait=True)
+            without_interruption(session.declare_subscriber, NOTICE_KEY, receiver)
         if self._peering is not None:
             self._peering.link(is_over)
 

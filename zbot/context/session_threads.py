@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING, Any
 
 import zenoh
 
-from zbot.threads.foreign_call import without_interruption
+from zbot.threads.foreign_call import called_by_zenoh, without_interruption
+from zbot.threads.unawaited_thread import UnawaitedThread
 from zbot.threads.weak_set import WeakSet
 
 if TYPE_CHECKING:
@@ -44,35 +45,39 @@ class SessionThreads:
             finally:
                 self._threads.pop(thread, None)
 
-        thread = threading.Thread(target=body, name=name, daemon=True)
+        thread = UnawaitedThread(body, name)
         self._threads[thread] = wake
         without_interruption(thread.start)
 
-    def receiver(self, receive: Callable[[Any], object]) -> Any:
-        """Return a Zenoh handler that calls a function in a thread that `join` waits for.
-
-        The thread belongs to Zenoh and sleeps until an event comes. A Python thread that waited
-        for a channel of Zenoh would wake up ten times a second. The handler's queue holds 256
-        events, and a full queue blocks the session.
+    def receiver(self, receive: Callable[[Any], object], *, may_wait: bool = False) -> Any:
+        """Return a Zenoh handler that calls a function. `join` waits for the function's last call.
 
         Args:
-            receive: The function, which must return quickly.
+            receive: The function. Zenoh's network thread calls it, or the thread that causes the
+                event. So it must return within microseconds.
+            may_wait: Whether the function may wait, or log. Then a thread of its own calls it. The
+                thread sleeps until an event comes. Up to 256 events wait for it, and more events
+                block the session.
         """
         ended = threading.Event()
 
+        @called_by_zenoh
+        def call(event: Any) -> None:
+            receive(event)
+
+        @called_by_zenoh
         def end() -> None:
             self._receivers.discard(ended)
             ended.set()
 
         self._receivers.add(ended)
-        return zenoh.handlers.Callback(receive, drop=end)
+        return zenoh.handlers.Callback(call, drop=end, indirect=may_wait)
 
     def join(self) -> None:
         """Wake the threads of a closed session, and wait for their end, at most 2 s for each."""
         for thread, wake in list(self._threads.items()):
             wake()
-            # A thread whose start was interrupted by a signal has no ident.
-            if thread is not threading.current_thread() and thread.ident is not None:
+            if thread is not threading.current_thread():
                 thread.join(_JOIN_TIMEOUT_S)
         for ended in self._receivers:
             ended.wait(_JOIN_TIMEOUT_S)

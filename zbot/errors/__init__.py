@@ -32,6 +32,11 @@ def shortened(value: object, limit: int = 80) -> str:
     return text if len(text) <= limit else f"{text[: limit - 3]}..."
 
 
+def counted(number: int, noun: str) -> str:
+    """Return a number with its noun, e.g. `1 message` or `2 messages`."""
+    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
+
+
 def described(value: object) -> str:
     """Return the type and value of an argument, or what it is if it is a class or a function."""
     if value is None:
@@ -150,6 +155,37 @@ class TimeOverflowError(ZbotError, OverflowError, ValueError):
 
 class SetupError(ZbotError):
     """The environment of a program is wrong. A traceback of the code would not help."""
+
+
+class MissingPackageError(SetupError, ModuleNotFoundError):
+    """A package that a part of zbot needs is not installed.
+
+    Attributes:
+        name: The missing package.
+    """
+
+    def __init__(self, user: str, name: str, extra: str) -> None:
+        from zbot.errors.installation import pip_install  # noqa: PLC0415 - only for this error
+
+        super().__init__(f"{user} needs {name}: {pip_install(f'zbot[{extra}]')}")
+        self.name = name
+
+
+def require_numpy(user: str) -> None:
+    """Check that numpy is installed, without importing it.
+
+    Args:
+        user: The module that needs numpy, e.g. `cv_bridge`.
+
+    Raises:
+        MissingPackageError: It is not installed.
+    """
+    if "numpy" in sys.modules:
+        return
+    from importlib.util import find_spec  # noqa: PLC0415 - seldom needed
+
+    if find_spec("numpy") is None:
+        raise MissingPackageError(user, "numpy", "numpy")
 
 
 def library_name() -> str:

@@ -10,6 +10,7 @@ if TYPE_CHECKING:
 
 _NUMBERS = re.compile(r"\d+")
 _SHORTEST_ABBREVIATION = 2
+_MOST_EDITS = 2
 _LEAST_SIMILARITY = 0.75  #: of `difflib`, from 0 to 1
 
 
@@ -27,7 +28,7 @@ def did_you_mean(name: str, known: Iterable[str], *, before: str = "", count: in
 
 def question(suggestions: Iterable[str], before: str = "") -> str:
     """Return `did you mean 'a' or 'b'?`, or an empty string if there are no suggestions."""
-    text = " or ".join(f"'{one}'" for one in suggestions)
+    text = " or ".join(f"'{suggestion}'" for suggestion in suggestions)
     return f"{before}did you mean {text}?" if text else ""
 
 
@@ -45,38 +46,38 @@ def similar_names(name: str, known: Iterable[str], count: int = 1) -> tuple[str,
         from difflib import get_close_matches  # noqa: PLC0415 - takes 3 ms, needed only after an error
 
         found = get_close_matches(typed, by_lower, count, _LEAST_SIMILARITY)
-    return tuple(by_lower[one] for one in found[:count])
+    return tuple(by_lower[lowered] for lowered in found[:count])
 
 
-def nearest(name: str, known: Iterable[str]) -> str | None:
+def nearest(name: str, known: Iterable[str], most_edits: int = _MOST_EDITS) -> str | None:
     """Return the known name that is most similar to a mistyped `name`, or None if none is similar.
 
-    A similar name needs at most 1 edit if `name` has 3 to 5 characters, and at most 2 edits if it
-    has more. Slashes, and upper and lower case, do not count. A swap of two neighbours, as in
+    A similar name needs at most 1 edit if `name` has 3 to 5 characters, and at most `most_edits` if
+    it has more. Slashes, and upper and lower case, do not count. A swap of two neighbours, as in
     `topci`, is one edit. Names that differ only in their numbers (`/robot1/scan`, `/robot2/scan`)
     are not similar.
     """
     by_lower = _by_lower(name, known)
-    found = _typos(name.lower(), by_lower)
+    found = _typos(name.lower(), by_lower, most_edits)
     return by_lower[found[0]] if found else None
 
 
 def _by_lower(name: str, known: Iterable[str]) -> dict[str, str]:
     pattern = _NUMBERS.sub("0", name)
-    names = [one for one in known if _NUMBERS.sub("0", one) != pattern]
+    names = [candidate for candidate in known if _NUMBERS.sub("0", candidate) != pattern]
     # `Nod` means `Node` and not `node`, if both exist.
-    names.sort(key=lambda one: one[:1].isupper() == name[:1].isupper())
-    return {one.lower(): one for one in names}
+    names.sort(key=lambda candidate: candidate[:1].isupper() == name[:1].isupper())
+    return {candidate.lower(): candidate for candidate in names}
 
 
-def _typos(name: str, known: Iterable[str]) -> list[str]:
-    limit = min(2, len(name.replace("/", "")) // 3)
+def _typos(name: str, known: Iterable[str], most_edits: int = _MOST_EDITS) -> list[str]:
+    limit = min(most_edits, len(name.replace("/", "")) // 3)
     scored = (
-        (_edit_distance(name, one, limit), one)
-        for one in known
-        if abs(len(one) - len(name)) <= limit
+        (_edit_distance(name, candidate, limit), candidate)
+        for candidate in known
+        if abs(len(candidate) - len(name)) <= limit
     )
-    return [one for distance, one in sorted(scored) if distance <= limit]
+    return [candidate for distance, candidate in sorted(scored) if distance <= limit]
 
 
 def _other_lengths(name: str, known: Iterable[str]) -> list[str]:
@@ -84,14 +85,14 @@ def _other_lengths(name: str, known: Iterable[str]) -> list[str]:
     if len(bare) < _SHORTEST_ABBREVIATION:
         return []
     found = [
-        one
-        for one in known
-        if one.startswith(name)
-        or one.endswith(f"/{bare}")
-        or (len(one.strip("/")) >= _SHORTEST_ABBREVIATION and name.startswith(one))
-        or name.endswith(f"/{one.strip('/')}")
+        candidate
+        for candidate in known
+        if candidate.startswith(name)
+        or candidate.endswith(f"/{bare}")
+        or (len(candidate.strip("/")) >= _SHORTEST_ABBREVIATION and name.startswith(candidate))
+        or name.endswith(f"/{candidate.strip('/')}")
     ]
-    return sorted(found, key=lambda one: (abs(len(one) - len(name)), one))
+    return sorted(found, key=lambda candidate: (abs(len(candidate) - len(name)), candidate))
 
 
 def _edit_distance(a: str, b: str, limit: int) -> int:

@@ -7,7 +7,7 @@ import inspect
 from types import FunctionType, MethodType
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import WrongTypeError
+from zbot.errors import WrongStateError, WrongTypeError
 from zbot.executor.errors import callback_signature_error, not_callable_error
 from zbot.process.call_source import argument_source
 
@@ -118,6 +118,8 @@ def _accepted_form(call: str, callback: Any, forms: tuple[str, ...]) -> int:
         # A decorator may give its function other arguments than the ones that it takes itself.
         signatures = [inspect.signature(callback, follow_wrapped=each) for each in (True, False)]
     except (TypeError, ValueError):
+        if _takes_nothing(callback):
+            raise _signature_error(call, callback, forms) from None
         return 0
     if _is_method_of_class(callback, signatures[0]):
         raise WrongTypeError(
@@ -128,7 +130,21 @@ def _accepted_form(call: str, callback: Any, forms: tuple[str, ...]) -> int:
         for index, form in enumerate(forms):
             if _accepts(signature, _count(form)):
                 return index
-    raise callback_signature_error(call, callback, signatures[0], forms)
+    raise _signature_error(call, callback, forms)
+
+
+def _takes_nothing(callback: Any) -> bool:
+    """Return whether this is a method without `self`, which nobody can call."""
+    function = callback.__func__ if type(callback) is MethodType else None
+    if type(function) is not FunctionType:
+        return False
+    takes_many = function.__code__.co_flags & inspect.CO_VARARGS
+    return not function.__code__.co_argcount and not takes_many
+
+
+def _signature_error(call: str, callback: Any, forms: tuple[str, ...]) -> WrongStateError:
+    written = callback.__func__ if type(callback) is MethodType else callback
+    return callback_signature_error(call, callback, inspect.signature(written), forms)
 
 
 def _accepts(signature: inspect.Signature, count: int) -> bool:

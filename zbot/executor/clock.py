@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, Literal, Protocol, overload
 
 from zbot.errors import ArgumentTypeError, WrongValueError
 from zbot.executor.errors import clock_type_error
+from zbot.executor.sleepers import Sleepers
 from zbot.process import signals
 from zbot.time import ClockType, Duration, Time
 
@@ -342,6 +343,7 @@ class ROSClock(Clock):
         self._simulated_ns = 0
         # Re-entrant: a callback may set the time again.
         self._jump_lock = threading.RLock()
+        self.sleepers = Sleepers()
 
     @property
     def ros_time_is_active(self) -> bool:
@@ -391,6 +393,13 @@ class ROSClock(Clock):
 
     def _now_ns(self) -> int:
         return self._simulated_ns if self._is_simulated else time.time_ns()
+
+    def _sleep(self, until_ns: int, context: SleepContext) -> bool:
+        self.sleepers.begin(until_ns)
+        try:
+            return super()._sleep(until_ns, context)
+        finally:
+            self.sleepers.end()
 
     def _wait_s(self, left_ns: int) -> float:
         # Simulated time may be faster or slower than real time, so the real wait is not known.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from types import CoroutineType
+from types import CoroutineType, MethodType
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import (
@@ -44,10 +44,18 @@ def not_callable_error(call: str, value: object, advice: str) -> WrongTypeError:
 def callback_signature_error(
     call: str, callback: Any, signature: inspect.Signature, forms: tuple[str, ...]
 ) -> WrongStateError:
-    """Return the error that a callback cannot be called with the arguments it would get."""
+    """Return the error that a callback cannot be called with the arguments it would get.
+
+    Args:
+        call: The function of the program's call.
+        callback: What the program gave.
+        signature: The parameters that the program wrote, of a method with `self`.
+        forms: The arguments that the callback would get.
+    """
     name = getattr(callback, "__name__", type(callback).__name__)
-    bound = ["self"] if hasattr(callback, "__self__") else []
-    taken = ", ".join([*bound, *signature.parameters])
+    owner = callback.__self__ if isinstance(callback, MethodType) else None
+    bound = ["cls" if isinstance(owner, type) else "self"] if owner is not None else []
+    taken = ", ".join(signature.parameters)
     wanted = ", ".join([*bound, *filter(None, [forms[0][1:-1]])])
     is_lambda = name == "<lambda>"
     right = f"lambda {wanted}".strip() if is_lambda else f"def {name}({wanted})"
@@ -57,25 +65,35 @@ def callback_signature_error(
     )
 
 
-class NodeArgumentError(ZbotError, TypeError, AttributeError):
-    """A function was given something else in place of a node (rclpy: AttributeError)."""
+class WrongObjectError(ZbotError, TypeError, AttributeError):
+    """A function was given something else than a node or an executor (rclpy: AttributeError)."""
 
-    def __init__(self, call: str, value: Any) -> None:
-        self.call, self.value = call, value
-        text = f"{call} needs a node, e.g. Node('talker'), but was given {described(value)}"
-        if isinstance(value, type) and hasattr(value, "create_publisher"):
-            text += f"; write {value.__name__}() with parentheses to make a node"
-        AttributeError.__init__(self, text, name="")  # so that Python suggests nothing
+    def __init__(self, text: str) -> None:
+        AttributeError.__init__(self, text, name="")  # Python would look for a similar name
 
 
-class ExecutorArgumentError(ZbotError, TypeError, AttributeError):
-    """A function was given something else in place of an executor (rclpy: AttributeError)."""
+_SEVERAL_NODES = (
+    "; for several nodes, write executor = SingleThreadedExecutor(), executor.add_node(node) "
+    "for each node, and executor.spin()"
+)
 
-    def __init__(self, value: object) -> None:
-        self.value = value
-        hint = f"; write timeout_sec={value!r}" if isinstance(value, (int, float)) else ""
-        text = f"executor must be an executor, not {described(value)}{hint}"
-        AttributeError.__init__(self, text, name="")
+
+def not_a_node_error(call: str, value: Any) -> WrongObjectError:
+    """Return the error that a function was given something else in place of a node."""
+    text = f"{call} needs a node, e.g. Node('talker'), but was given {described(value)}"
+    if isinstance(value, type) and hasattr(value, "create_publisher"):
+        text += f"; write {value.__name__}() with parentheses to make a node"
+    if isinstance(value, (list, tuple)):
+        text += _SEVERAL_NODES
+    return WrongObjectError(text)
+
+
+def not_an_executor_error(value: object) -> WrongObjectError:
+    """Return the error that a function was given something else in place of an executor."""
+    hint = f"; write timeout_sec={value!r}" if isinstance(value, (int, float)) else ""
+    if hasattr(value, "create_publisher"):
+        hint = _SEVERAL_NODES
+    return WrongObjectError(f"executor must be an executor, not {described(value)}{hint}")
 
 
 class RateInterruptedError(ZbotError):

@@ -18,10 +18,9 @@ from zbot.executor.callback_group import ReentrantCallbackGroup
 from zbot.executor.callback_stack import running_callbacks
 from zbot.executor.errors import ConditionReachedException, ShutdownError
 from zbot.executor.executor_nodes import ExecutorNodes
-from zbot.executor.forgotten_spin import Program
+from zbot.executor.forgotten_spin import Program, warn_of_target
 from zbot.executor.set_by_init import set_by_init
-from zbot.executor.task import Future, Task
-from zbot.executor.task_step import TaskStep
+from zbot.executor.task import Future, Task, TaskStep
 from zbot.process import signals
 from zbot.threads.wakeup import BinarySemaphore
 from zbot.time import TimeoutObject
@@ -111,6 +110,27 @@ class Executor(ExecutorNodes):
         for entity in self._groups.drain():
             self._queue(entity)
         self._wakeup.set()
+
+    @property
+    def runs_callbacks(self) -> bool:
+        """Whether a callback runs in another thread."""
+        return False
+
+    def has_more_work(self) -> bool:
+        """Queue all entities that have work, and return whether any entity is queued.
+
+        In contrast to the queue, this also finds messages that have arrived, but whose subscription
+        does not know it yet. Only the thread that spins may call it, e.g. in an entity's `take`.
+        """
+        running = [entity for _, entity in running_callbacks.stack]
+        for node in list(self._nodes):
+            for entity in node.handle.ready_queue.entities:
+                has_work = getattr(
+                    entity, "has_work", False
+                )  # a program's waitable does not say it
+                if has_work and entity not in running and self.can_execute(entity):
+                    self._queue(entity)
+        return bool(self._ready)
 
     def _next_work(
         self, deadline_ns: int | None, stop: Callable[[], bool] | None = None
@@ -302,6 +322,7 @@ class Executor(ExecutorNodes):
             ExternalShutdownException: The context was shut down while no callback was running.
         """
         self._require_ready()
+        warn_of_target()
         while self._context.is_running and not self._is_shutdown:
             self.spin_once()
         self._raise_interruption()
@@ -388,6 +409,7 @@ class Executor(ExecutorNodes):
         Raises:
             WrongStateError: This executor is already spinning.
         """
+        warn_of_target()
         if not self._try_to_spin():
             raise WrongStateError(
                 "this executor is already spinning: another thread, or the callback that calls "

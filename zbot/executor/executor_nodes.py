@@ -48,7 +48,7 @@ class ExecutorNodes(EntityQueue):
         """Run a node's callbacks from now on. Return `False` if the node is already added.
 
         Raises:
-            NodeArgumentError: The argument is not a node.
+            WrongObjectError: The argument is not a node.
             ShutdownError: This executor was shut down.
         """
         check_node(f"{type(self).__name__}.add_node", node)

@@ -1,6 +1,8 @@
-"""Warning at the end of a program that created callbacks, but never ran an executor.
+"""Warnings about callbacks that never run, and about a spin that runs in the wrong place.
 
-Such a program ends immediately and prints nothing, so a beginner does not see the mistake.
+A program without a spin ends immediately and prints nothing, or it stays in a loop. With two calls
+of `spin`, the second one waits for the end of the first one. So a beginner does not see the
+mistake.
 """
 
 from __future__ import annotations
@@ -10,39 +12,83 @@ import sys
 from typing import Any
 
 from zbot.errors import library_name
+from zbot.log import get_logger
 from zbot.names import is_hidden
 from zbot.process import at_exit, signals
-from zbot.process.call_source import calling_line
-
-# A test often creates nodes that it does not spin.
-_TEST_RUNNERS = ("pytest", "unittest")
+from zbot.process.call_source import called_target, calling_line
+from zbot.process.main_part import is_program
 
 
 class Program:
     """What this process has done so far."""
 
-    has_spun = False  #: whether an executor or a wait set waited for work
+    has_spun = False  #: whether an executor waited for work
+    takes_itself = False  #: whether it takes messages without an executor, e.g. with a wait set
     first_callback = ""  #: line and function that created the first callback
+    was_told = False  #: whether a warning has said that the first callback waits
     pid = 0  #: a child process does not warn about callbacks of its parent
 
 
-def note_callback(node: str, call: str, callback: Any) -> None:
-    """Note that the program gave a node a callback, which needs an executor."""
-    if Program.has_spun or Program.first_callback or is_hidden(node) or not _is_program():
-        return
+def callback_place(node: str, call: str, callback: Any) -> str:
+    """Return where the program gives a node a callback, e.g. `talker.py:12: create_timer`.
+
+    The result is empty if nobody has to spin the node, or if the caller is not a program.
+
+    Args:
+        node: The base name of the node.
+        call: The function that creates the entity.
+        callback: The callback.
+    """
+    if Program.takes_itself or is_hidden(node) or not is_program():
+        return ""
     # An action client also subscribes.
     if (getattr(callback, "__module__", None) or "").startswith("zbot.action."):
-        return
+        return ""
     line = calling_line()
-    if line:
-        Program.first_callback = f"{line}: {call}"
+    return line and f"{line}: {call}"
+
+
+def note_callback(place: str) -> None:
+    """Note the program's first callback, and warn at the end if the program never spins."""
+    if not (Program.has_spun or Program.first_callback):
+        Program.first_callback = place
         Program.pid = os.getpid()
         at_exit.when_closed.append(_warn)
 
 
+def waiting_text(place: str, waited_s: float) -> str:
+    """Return that a callback waits, because its node was never spun.
+
+    The result is empty if the program needs no executor.
+
+    Args:
+        place: The result of `callback_place`.
+        waited_s: Seconds since that call.
+    """
+    if Program.takes_itself:
+        return ""
+    begin = f"{place}: the callback has waited for {waited_s:g} s, because nothing spins "
+    if Program.has_spun:
+        return (
+            f"{begin}this node, only another one: give both nodes to one executor with add_node(), "
+            "and spin that executor"
+        )
+    Program.was_told = True  # the end of the program need not say it again
+    return f"{begin}the node: write {library_name()}.spin(node), and no endless loop before it"
+
+
+def warn_of_target() -> None:
+    """Warn if a program writes `Thread(target=rclpy.spin(node))`, which spins before the thread."""
+    if target := called_target():
+        get_logger("zbot").warning(
+            f"{calling_line()}: the spin runs here, and not in the thread: write {target}"
+        )
+
+
 def _warn(was_interrupted: bool) -> None:
-    is_done = Program.has_spun or was_interrupted or Program.pid != os.getpid()
-    if is_done or signals.was_received() or _has_failed():
+    is_done = Program.has_spun or Program.takes_itself or Program.was_told
+    is_child = Program.pid != os.getpid()
+    if is_done or is_child or was_interrupted or signals.was_received() or _has_failed():
         return
     print(
         f"{Program.first_callback}: the callback never ran, because the program ended without "
@@ -54,11 +100,3 @@ def _warn(was_interrupted: bool) -> None:
 def _has_failed() -> bool:
     """Return whether Python has printed a traceback for an exception that ended the program."""
     return hasattr(sys, "last_value")
-
-
-def _is_program() -> bool:
-    """Return whether the process runs a file, and neither tests nor an interactive session."""
-    # At the end of the process, Python has already removed `__file__`.
-    is_interactive = hasattr(sys, "ps1") or bool(sys.flags.interactive)
-    has_file = hasattr(sys.modules.get("__main__"), "__file__")
-    return has_file and not is_interactive and not any(map(sys.modules.get, _TEST_RUNNERS))

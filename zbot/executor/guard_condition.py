@@ -1,16 +1,20 @@
-"""Guard condition: its callback runs in the executor when any thread triggers it."""
+"""Guard conditions, which a program or a signal triggers."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from zbot.context import get_default_context
+from zbot.errors import InvalidHandleError, NotInitializedError
 from zbot.executor.callback_group import ReentrantCallbackGroup
 from zbot.executor.ready_queue import ReadyQueue
 from zbot.handle import Handle
+from zbot.process import signals
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from zbot.context import Context
     from zbot.executor.callback_group import CallbackGroup
 
 
@@ -79,3 +83,32 @@ class GuardConditionHandle(Handle[GuardCondition]):
     def trigger_guard_condition(self) -> None:
         """Do what `GuardCondition.trigger` does."""
         self.entity.trigger()
+
+
+class SignalHandlerGuardCondition(GuardCondition):
+    """Guard condition that Ctrl-C and SIGTERM trigger. So they wake a `WaitSet` that waits for it.
+
+    Args:
+        context: A context that is initialised and not shut down. If left out, the default context
+            is used.
+
+    Raises:
+        NotInitializedError: The context is not initialised, or it was shut down.
+    """
+
+    def __init__(self, context: Context | None = None) -> None:
+        if not (context or get_default_context()).is_running:
+            raise NotInitializedError("a guard condition")
+        super().__init__()
+        signals.guard_conditions.add(self)
+
+    def destroy(self) -> None:
+        """Stop reacting to signals.
+
+        Raises:
+            InvalidHandleError: The guard condition was destroyed before.
+        """
+        if self not in signals.guard_conditions:
+            raise InvalidHandleError("the guard condition")
+        signals.guard_conditions.discard(self)
+        super().destroy()

@@ -11,7 +11,7 @@ from collections import deque
 from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import ExternalShutdownException
+from zbot.errors import ArgumentTypeError, ExternalShutdownException
 from zbot.executor.callback_group import ReentrantCallbackGroup
 from zbot.executor.executor import Executor
 
@@ -39,11 +39,14 @@ class MultiThreadedExecutor(Executor):
     """
 
     def __init__(self, num_threads: int | None = None, *, context: Context | None = None) -> None:
+        if num_threads is not None and not hasattr(num_threads, "__float__"):
+            expected = "a number; add nodes with executor.add_node(node)"
+            raise ArgumentTypeError("num_threads", expected, num_threads)
         super().__init__(context=context)
         self._num_threads = max(1, num_threads or max(2, _core_count()))
         if self._num_threads == 1:
-            one = "a MultiThreadedExecutor with one thread runs one callback at a time"
-            warnings.warn(f"{one}; use a SingleThreadedExecutor, or more threads", stacklevel=2)
+            limit = "a MultiThreadedExecutor with one thread runs one callback at a time"
+            warnings.warn(f"{limit}; use a SingleThreadedExecutor, or more threads", stacklevel=2)
         # This is rclpy's name, because programs read the number of threads from this attribute.
         self._executor = ThreadPoolExecutor(self._num_threads, thread_name_prefix="zbot executor")
         self._failures: deque[BaseException] = deque()
@@ -89,6 +92,11 @@ class MultiThreadedExecutor(Executor):
         # A callback must not spin this executor. This is also true if no thread spins the executor
         # at the moment, e.g. between two calls of `spin_once`.
         return super()._is_spun_by_other_thread() or threading.get_ident() in self._workers
+
+    @property
+    def runs_callbacks(self) -> bool:
+        """Whether a callback runs in another thread."""
+        return self._running > 0
 
     def _must_stop(self, stop: Callable[[], bool] | None) -> bool:
         return bool(self._failures) or (stop is not None and stop())

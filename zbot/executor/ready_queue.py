@@ -46,6 +46,7 @@ class ReadyQueue:
         self._attached: Callable[[Entity], None] | None = None
         self._watchers: list[tuple[Entity, Callable[[], object]]] = []
         self.executor: object = None  #: the executor that gets the posts now
+        self.was_attached = False  #: whether an executor has ever had the node
 
     @property
     def entities(self) -> list[Entity]:
@@ -70,7 +71,7 @@ class ReadyQueue:
     def attach(self, executor: object, deliver: Callable[[Entity], None]) -> None:
         """Send all posts to an executor's function, and post every entity once."""
         with self._lock:
-            self.executor, self._attached = executor, deliver
+            self.executor, self._attached, self.was_attached = executor, deliver, True
             self._choose_delivery()
             entities = list(self._entities)
         for entity in entities:

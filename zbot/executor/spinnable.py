@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Protocol
 
-from zbot.executor.errors import NodeArgumentError
+from zbot.executor.errors import not_a_node_error
 from zbot.executor.set_by_init import MissingSuperInitError
 
 if TYPE_CHECKING:
@@ -19,7 +19,7 @@ def check_node(call: str, value: Any) -> None:
     """Check that an argument is a node, and neither the class of a node nor something else.
 
     Raises:
-        NodeArgumentError: The argument is not a node.
+        WrongObjectError: The argument is not a node.
         MissingSuperInitError: The node's class did not call `super().__init__()`.
     """
     try:
@@ -29,7 +29,7 @@ def check_node(call: str, value: Any) -> None:
     except AttributeError:
         is_node = False
     if not is_node:
-        raise NodeArgumentError(call, value) from None
+        raise not_a_node_error(call, value) from None
 
 
 class NodeExecutor(Protocol):

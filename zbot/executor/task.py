@@ -15,13 +15,17 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast
 
 from zbot.errors import ExternalShutdownException
 from zbot.executor.callback_check import check_callback
+from zbot.executor.callback_group import ReentrantCallbackGroup
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine, Generator
 
     from typing_extensions import Self
 
+    from zbot.executor.callback_group import CallbackGroup
+
 T = TypeVar("T")
+_ALWAYS = ReentrantCallbackGroup()
 
 
 class FutureState(Enum):
@@ -277,3 +281,29 @@ async def await_or_execute(callback: Callable[..., Any], *args: Any) -> Any:
     """Call a function, or call a coroutine function and await it. Return the result."""
     outcome = callback(*args)
     return await outcome if inspect.isawaitable(outcome) else outcome
+
+
+class TaskStep:
+    """The next step of a task. It runs once. The task schedules a new object for each step."""
+
+    __slots__ = ("_is_taken", "callback_group", "task")
+    due_ns: int | None = None
+    ready_queue = None
+
+    def __init__(self, task: Task[Any]) -> None:
+        self.task = task
+        self.callback_group: CallbackGroup = _ALWAYS
+        self._is_taken = False
+
+    def take(self) -> object | None:
+        """Return this object once. Return `None` at later calls, and if the task is over."""
+        if self._is_taken or self.task.is_over:
+            return None
+        self._is_taken = True
+        return self
+
+    def execute(self, taken: object) -> None:  # noqa: ARG002 - every entity's signature
+        """Run the step, and raise the exception that the task raised."""
+        self.task()
+        if self.task.done():
+            self.task.result()  # an exception ends spin(), as in rclpy

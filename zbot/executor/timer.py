@@ -12,8 +12,9 @@ from zbot.executor.callback_check import check_callback, if_written
 from zbot.executor.clock import ROSClock
 from zbot.executor.errors import RateInterruptedBySignalError, RateInterruptedError
 from zbot.handle import Handle
+from zbot.log import get_logger
 from zbot.process import signals
-from zbot.time import ClockType, Duration, Time
+from zbot.time import S_TO_NS, ClockType, Duration, Time
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -24,6 +25,8 @@ if TYPE_CHECKING:
     from zbot.executor.callback_group import CallbackGroup
     from zbot.executor.clock import Clock
     from zbot.executor.ready_queue import ReadyQueue
+
+_LATE_NS = 5 * 10**9  # a timer that is late for a shorter time is no mistake
 
 
 class TimerInfo:
@@ -66,6 +69,8 @@ class Timer:
         clock: Clock of the `TimerInfo`. If the clock is simulated, the timer follows it.
         ready_queue: The node's ready queue.
         autostart: Whether the timer starts now. Otherwise `reset()` starts the timer.
+        logger_name: The logger that warns once of a timer that is always late. The empty name means
+            no warning.
     """
 
     def __init__(
@@ -77,7 +82,10 @@ class Timer:
         ready_queue: ReadyQueue,
         *,
         autostart: bool = True,
+        logger_name: str = "",
     ) -> None:
+        self._logger_name = logger_name
+        self._late_since_ns = 0  # when it began to miss a period at each call
         self.callback = callback
         self.callback_group = callback_group
         self._clock = clock
@@ -153,12 +161,29 @@ class Timer:
         late_ns = now - self._next_ns
         self._last_ns = now
         behind = (now - self._next_ns) // self._period_ns if self._period_ns else 0
+        if behind or self._late_since_ns:
+            self._note_missed(now, behind)
         self._next_ns = self._next_ns + (behind + 1) * self._period_ns if self._period_ns else now
         return TimerInfo(
             expected_call_time=clock_now.nanoseconds - late_ns,
             actual_call_time=clock_now.nanoseconds,
             clock_type=clock_now.clock_type,
         )
+
+    def _note_missed(self, now: int, behind: int) -> None:
+        """Warn once if each call for some seconds has missed whole periods."""
+        if not behind or self._is_simulated:
+            self._late_since_ns = 0
+        elif not self._late_since_ns:
+            self._late_since_ns = now
+        elif now - self._late_since_ns > _LATE_NS and self._logger_name:
+            name = getattr(self._callback, "__qualname__", "")
+            get_logger(self._logger_name).warning(
+                f"the timer of {name} has a period of {self._period_ns / S_TO_NS:g} s, but its "
+                f"calls come {behind + 1} periods apart: a callback takes too long, e.g. because "
+                "it sleeps or waits"
+            )
+            self._logger_name = ""
 
     def execute(self, info: TimerInfo) -> Any:
         """Call the callback."""

@@ -68,7 +68,7 @@ class WaitSet:
 
     def wait(self, timeout_nsec: int) -> None:
         """Wait until an object is ready, at most `timeout_nsec` nanoseconds (below 0: no limit)."""
-        Program.has_spun = True
+        Program.takes_itself = True
         woken = BinarySemaphore()
         deadline = None if timeout_nsec < 0 else time.monotonic_ns() + timeout_nsec
         self.remember_waker(woken.set)

@@ -106,7 +106,7 @@ class Drawing:
 
 def draw(view: GraphView, previous: Drawing | None = None) -> Drawing:
     """Return a drawing. Nodes and topics of the previous drawing keep their places if possible."""
-    items = [Item(node_key(one), *_node_size(one), view.frames_of(one)) for one in view.nodes]
+    items = [Item(node_key(node), *_node_size(node), view.frames_of(node)) for node in view.nodes]
     items.extend(
         Item(box.key, *_box_size(box.name), view.frames_of(box.name)) for box in view.boxes
     )
@@ -125,7 +125,7 @@ def lines_of(name: str) -> list[str]:
     """Return the lines of a name. A long name is split at the `/` that is nearest to its middle."""
     if len(name) <= _LONG:
         return [name]
-    breaks = [index for index, one in enumerate(name) if one == "/" and index]
+    breaks = [index for index, character in enumerate(name) if character == "/" and index]
     if not breaks:
         return [name]
     best = min(breaks, key=lambda index: abs(index - len(name) / 2))

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from zbot.errors import ZbotError
-from zbot.names import is_hidden
+from zbot.names import ACTION_PART, is_hidden
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -24,7 +24,6 @@ _TOOLS = re.compile(
 )
 _DEBUG_TOPICS = frozenset({"rosout", "statistics", "clock", "time"})
 TF_TOPICS = frozenset({"/tf", "/tf_static"})
-_ACTION_PART = "/_action/"
 
 
 class InvalidFilterError(ZbotError, ValueError):
@@ -69,9 +68,9 @@ class Filters:
             (self.debug and last in _DEBUG_TOPICS)
             or (self.tf and name in TF_TOPICS)
             or (self.params and last == "parameter_events")
-            or (self.actions and _ACTION_PART in name)
+            or (self.actions and ACTION_PART in name)
             # Topics of actions have hidden names. They stay, because they show connected nodes.
-            or (self.hidden and is_hidden(name) and _ACTION_PART not in name)
+            or (self.hidden and is_hidden(name) and ACTION_PART not in name)
         )
 
 
@@ -105,8 +104,8 @@ def compile_filter(text: str) -> Callable[[str], bool]:
     includes = [] if wanted == ["/"] else [_matcher(part) for part in wanted]
 
     def passes(name: str) -> bool:
-        is_included = not includes or any(one(name) for one in includes)
-        return is_included and not any(one(name) for one in excludes)
+        is_included = not includes or any(matches(name) for matches in includes)
+        return is_included and not any(matches(name) for matches in excludes)
 
     return passes
 

@@ -7,25 +7,22 @@ immediately, and Zenoh removes the tokens of a process that ends for any reason.
 from __future__ import annotations
 
 import itertools
-import socket
 import threading
 import weakref
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Literal, NamedTuple
+from typing import TYPE_CHECKING, Any, Literal
 
 import zenoh
 
 from zbot.errors import InvalidNameError
 from zbot.graph.entity_numbers import EntityNumbers
-from zbot.json_reader import JsonError, read_json_object
+from zbot.graph.token_changes import TokenChanges, declare_subscriber
 from zbot.names import SEND_GOAL, fully_qualified, validate_full_topic_name
-from zbot.terminal.text import single_line
 from zbot.threads.deadline import Deadline
 from zbot.threads.foreign_call import without_interruption
 from zbot.threads.wakeup import BinarySemaphore
 from zbot.transport import admin_query
-from zbot.transport.process_space import process_space
 from zbot.wire.errors import TokenError
 from zbot.wire.tokens import EndpointToken, EntityKind, NodeToken
 
@@ -40,8 +37,6 @@ _FOREIGN_KINDS = {"publisher": EntityKind.PUBLISHER, "subscriber": EntityKind.SU
 # A context that follows more names than this watches the whole graph, because Zenoh compares each
 # new token with each name.
 _MOST_FOLLOWED = 50
-_MAX_PID = 1 << 31
-_MAX_FACT = 1000  # characters
 
 NamesAndTypes = list[tuple[str, list[str]]]
 Token = NodeToken | EndpointToken
@@ -116,7 +111,10 @@ class Snapshot:
         """
         kinds = kinds or (EntityKind.SERVICE, EntityKind.CLIENT)
         return [
-            (name.removesuffix(SEND_GOAL), [one.removesuffix("_SendGoal") for one in types])
+            (
+                name.removesuffix(SEND_GOAL),
+                [type_name.removesuffix("_SendGoal") for type_name in types],
+            )
             for name, types in self.names_and_types(*kinds, node=node)
             if name.endswith(SEND_GOAL)
         ]
@@ -134,7 +132,8 @@ class Announcement:
         self._is_over = False
         self._as_read = graph.as_read(token)
         if is_visible:
-            self._declared = session.liveliness().declare_token(token.key)
+            declare = session.liveliness().declare_token
+            self._declared = without_interruption(declare, token.key)
             graph.note(self._as_read, appeared=True)
 
     def undeclare(self) -> None:
@@ -143,7 +142,7 @@ class Announcement:
             return  # the number may belong to another entity now
         self._is_over = True
         if self._declared is not None:
-            self._declared.undeclare()
+            without_interruption(self._declared.undeclare)
             self._graph.note(self._as_read, appeared=False)
         self._graph.numbers.release(self._token)
 
@@ -151,8 +150,9 @@ class Announcement:
 class Graph:
     """Graph of one context. The graph always has the present state of the domain.
 
-    Listeners are methods of objects. They are called in Zenoh's thread, or in the thread that calls
-    `announce`, `undeclare` or `add_listener`. They must return quickly and must not block.
+    Listeners are methods of objects. They are called in a thread of the graph, or in the thread
+    that calls `announce`, `undeclare` or `add_listener`. They must return quickly, and must not
+    block.
 
     Args:
         session: The session that receives the tokens.
@@ -160,8 +160,9 @@ class Graph:
         domain: 0 to 232.
         settle: Function that waits until all sessions have sent their tokens. The first snapshot
             calls it.
-        receiver: Function that turns a function into a callback. Zenoh calls the callback while
-            the session is open.
+        receiver: Returns a Zenoh handler that calls a function (see `Context.receiver`).
+        start_thread: Starts a thread with a name, a function, and a function that lets it end (see
+            `Context.start_thread`).
         asks_first: Whether to query all tokens before the subscription to changes. This is
             necessary for a client's session. After the subscription, this session would answer the
             query itself, but incompletely.
@@ -175,11 +176,12 @@ class Graph:
         *,
         asks_first: bool = False,
         settle: Callable[[], None],
-        receiver: Callable[[Callable[[zenoh.Sample], None]], Any],
+        receiver: Callable[[Callable[[Any], object]], Any],
+        start_thread: Callable[[str, Callable[[], None], Callable[[], object]], None],
     ) -> None:
         self._session = session
         self._settle = settle
-        self._receiver = receiver
+        self._changes = TokenChanges(session, self._on_change, receiver, start_thread)
         self._dialect = dialect
         self._domain = domain
         self._keys = dialect.token_selectors(domain)
@@ -208,7 +210,7 @@ class Graph:
         if self._asks_first:
             self._complete()
         for key in self._keys:
-            self._declare_subscriber(key, self._receiver(self._on_sample))
+            self._changes.follow(key)
 
     def follow(self, token: Token) -> None:
         """Subscribe to all tokens with the node name or the topic of `token`.
@@ -216,14 +218,20 @@ class Graph:
         `find` and the listeners then know these tokens. This session does not receive the tokens of
         the whole domain, which are some thousands in a domain of 200 nodes.
         """
-        key = self._dialect.namesake_selector(token)
+        self._follow(self._dialect.namesake_selector(token))
+
+    def follow_type(self, domain: int, kind: EntityKind, type_name: str) -> None:
+        """Subscribe to the tokens of the endpoints of one kind and type."""
+        self._follow(self._dialect.type_selector(domain, kind, type_name))
+
+    def _follow(self, key: str) -> None:
         with self._lock:
             if self._watching or key in self._followed:
                 return
             self._followed.add(key)
             is_small = len(self._followed) <= _MOST_FOLLOWED
         if is_small:
-            self._declare_subscriber(key, self._receiver(self._on_sample))
+            self._changes.follow(key)
         else:
             self.watch()
 
@@ -314,6 +322,10 @@ class Graph:
         """Return the endpoint with this gid, or None if its token has not arrived yet."""
         return self._by_gid.get(gid)
 
+    def catch_up(self) -> None:
+        """Note the tokens that have arrived, in this thread (see `TokenChanges.catch_up`)."""
+        self._changes.catch_up()
+
     def tokens_in(self, keys: Iterable[str]) -> Iterator[Token]:
         """Yield the tokens in keys. Leave out the keys that are not tokens of this dialect."""
         return filter(None, map(self._parse, keys))
@@ -337,19 +349,17 @@ class Graph:
 
     def _query_tokens(self) -> Iterator[Token]:
         yield from self.tokens_in(
-            self._tokens_from_router() if self._asks_first else self._tokens_from_peers()
+            admin_query.all_tokens(self._session, self._keys)
+            if self._asks_first
+            else self._tokens_from_peers()
         )
-
-    def _tokens_from_router(self) -> Iterable[str]:
-        asked = [admin_query.tokens(self._session, key, _ANSWER_TIMEOUT_S) for key in self._keys]
-        return itertools.chain.from_iterable(asked)
 
     def _tokens_from_peers(self) -> Iterable[str]:
         # A query is no use here: this session would answer from its own cache, which may be
         # incomplete. But after a new subscription, each peer sends its tokens before it answers the
         # query of `settle`.
         subscribers = [
-            self._declare_subscriber(key, admin_query.large_queue()) for key in self._keys
+            declare_subscriber(self._session, key, admin_query.large_queue()) for key in self._keys
         ]
         self._settle()
         keys: dict[str, None] = {}
@@ -362,17 +372,13 @@ class Graph:
             subscriber.undeclare()
         return keys
 
-    def _declare_subscriber(self, key: str, handler: Any) -> Any:
-        subscribe = self._session.liveliness().declare_subscriber
-        return without_interruption(subscribe, key, handler, history=True)
-
     def _parse(self, key: str) -> Token | None:
         try:
             return self._dialect.parse_token(key)
         except TokenError:
             return None  # a token of a program that does not use the tokens of ROS 2
 
-    def _on_sample(self, sample: zenoh.Sample) -> None:
+    def _on_change(self, sample: zenoh.Sample) -> None:
         key = str(sample.key_expr)
         # `announce` and `undeclare` have noted the own tokens. Zenoh delivers their samples later,
         # and an equal token may have been declared again since then.
@@ -407,55 +413,6 @@ class Graph:
             listener = ref()
             if listener is not None:
                 listener(token, appeared)
-
-
-class Process(NamedTuple):
-    """Process of a session. The session describes it in Zenoh's admin space."""
-
-    zid: str
-    host: str
-    pid: int
-    started_ns: int  #: nanoseconds since the epoch
-    version: str  #: the version of zbot
-    command: str
-    space: str = ""  #: see `process_space`; empty if the process does not say it
-
-    @property
-    def is_here(self) -> bool:
-        """Whether the pid means the same process for this process."""
-        is_same_host = self.host == socket.gethostname()
-        return is_same_host and self.space in {"", process_space()}
-
-
-def processes(session: zenoh.Session) -> dict[str, Process]:
-    """Return the zbot processes of reachable sessions, by session id. This takes 1 to 25 ms."""
-    found = {}
-    for key, facts in admin_query.answers(session, "@/*/*", _ANSWER_TIMEOUT_S):
-        zid = key.split("/")[1]
-        process = process_of(zid, facts)
-        if process is not None:
-            found[zid] = process
-    return found
-
-
-def process_of(zid: str, payload: bytes) -> Process | None:
-    """Return the process that an answer describes, or None for a program without zbot.
-
-    The texts have one line without control characters, and are shortened.
-    """
-    try:
-        facts = admin_query.zbot_facts(read_json_object(payload))
-    except JsonError:
-        return None  # any program can answer
-    pid, started_ns = facts.get("pid"), facts.get("started")
-    # `zbot node kill` kills the process with this pid. For the system call, the pids 0 and -1 would
-    # mean many processes.
-    if not isinstance(pid, int) or not 0 < pid < _MAX_PID or not admin_query.is_time_ns(started_ns):
-        return None  # a Zenoh program that does not use zbot
-    texts = (single_line(str(facts.get(key)), _MAX_FACT) for key in ("host", "version", "command"))
-    host, version, command = texts
-    space = single_line(str(facts.get("space", "")), _MAX_FACT)
-    return Process(zid, host, int(pid), started_ns, version, command, space)
 
 
 def foreign_topics(

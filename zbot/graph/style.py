@@ -82,7 +82,9 @@ DARK = Palette(
 
 def text_width(text: str, size: float) -> float:
     """Return the estimated width of a text in pixels. The estimate may be a little too large."""
-    units = sum(_WIDTHS.get(one, _OTHER_WIDTH if one < "\x7f" else _WIDE) for one in text)
+    units = sum(
+        _WIDTHS.get(character, _OTHER_WIDTH if character < "\x7f" else _WIDE) for character in text
+    )
     return units * size / 1000 * 1.04
 
 

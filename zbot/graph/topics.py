@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from zbot.errors.suggestion import nearest, question
 from zbot.graph.filters import TF_TOPICS
-from zbot.names import fully_qualified
+from zbot.names import ACTION_PART, fully_qualified
 from zbot.wire.tokens import EndpointToken, EntityKind
 
 if TYPE_CHECKING:
@@ -18,7 +18,6 @@ if TYPE_CHECKING:
     from zbot.graph.filters import Grouping
     from zbot.graph.snapshot import Snapshot
 
-_ACTION = "/_action/"
 _TOPIC_KINDS = (EntityKind.PUBLISHER, EntityKind.SUBSCRIPTION)
 _ACTION_ENDS = ("_SendGoal", "_FeedbackMessage")
 _IMAGE_FORMS = ("", "/compressed", "/compressedDepth", "/theora")  # the topics of image_transport
@@ -98,14 +97,16 @@ class TopicView:
     def has_no_receiver(self, publisher: str) -> bool:
         """Return whether subscriptions exist, but all with other types than the publisher."""
         listening = self.subscriptions
-        return bool(listening) and not any(self.receives(one, publisher) for one in listening)
+        return bool(listening) and not any(
+            self.receives(listener, publisher) for listener in listening
+        )
 
     def receives_nothing(self, subscription: str) -> bool:
         """Return whether a node gets no messages: types differ, or the name is misspelled."""
         talking = self.publishers
         if not talking:
             return self.guess is not None
-        return not any(self.receives(subscription, one) for one in talking)
+        return not any(self.receives(subscription, talker) for talker in talking)
 
     def _types_of(self, node: str, *, is_publisher: bool) -> set[str]:
         return {
@@ -123,7 +124,7 @@ def find_topics(snapshot: Snapshot, nodes: Collection[str], grouping: Grouping) 
         node = fully_qualified(token.namespace, token.node)
         if node not in nodes:
             continue
-        if grouping.actions and _ACTION in token.name:
+        if grouping.actions and ACTION_PART in token.name:
             _add_action_end(actions, token, node)
         elif token.kind in _TOPIC_KINDS:
             end = End(node, token.kind is EntityKind.PUBLISHER, token.type_name)
@@ -135,12 +136,12 @@ def find_topics(snapshot: Snapshot, nodes: Collection[str], grouping: Grouping) 
         _join_images(made)
     return sorted(
         [*made.values(), *_with_problems(actions, BoxKind.ACTION)],
-        key=lambda one: (one.name, one.kind),
+        key=lambda topic: (topic.name, topic.kind),
     )
 
 
 def _add_action_end(actions: dict[str, list[End]], token: EndpointToken, node: str) -> None:
-    name = token.name.partition(_ACTION)[0]
+    name = token.name.partition(ACTION_PART)[0]
     is_client = token.kind in {EntityKind.CLIENT, EntityKind.SUBSCRIPTION}
     for suffix in _ACTION_ENDS:
         if token.type_name.endswith(suffix):
@@ -194,7 +195,7 @@ def _join(made: dict[str, TopicView], name: str, parts: Iterable[str], kind: Box
 
 
 def _join_images(made: dict[str, TopicView]) -> None:
-    for name in [one for one in made if one.endswith("/compressed")]:
+    for name in [name for name in made if name.endswith("/compressed")]:
         stem = name.removesuffix("/compressed")
         forms = [stem + form for form in _IMAGE_FORMS if stem + form in made]
         if len(forms) >= _ENOUGH_IMAGES:

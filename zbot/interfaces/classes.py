@@ -7,6 +7,7 @@ import linecache
 import math
 import os
 import re
+import warnings
 from array import array
 from typing import TYPE_CHECKING, Any
 
@@ -163,6 +164,7 @@ def _namespace(spec: MessageSpec, nested: dict[str, type[Any]]) -> dict[str, Any
         "_check_call": functools.partial(
             _check_call if _is_checked(spec) else _asks_for_checks, spec
         ),
+        "_equals_other": functools.partial(_equals_other, spec),
     }
     for field in spec.fields:
         names.update(_field_names(spec.name, field, nested.get(field.name)))
@@ -220,6 +222,17 @@ def _check_call(spec: MessageSpec, args: tuple[Any, ...], unknown: dict[str, Any
     for name in unknown:
         if name != "check_fields":
             raise UnknownFieldError(spec.name, name, fields)
+
+
+def _equals_other(spec: MessageSpec, other: object) -> bool:
+    """Return `False`. Warn of a message that is compared with a text or number by mistake."""
+    if isinstance(other, (str, int, float)) and spec.fields:
+        names = [field.name for field in spec.fields]
+        advice = f"compare its field, e.g. message.{names[0]} == {other!r}"
+        all_names = f" (it has {', '.join(names)})" if len(names) > 1 else ""
+        text = f"a {spec.name} is compared with {other!r}, and they always differ: "
+        warnings.warn(f"{text}{advice}{all_names}", stacklevel=3)
+    return False
 
 
 def _doc(name: str, text: str) -> str:

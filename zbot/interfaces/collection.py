@@ -23,7 +23,7 @@ from typing import IO, TYPE_CHECKING, Any, TypeAlias, TypeVar, cast
 
 from zbot.errors import ZbotError
 from zbot.interfaces.grammar import GrammarError, check_interface_name
-from zbot.interfaces.kinds import KINDS
+from zbot.names import KINDS
 from zbot.package.workspace import MANIFEST, SKIPPED, name_in_manifest
 
 if TYPE_CHECKING:

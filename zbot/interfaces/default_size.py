@@ -1,9 +1,11 @@
-"""Size of a message with default values."""
+"""Size of a message with default values, and the memory that such values may use."""
 
 from __future__ import annotations
 
+import functools
 from typing import TYPE_CHECKING, NamedTuple
 
+from zbot.interfaces.registry import get_spec
 from zbot.interfaces.spec import MessageSpec
 
 if TYPE_CHECKING:
@@ -13,6 +15,11 @@ if TYPE_CHECKING:
 
 # Memory of CPython's objects, rounded.
 _MESSAGE_BYTES, _ARRAY_BYTES, _REFERENCE_BYTES = 64, 120, 8
+# A message that leaves out nothing needs less than 64 bytes of memory for each of its bytes.
+_BYTES_FOR_EACH_BYTE = 64
+_BYTES_FOR_EACH_MESSAGE = 16 * 2**20
+#: Elements that need fewer bytes of memory are not counted.
+_SMALL = 256
 _ITEM_BYTES = {"b": 1, "B": 1, "h": 2, "H": 2, "i": 4, "I": 4, "f": 4}
 
 
@@ -49,3 +56,26 @@ def _octets(kind: FieldType, each: int) -> int:
     if kind.typecode:
         return _ARRAY_BYTES + count * _ITEM_BYTES.get(kind.typecode, 8)
     return _ARRAY_BYTES + count * (_REFERENCE_BYTES + each)
+
+
+class DefaultMemory:
+    """Memory that a message of `size` bytes may still use for default values.
+
+    In a message, one byte can stand for an element with default values. Such an element can need
+    thousands of bytes of memory, so a message of some kilobytes could fill the memory.
+    """
+
+    def __init__(self, size: int) -> None:
+        self._left = _BYTES_FOR_EACH_MESSAGE + _BYTES_FOR_EACH_BYTE * size
+
+    def suffices(self, kind: FieldType, elements: int) -> bool:
+        """Count the elements of a list. Return False if they would need too much memory."""
+        if kind.kind == "sequence" and kind.is_message:
+            octets = _size_of(kind.base).octets
+            self._left -= octets * elements if octets >= _SMALL else 0
+        return self._left >= 0
+
+
+@functools.cache
+def _size_of(name: str) -> DefaultSize:
+    return combined_size(get_spec(name), _size_of)

@@ -27,9 +27,9 @@ def difference(here: Iterable[InterfaceSpec], there: Iterable[InterfaceSpec]) ->
     """
     own, other = _messages(here), _messages(there)
     found = [
-        f"in {name}, {one}"
+        f"in {name}, {text}"
         for name in sorted(own.keys() & other.keys())
-        for one in _differences(own[name], other[name])
+        for text in _differences(own[name], other[name])
     ]
     more = f", and {len(found) - _MOST_NAMED} more" if len(found) > _MOST_NAMED else ""
     return "; ".join(found[:_MOST_NAMED]) + more

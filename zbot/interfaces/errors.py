@@ -7,6 +7,8 @@ import re
 from zbot.errors import WrongTypeError, ZbotError, described, shortened
 from zbot.errors.suggestion import did_you_mean, question
 
+_NUMBER = re.compile(r"\s*[-+]?\d+([.,]\d+)?\s*")
+
 
 class InterfaceSyntaxError(ZbotError, ValueError):
     """A .msg, .srv or .action definition breaks the ROS 2 grammar.
@@ -45,19 +47,8 @@ class UnknownPackageError(ZbotError, ModuleNotFoundError, LookupError):
         super().__init__(f"Unknown package {package!r}{question(suggestions, '; ')}")
 
 
-class MissingPackageError(ZbotError, ModuleNotFoundError):
-    """A program imports a package of definitions that does not exist here."""
-
-    def __init__(self, package: str, how_to_add: str, suggestions: tuple[str, ...] = ()) -> None:
-        self.suggestions = suggestions
-        near = question(suggestions, "; ") or "."
-        way = f" To add the package, {how_to_add}" if how_to_add else ""
-        super().__init__(f"No module named {package!r}{near}{way}")
-        self.name = package  # as in each ModuleNotFoundError
-
-
 class InterfaceImportError(ZbotError, ModuleNotFoundError):
-    """A program imports a module that a package of definitions does not have."""
+    """A program imports a package of definitions, or a module of one, that does not exist here."""
 
     def __init__(self, package: str, text: str) -> None:
         super().__init__(text)
@@ -77,19 +68,19 @@ def _hint(expected: str, value: object) -> str:
     """Return what to write in place of a value of a wrong type, if that is known."""
     if hasattr(value, "to_msg") and expected.endswith(("/Time", "/Duration")):
         return "; write .to_msg() after it"
+    if isinstance(value, str) and expected.startswith(("an int", "a float")):
+        return _hint_of_number(expected, value)
     if callable(value) and not isinstance(value, type):
         return f"; write {getattr(value, '__name__', 'it')}() to call it"
-    type_name = expected.removeprefix("a ")
-    if not re.fullmatch(r"\w+/msg/\w+", type_name):
-        return ""
-    from zbot.interfaces import registry  # noqa: PLC0415 - it imports this module
+    return ""
 
-    try:
-        fields = getattr(registry.get_spec(type_name), "fields", ())
-    except LookupError:  # another library made the class
+
+def _hint_of_number(expected: str, text: str) -> str:
+    """Return the number to write in place of a text with a number, also with a decimal comma."""
+    match = _NUMBER.fullmatch(text)
+    if match is None or (match[1] and expected.startswith("an int")):
         return ""
-    name = type_name.rpartition("/")[2]
-    return f"; write {name}({fields[0].name}=...)" if fields else ""
+    return f"; write {text.strip().replace(',', '.')}, without quotes"
 
 
 class FieldTypeError(ZbotError, TypeError, AssertionError):
@@ -102,9 +93,11 @@ class FieldTypeError(ZbotError, TypeError, AssertionError):
         value: The given value.
     """
 
-    def __init__(self, type_name: str, field: str, expected: str, value: object) -> None:
+    def __init__(
+        self, type_name: str, field: str, expected: str, value: object, hint: str = ""
+    ) -> None:
         self.type_name, self.field, self.expected, self.value = type_name, field, expected, value
-        hint = _hint(expected, value)
+        hint = _hint(expected, value) or hint
         super().__init__(
             f"field {field!r} of {type_name} must be {expected}, not {described(value)}{hint}"
         )

@@ -1,6 +1,7 @@
 """Sources of modules such as `std_msgs.msg`, for zbot's finder of imports.
 
-The modules of an installed ROS 2 have priority. The sources add missing packages. In existing
+The modules of an installed ROS 2 have priority, except if zbot is preferred (`import_finder`). The
+sources add missing packages. In existing
 Python packages, they add missing modules `msg`, `srv` and `action`.
 
 Python asks these sources for every import. `zbot.interfaces.importer` makes the modules. The
@@ -13,7 +14,7 @@ import sys
 from typing import TYPE_CHECKING, Any
 
 from zbot import import_finder
-from zbot.interfaces.kinds import KINDS
+from zbot.names import KINDS
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -46,10 +47,19 @@ def _find_kind(
     importer = _importer()
     if importer is None or not importer.has_package(package):
         return None
-    if import_finder.is_installed(fullname, path):
+    real = import_finder.installed_spec(fullname, path)
+    if real and not (import_finder.prefers_zbot() and _is_generated(package, path)):
         return None
     spec: ModuleSpec | None = importer.kind_spec(package, kind)
     return spec
+
+
+def _is_generated(package: str, path: Sequence[str] | None) -> bool:
+    """Return whether ROS 2's generator made a package, and not a person."""
+    from pathlib import Path  # noqa: PLC0415 - only beside a genuine ROS 2
+
+    library = f"{package}_s__rosidl_typesupport_*"
+    return any(True for folder in path or () for _ in Path(folder).glob(library))
 
 
 def _find_package(

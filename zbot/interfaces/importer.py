@@ -9,17 +9,16 @@ from importlib.machinery import ModuleSpec
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors.suggestion import similar_names
+from zbot.errors.suggestion import question, similar_names
 from zbot.interfaces import registry
 from zbot.interfaces.classes import module_name
 from zbot.interfaces.errors import (
     InterfaceImportError,
-    MissingPackageError,
     UnknownInterfaceError,
 )
-from zbot.interfaces.kinds import KINDS
 from zbot.interfaces.registry import has_package
 from zbot.interfaces.spec import ActionSpec, ServiceSpec
+from zbot.names import KINDS
 
 if TYPE_CHECKING:
     from importlib.abc import Loader
@@ -63,23 +62,31 @@ def missing_module(package: str, inside: str) -> ModuleNotFoundError | None:
     return InterfaceImportError(package, text_for_module(package, inside))
 
 
-def missing_package(package: str) -> MissingPackageError:
+def missing_package(package: str) -> InterfaceImportError:
     """Return the error for the import of a package that has no definitions here."""
-    from zbot.interfaces.repositories import (  # noqa: PLC0415 - needed only after an error
+    from zbot.interfaces.missing_import import (  # noqa: PLC0415 - needed only after an error
         how_to_add,
         repository_of,
     )
 
     if repository_of(package):  # the name is right
-        return MissingPackageError(package, how_to_add(package))
+        return _missing(package, how_to_add(package))
     if not package.endswith("s"):  # e.g. std_msg
         near = similar_names(package, registry.packages())
-        return MissingPackageError(package, "" if near else how_to_add(package), near)
+        return _missing(package, "" if near else how_to_add(package), near)
     # Many names have the same ending, so only their beginnings are compared.
     known = {name.rpartition("_")[0]: name for name in registry.packages()}
     near = similar_names(package.rpartition("_")[0], known)
     suggestions = tuple(known[beginning] for beginning in near)
-    return MissingPackageError(package, how_to_add(package), suggestions)
+    return _missing(package, how_to_add(package), suggestions)
+
+
+def _missing(
+    package: str, how_to_add: str, suggestions: tuple[str, ...] = ()
+) -> InterfaceImportError:
+    near = question(suggestions, "; ") or "."
+    way = f" To add the package, {how_to_add}" if how_to_add else ""
+    return InterfaceImportError(package, f"No module named {package!r}{near}{way}")
 
 
 class _PackageLoader(Loader):

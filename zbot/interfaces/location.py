@@ -16,10 +16,9 @@ from importlib.machinery import PathFinder
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from zbot.interfaces.kinds import KINDS
-from zbot.interfaces.workspace import has_definitions, packages_around
+from zbot.names import KINDS
 from zbot.package.user_folders import definitions_folder
-from zbot.package.workspace import Roots, search_roots
+from zbot.package.workspace import MANIFEST, Roots, nearest_first, package_name, search_roots, walk
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -129,3 +128,27 @@ def _installed_packages() -> set[str]:
         for folder in path.iterdir()
         if folder.name.isidentifier() and has_definitions(folder)
     }
+
+
+def packages_around(roots: Roots) -> dict[str, list[Path]]:
+    """Return the folders of the packages with definitions below the roots, by package name."""
+    found: dict[str, list[Path]] = {}
+    for root, depth in roots:
+        for folder in nearest_first(_package_folders(root, depth)):
+            found.setdefault(package_name(folder), []).append(folder)
+    return found
+
+
+def has_definitions(folder: Path) -> bool:
+    """Return whether a folder has a msg, srv or action folder with definitions."""
+    return any(next(folder.glob(f"{kind}/*.{kind}"), None) is not None for kind in KINDS)
+
+
+def _package_folders(root: Path, depth: int) -> Iterator[Path]:
+    """Yield the folders with definitions at or below a root."""
+    for folder, names, below in walk(root, depth):
+        if has_definitions(folder):
+            yield folder
+            below.clear()
+        elif MANIFEST in names and folder != root:
+            below.clear()

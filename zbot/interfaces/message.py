@@ -48,6 +48,7 @@ class Message:
 
     _SPEC: ClassVar[MessageSpec]
     _TYPE_NAME: ClassVar[str]
+    _REBUILD: ClassVar[tuple[Callable[..., Any], Any]]  # what pickle calls, and with which key
     SLOT_TYPES: ClassVar[tuple[AbstractType, ...]]
     _fields_and_field_types: ClassVar[dict[str, str]]
 
@@ -69,11 +70,12 @@ class Message:
         )
 
     def __reduce__(self) -> tuple[Callable[..., Any], tuple[Any, ...], Any]:
-        # A pickle contains the type's name. To unpickle it, a process only has to import zbot.
+        # The registry lets a pickle contain the type's name: then a process that unpickles it only
+        # has to import zbot.
         cls = type(self)
-        key = cls._TYPE_NAME if "_TYPE_NAME" in cls.__dict__ else cls
+        function, key = cls.__dict__.get("_REBUILD", (rebuild, cls))
         values = tuple([getattr(self, f"_{field.name}") for field in cls._SPEC.fields])
-        return rebuild, (key, values), getattr(self, "__dict__", None)
+        return function, (key, values), getattr(self, "__dict__", None)
 
 
 # This function is not a method, because a field `duplicate` would have the slot `_duplicate`.
@@ -95,8 +97,11 @@ class Service:
     _TYPE_NAME: ClassVar[str]
     __class_getitem__: ClassVar[Any] = classmethod(GenericAlias)
 
-    def __init__(self) -> None:
-        raise NotImplementedError("Service classes can not be instantiated")
+    def __init__(self, *_: object, **fields: object) -> None:
+        name, given = type(self).__name__, ", ".join(f"{field}=..." for field in fields)
+        raise NotImplementedError(
+            f"Service classes can not be instantiated: write {name}.Request({given})"
+        )
 
 
 class Action:
@@ -106,8 +111,11 @@ class Action:
     _TYPE_NAME: ClassVar[str]
     __class_getitem__: ClassVar[Any] = classmethod(GenericAlias)
 
-    def __init__(self) -> None:
-        raise NotImplementedError("Action classes can not be instantiated")
+    def __init__(self, *_: object, **fields: object) -> None:
+        name, given = type(self).__name__, ", ".join(f"{field}=..." for field in fields)
+        raise NotImplementedError(
+            f"Action classes can not be instantiated: write {name}.Goal({given})"
+        )
 
 
 class Impl:
@@ -123,14 +131,8 @@ def shown_name(message: Message) -> str:
     return f"{package}.{cls.__name__}" if package else cls.__name__
 
 
-def rebuild(key: str | type[Message], values: tuple[Any, ...]) -> Message:
+def rebuild(cls: type[Message], values: tuple[Any, ...]) -> Message:
     """Return the message that `Message.__reduce__` described. pickle calls this function."""
-    if isinstance(key, str):
-        from zbot.interfaces.registry import get_message  # noqa: PLC0415 - the registry imports us
-
-        cls = get_message(key)
-    else:
-        cls = key
     message = cls.__new__(cls)
     for field, value in zip(cls._SPEC.fields, values, strict=True):
         setattr(message, f"_{field.name}", value)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from typing import NamedTuple
 
-from zbot.interfaces import composite_spec, grammar
+from zbot.interfaces import grammar
 from zbot.interfaces.errors import InterfaceSyntaxError
 from zbot.interfaces.grammar import GrammarError
 from zbot.interfaces.literal import parse_value
@@ -17,6 +17,8 @@ from zbot.interfaces.spec import (
     InterfaceSpec,
     MessageSpec,
     ServiceSpec,
+    action_spec,
+    service_spec,
 )
 
 _SEPARATOR = "---"
@@ -92,7 +94,7 @@ def _source(name: str, text: str, file: str) -> _Source:
 
 def _service(name: str, source: _Source, text: str) -> ServiceSpec:
     request, response = _parts(source, "service", ("request", "response"))
-    return composite_spec.service(
+    return service_spec(
         name,
         _message(f"{name}_Request", request),
         _message(f"{name}_Response", response),
@@ -102,7 +104,7 @@ def _service(name: str, source: _Source, text: str) -> ServiceSpec:
 
 def _action(name: str, source: _Source, text: str) -> ActionSpec:
     goal, result, feedback = _parts(source, "action", ("goal", "result", "feedback"))
-    return composite_spec.action(
+    return action_spec(
         name,
         _message(f"{name}_Goal", goal),
         _message(f"{name}_Result", result),

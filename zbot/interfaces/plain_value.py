@@ -4,19 +4,20 @@ from __future__ import annotations
 
 import array
 import base64
-import math
 from dataclasses import dataclass
+from math import isfinite
 from typing import TYPE_CHECKING, Any
 
 from zbot.interfaces.field_path import fields_of, is_message
+from zbot.interfaces.slot import walk
 from zbot.interfaces.yaml_text import Flow
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from zbot.interfaces import FieldType
+    from zbot.interfaces.slot import Slot
 
-_OCTETS = {"byte", "char", "uint8"}
 _QUOTED_IN_CSV = frozenset(',"\r\n')
 #: Maximum length of a numeric list on one line. A 6x6 covariance fits, but a laser scan does not.
 SHORT_LIST = 36
@@ -38,22 +39,34 @@ EVERYTHING = Shortening()
 
 def plain(message: Any, shortening: Shortening = EVERYTHING) -> dict[str, Any]:
     """Return a message as a dictionary of plain values, shortened by the options."""
-    return {
-        field.name: _plain_value(getattr(message, field.name), field.type, shortening)
-        for field in fields_of(message)
-    }
+
+    def leaf(value: Any, slot: Slot) -> Any:
+        if not slot.is_list:
+            return _shown_scalar(value, shortening)
+        if shortening.no_arr:
+            return array_label(value, slot.type)
+        items = value if shortening.length is None else value[: shortening.length]
+        shown = [walk(item, leaf) for item in items] if slot.is_message else items_of(items)
+        return _shown_list(value, shown, slot.type, shortening)
+
+    return walk(message, leaf)
 
 
-def _plain_value(value: Any, kind: FieldType, shortening: Shortening) -> Any:
-    if kind.kind != "scalar":
-        return (
-            array_label(value, kind) if shortening.no_arr else _shown_list(value, kind, shortening)
-        )
-    if kind.is_message:
-        return plain(value, shortening)
-    if shortening.no_str and kind.is_string:
+def _shown_scalar(value: Any, shortening: Shortening) -> Any:
+    if shortening.no_str and isinstance(value, str):
         return f"<string length: <{len(value)}>>"
     return shown_item(value, shortening.length)
+
+
+def _shown_list(value: Any, shown: list[Any], kind: FieldType, shortening: Shortening) -> list[Any]:
+    """Return the elements that are shown, with `...` in place of those that are left out."""
+    is_shortened = len(shown) < len(value)
+    if not (kind.typecode or kind.is_message):
+        shown = [_shown_scalar(item, shortening) for item in shown]
+    if is_shortened:
+        shown.append("...")
+    is_short = kind.typecode and len(value) <= shortening.short_list
+    return Flow(shown) if shortening.flow_style or is_short else shown
 
 
 def shown_item(item: Any, length: int | None) -> Any:
@@ -75,20 +88,6 @@ def array_label(value: Any, kind: FieldType) -> str:
         return f"<array type: {base}[{kind.size}]>"
     bound = f"[{kind.size}]" if kind.size else ""
     return f"<sequence type: {base}{bound}, length: {len(value)}>"
-
-
-def _shown_list(value: Any, kind: FieldType, shortening: Shortening) -> list[Any]:
-    shown = value if shortening.length is None else value[: shortening.length]
-    items = items_of(shown)
-    if kind.is_message:
-        items = [plain(item, shortening) for item in items]
-    elif not kind.typecode:
-        element = type(kind)(kind.base)
-        items = [_plain_value(item, element, shortening) for item in items]
-    if len(shown) < len(value):
-        items.append("...")
-    is_short = kind.typecode and len(value) <= shortening.short_list
-    return Flow(items) if shortening.flow_style or is_short else items
 
 
 def items_of(value: Any) -> list[Any]:
@@ -129,16 +128,13 @@ def json_value(value: Any) -> Any:
     """Return a value in the form for JSON.
 
     NaN and infinities become null, because JSON does not have them. Arrays of byte, char or
-    uint8 become base64, and one byte becomes a number. `zbot topic pub` can read base64 and the
-    number, but not null.
+    uint8 become base64, and one byte becomes a number. `MessageReader` reads all of them, and null
+    as NaN.
     """
     if is_message(value):
-        return {
-            field.name: _json_field(getattr(value, field.name), field.type)
-            for field in fields_of(value)
-        }
+        return walk(value, _json_leaf)
     if isinstance(value, float):
-        return value if math.isfinite(value) else None
+        return value if isfinite(value) else None
     if isinstance(value, (bytes, bytearray)):
         return value[0] if len(value) == 1 else _base64(value)
     if isinstance(value, array.array) and value.typecode == "B":
@@ -150,12 +146,22 @@ def json_value(value: Any) -> Any:
     return value
 
 
-def _json_field(value: Any, kind: FieldType) -> Any:
-    if kind.kind == "scalar" or kind.base not in _OCTETS:
-        return json_value(value)
-    if kind.base == "byte":
-        return _base64(b"".join(value))
-    return _base64(value.tobytes() if hasattr(value, "tobytes") else bytes(value))
+def _json_leaf(value: Any, slot: Slot) -> Any:
+    if slot.is_octets:
+        return _base64(octets_of(value, slot))
+    if slot.is_list and slot.type.typecode:
+        numbers = items_of(value)
+        if slot.type.typecode in "fd":
+            return [number if isfinite(number) else None for number in numbers]
+        return numbers
+    return json_value(value)
+
+
+def octets_of(value: Any, slot: Slot) -> bytes:
+    """Return the bytes of a list of byte, char or uint8."""
+    if slot.type.base == "byte":
+        return b"".join(value)
+    return value.tobytes() if hasattr(value, "tobytes") else bytes(value)
 
 
 def _base64(octets: Any) -> str:

@@ -5,18 +5,23 @@ from __future__ import annotations
 import dataclasses
 import weakref
 from types import ModuleType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from zbot.interfaces import description, registry
-from zbot.interfaces.errors import NotAMessageTypeError
+from zbot.interfaces.errors import InterfaceKindError, NotAMessageTypeError
 from zbot.interfaces.message import Action, Message, Service
-from zbot.interfaces.spec import MessageSpec
+from zbot.interfaces.spec import ActionSpec, MessageSpec, ServiceSpec
 
 if TYPE_CHECKING:
     from zbot.interfaces.spec import InterfaceSpec
 
 _specs: weakref.WeakKeyDictionary[type[Any], InterfaceSpec] = weakref.WeakKeyDictionary()
 _hashes: dict[InterfaceSpec, str] = {}
+_KINDS: dict[type[Any], str] = {
+    ActionSpec: "an action",
+    MessageSpec: "a message",
+    ServiceSpec: "a service",
+}
 
 
 def spec_of(cls: type[Any]) -> InterfaceSpec:
@@ -135,3 +140,45 @@ def _not_a_class_reason(value: object) -> str:
     if isinstance(value, ModuleType):
         return "it is a module; write one of its classes"
     return "it is not a class"
+
+
+MsgT = TypeVar("MsgT", bound=Message)
+SrvT = TypeVar("SrvT", bound=Service)
+SrvRequestT = TypeVar("SrvRequestT", bound=Message)
+SrvResponseT = TypeVar("SrvResponseT", bound=Message)
+ActionT = TypeVar("ActionT", bound=Action)
+
+
+def check_for_type_support(interface: type[Any]) -> None:
+    """Check that a class is a message, service or action class.
+
+    Raises:
+        NotAMessageTypeError: The class is of another kind.
+    """
+    spec_of(interface)
+
+
+def check_is_valid_msg_type(interface: type[Any]) -> None:
+    """Check that a class is a message class.
+
+    Raises:
+        NotAMessageTypeError: The class is not an interface class.
+        InterfaceKindError: The class is a service or action class.
+    """
+    _check_kind(interface, MessageSpec)
+
+
+def check_is_valid_srv_type(interface: type[Any]) -> None:
+    """Check that a class is a service class.
+
+    Raises:
+        NotAMessageTypeError: The class is not an interface class.
+        InterfaceKindError: The class is a message or action class.
+    """
+    _check_kind(interface, ServiceSpec)
+
+
+def _check_kind(interface: type[Any], wanted: type[InterfaceSpec]) -> None:
+    spec = spec_of(interface)
+    if not isinstance(spec, wanted):
+        raise InterfaceKindError(interface, _KINDS[type(spec)], _KINDS[wanted])

@@ -4,19 +4,20 @@ from __future__ import annotations
 
 import threading
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, Any
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, cast
 
 from zbot.errors import WrongValueError
 from zbot.errors.suggestion import similar_names
 from zbot.interfaces.classes import make_action, make_message, make_service
 from zbot.interfaces.errors import InterfaceSyntaxError, UnknownInterfaceError, UnknownPackageError
-from zbot.interfaces.kinds import KINDS
 from zbot.interfaces.location import (
     definition_file,
     interface_files,
     known_packages,
     package_folder,
 )
+from zbot.interfaces.message import rebuild
 from zbot.interfaces.spec import (
     ActionSpec,
     InterfaceSpec,
@@ -24,6 +25,7 @@ from zbot.interfaces.spec import (
     ServiceSpec,
     parts_of,
 )
+from zbot.names import KINDS
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -245,10 +247,23 @@ def _get_class(spec: InterfaceSpec) -> type[Any]:
 
 def _make(spec: InterfaceSpec) -> type[Any]:
     if isinstance(spec, MessageSpec):
-        return make_message(spec, _nested_classes(spec))
+        cls = make_message(spec, _nested_classes(spec))
+        cls._REBUILD = rebuild_by_name, spec.name
+        return cls
     if isinstance(spec, ServiceSpec):
         return make_service(spec, get_interface)
     return make_action(spec, get_interface)
+
+
+def rebuild_by_name(name: str, values: tuple[Any, ...]) -> Message:
+    """Return a message that was pickled. pickle calls this function."""
+    cls = get_message(name)
+    if hasattr(cls, "_SPEC"):
+        return rebuild(cls, values)
+    message = cls()  # the class of an installed ROS 2, which replaced zbot's class
+    for field, value in zip(cls.get_fields_and_field_types(), values, strict=True):
+        setattr(message, field, value)
+    return message
 
 
 def _nested_classes(spec: MessageSpec) -> dict[str, type[Any]]:
@@ -281,3 +296,24 @@ def _nesting_guarded(spec: InterfaceSpec) -> Iterator[None]:
         yield
     finally:
         _in_progress.pop()
+
+
+class LazyService:
+    """Placeholder of a service class. The class is loaded when a part of it is first used.
+
+    Args:
+        name: Full name of a service, e.g. `rcl_interfaces/srv/GetParameters`.
+    """
+
+    def __init__(self, name: str) -> None:
+        self._name = name
+
+    @cached_property
+    def Request(self) -> Any:  # noqa: N802 - as in a service class
+        """The request class."""
+        return cast("Any", get_service(self._name)).Request
+
+    @cached_property
+    def Response(self) -> Any:  # noqa: N802 - as in a service class
+        """The response class."""
+        return cast("Any", get_service(self._name)).Response

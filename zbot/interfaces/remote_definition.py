@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from zbot.interfaces import composite_spec, grammar
+from zbot.interfaces import grammar
 from zbot.interfaces.definition_limits import (
     check_field_limits,
     check_limits,
@@ -24,7 +24,7 @@ from zbot.interfaces.description import (
 from zbot.interfaces.errors import InterfaceSyntaxError
 from zbot.interfaces.grammar import GrammarError
 from zbot.interfaces.registry import get_spec, register_spec
-from zbot.interfaces.spec import Field, InterfaceSpec, MessageSpec
+from zbot.interfaces.spec import Field, InterfaceSpec, MessageSpec, action_spec, service_spec
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
@@ -130,12 +130,12 @@ def _main(main: Mapping[str, Any], messages: dict[str, MessageSpec]) -> Interfac
     grammar.check_interface_name(name)
     parts = {field["name"]: field["type"]["nested_type_name"] for field in main["fields"]}
     if name.split("/")[1] == "srv" and "request_message" in parts:
-        return composite_spec.service(
+        return service_spec(
             name, messages[parts["request_message"]], messages[parts["response_message"]]
         )
     if "send_goal_service" in parts:
         goal, result, feedback = (messages[parts[key]] for key in ("goal", "result", "feedback"))
-        return composite_spec.action(name, goal, result, feedback)
+        return action_spec(name, goal, result, feedback)
     return _message(main)
 
 

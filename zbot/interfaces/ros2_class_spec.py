@@ -5,10 +5,17 @@ from __future__ import annotations
 import importlib
 from typing import Any
 
-from zbot.interfaces import composite_spec
 from zbot.interfaces.errors import NotAMessageTypeError
 from zbot.interfaces.registry import register_class
-from zbot.interfaces.spec import Field, FieldType, InterfaceSpec, Kind, MessageSpec
+from zbot.interfaces.spec import (
+    Field,
+    FieldType,
+    InterfaceSpec,
+    Kind,
+    MessageSpec,
+    action_spec,
+    service_spec,
+)
 
 _BASES = {"boolean": "bool", "octet": "byte", "float": "float32", "double": "float64"}
 
@@ -24,11 +31,11 @@ def ros2_class_spec(cls: type[Any]) -> InterfaceSpec:
     """
     name = _name(cls)
     if hasattr(cls, "Goal"):
-        return composite_spec.action(
+        return action_spec(
             name, message_spec(cls.Goal), message_spec(cls.Result), message_spec(cls.Feedback)
         )
     if hasattr(cls, "Request"):
-        return composite_spec.service(name, message_spec(cls.Request), message_spec(cls.Response))
+        return service_spec(name, message_spec(cls.Request), message_spec(cls.Response))
     return message_spec(cls)
 
 

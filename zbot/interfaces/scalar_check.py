@@ -9,10 +9,14 @@ from __future__ import annotations
 import math
 import numbers
 import operator
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from zbot.interfaces.errors import FieldTypeError, FieldValueError
+from zbot.interfaces.same_type import is_same_type
 from zbot.interfaces.spec import FLOAT32_MAX, INTEGER_RANGES, FieldType
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
 
 
 class ScalarCheck:
@@ -138,19 +142,29 @@ class _ByteCheck(ScalarCheck):
 class _MessageCheck(ScalarCheck):
     """Check of a message of one class or a subclass, or of an object used in its place.
 
-    This object is a `zbot.Parameter`. rclpy programs put it into a `ParameterEvent` that is not
-    sent.
+    This object is a message of the same type whose class an installed ROS 2 has made, or a
+    `zbot.Parameter`. rclpy programs put it into a `ParameterEvent` that is not sent.
     """
 
     def __init__(self, type_name: str, cls: type[Any], cls_name: str) -> None:
         self.cls, self.cls_name = cls, cls_name
+        self._twins: set[type[Any]] = set()  #: other classes of the same type
         super().__init__(type_name, f"a {cls_name}")
 
     def __call__(self, label: str, value: Any) -> Any:
-        stands_for = getattr(value, "_zbot_stands_for", None)
-        if not isinstance(value, self.cls) and stands_for != self.cls_name:
+        if isinstance(value, self.cls) or type(value) in self._twins:
+            return value
+        if is_same_type(type(value), self.cls):
+            self._twins.add(type(value))
+        elif getattr(value, "_zbot_stands_for", None) != self.cls_name:
             raise self.wrong_type(label, value)
         return value
+
+    def wrong_type(self, label: str, value: object) -> FieldTypeError:
+        names: Iterator[str] = iter(getattr(self.cls, "get_fields_and_field_types", dict)())
+        first, short = next(names, ""), self.cls_name.rpartition("/")[2]
+        hint = f"; write {short}({first}=...)" if first else ""
+        return FieldTypeError(self.type_name, label, self.expected, value, hint)
 
     def fits(self, values: list[Any]) -> bool:
         return set(map(type, values)) <= {self.cls}

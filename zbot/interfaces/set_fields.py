@@ -5,14 +5,15 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors.suggestion import did_you_mean
-from zbot.interfaces import get_message, type_name
+from zbot.interfaces import type_name
 from zbot.interfaces.errors import FieldValueError
-from zbot.interfaces.field_path import is_message
+from zbot.interfaces.message_reader import FieldMisfitError, MessageReader
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
     from typing import TypeAlias
+
+    from zbot.interfaces.slot import Slot
 
     StampSetter: TypeAlias = Callable[[Any], None]
 
@@ -44,66 +45,59 @@ def set_message_fields(
         FieldValueError: A value is out of range, or a string is not a number. This error is a
             ValueError.
     """
-    return _FieldSetter(header_auto=expand_header_auto, time_now=expand_time_now).fill(msg, values)
+    reader = _FieldSetter(header_auto=expand_header_auto, time_now=expand_time_now)
+    reader.fill(msg, values)
+    return reader.setters
 
 
-class _FieldSetter:
+class _FieldSetter(MessageReader):
+    """Reader of ROS 2's dictionaries. Their values may be messages, and texts of numbers."""
+
     def __init__(self, *, header_auto: bool, time_now: bool) -> None:
+        super().__init__()
         self._texts = {_HEADER: "auto" if header_auto else None, _TIME: "now" if time_now else None}
-        self._setters: list[StampSetter] = []
+        self.setters: list[StampSetter] = []
 
-    def fill(self, message: Any, values: Any) -> list[StampSetter]:
-        if not hasattr(values, "items"):
-            kind = type(values).__name__
-            raise TypeError(f"Value '{values}' is expected to be a dictionary but is a {kind}")
-        slots = dict(zip(message.get_fields_and_field_types(), message.SLOT_TYPES, strict=True))
-        for name, value in values.items():
-            if name not in slots:
-                raise AttributeError(
-                    f"'{type(message).__name__}' object has no attribute '{name}'"
-                    f"{did_you_mean(name, slots, before='; ')}"
-                )
-            self._set(message, name, slots[name], value)
-        return self._setters
-
-    def _set(self, message: Any, name: str, slot: Any, value: Any) -> None:
-        present = getattr(message, name)
-        if isinstance(value, str) and is_message(present):
-            self._expand(message, name, present, value)
-        elif is_message(present):
-            setattr(message, name, self._message(type(present), value))
-        elif hasattr(slot, "value_type"):
-            setattr(message, name, self._elements(slot.value_type, value))
+    def set_field(self, message: Any, slot: Slot, value: Any, path: str) -> None:
+        present = getattr(message, slot.name)
+        if slot.is_list:
+            found = value
+            if slot.is_message:
+                found = [self._message(slot.message_type, item, path) for item in value]
+        elif not slot.is_message:
+            found = _scalar(message, slot, type(present), value)
+        elif isinstance(value, str):
+            self._expand(message, slot, value, path)
+            return
         else:
-            setattr(message, name, _scalar(message, name, type(present), value))
+            found = self._message(type(present), value, path)
+        setattr(message, slot.name, found)
 
-    def _expand(self, message: Any, name: str, present: Any, text: str) -> None:
-        kind = type_name(type(present))
+    def _message(self, cls: type[Any], value: Any, path: str) -> Any:
+        return value if isinstance(value, cls) else self.message(cls, value, path)
+
+    def no_dictionary(self, message: Any, value: Any, path: str) -> Exception:
+        return TypeError(str(super().no_dictionary(message, value, path)))
+
+    def unknown_field(self, message: Any, name: str, value: Any, path: str) -> Exception:
+        error = super().unknown_field(message, name, value, path)
+        assert isinstance(error, FieldMisfitError)
+        return AttributeError(error.sentence)
+
+    def _expand(self, message: Any, slot: Slot, text: str, path: str) -> None:
+        present, kind = getattr(message, slot.name), slot.type.base
         if text != self._texts.get(kind):
-            self.fill(present, text)  # raises TypeError
-        owner, stamp = (message, name) if kind == _TIME else (present, "stamp")
-        self._setters.append(partial(setattr, owner, stamp))
-
-    def _elements(self, element: Any, values: Any) -> Any:
-        if not hasattr(element, "namespaces"):
-            return values
-        cls = get_message("/".join((*element.namespaces, element.name)))
-        return [self._message(cls, value) for value in values]
-
-    def _message(self, cls: type[Any], value: Any) -> Any:
-        if isinstance(value, cls):
-            return value
-        message = cls()
-        self.fill(message, value)
-        return message
+            raise self.no_dictionary(present, text, path)
+        owner, stamp = (message, slot.name) if kind == _TIME else (present, "stamp")
+        self.setters.append(partial(setattr, owner, stamp))
 
 
-def _scalar(message: Any, name: str, kind: type[Any], value: Any) -> Any:
+def _scalar(message: Any, slot: Slot, kind: type[Any], value: Any) -> Any:
     if isinstance(value, kind):
         return value
     try:
         # A `byte` field stores one byte, but bytes(7) would be seven zero bytes.
         return bytes([value]) if kind is bytes else kind(value)
     except ValueError as error:
-        expected = f"of the type {message.get_fields_and_field_types()[name]}"
-        raise FieldValueError(type_name(type(message)), name, expected, value) from error
+        expected = f"of the type {slot.type}"
+        raise FieldValueError(type_name(type(message)), slot.name, expected, value) from error

@@ -94,7 +94,7 @@ def _eq(spec: MessageSpec) -> list[str]:
     return [
         "    def __eq__(self, other):",
         "        if not isinstance(other, self.__class__):",
-        "            return False",
+        "            return _equals_other(other)",
         f"        return {' and '.join(same) or 'True'}",
     ]
 

@@ -25,7 +25,9 @@ def add_advice(error: BaseException) -> None:
     if not isinstance(error, AttributeError):
         return
     match = _TEXT.match(str(error))
-    fields = _fields_of(match[1]) if match else ()
+    # Another class may have the name of a message class, e.g. `rclpy.time.Time`.
+    is_other = error.obj is not None and not hasattr(error.obj, "get_fields_and_field_types")
+    fields = _fields_of(match[1]) if match and not is_other else ()
     if match and fields:
         hint = did_you_mean(match[2], fields) or f"it has {', '.join(fields)}"
         error.args = (f"{error}; {hint}",)

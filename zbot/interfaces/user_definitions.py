@@ -9,11 +9,11 @@ import os
 import shutil
 from typing import TYPE_CHECKING
 
-from zbot.errors import ZbotError
+from zbot.errors import WrongValueError, ZbotError
 from zbot.interfaces.location import package_folder, packages_in
 from zbot.interfaces.parser import parse
 from zbot.interfaces.spec import MessageSpec, parts_of
-from zbot.package.user_folders import definitions_folder
+from zbot.package.user_folders import definitions_folder, make_private
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -29,15 +29,6 @@ class StoreError(ZbotError, OSError):
         self.package = package
         text = (reason.strerror or str(reason)) if isinstance(reason, OSError) else reason
         super().__init__(f"cannot store the definitions of {package}: {text}")
-
-
-class NotAddedError(ZbotError, LookupError):
-    """The package to remove is not in the store."""
-
-    def __init__(self, package: str, known: list[str]) -> None:
-        self.package = package
-        self.hint = f"the added packages are: {', '.join(known)}" if known else ""
-        super().__init__(f"'{package}' was not added with `zbot interface add`")
 
 
 def check(package: FoundPackage) -> set[str]:
@@ -68,7 +59,7 @@ def store(package: FoundPackage) -> None:
     try:
         for path, text in package.texts.items():
             file = new / path
-            file.parent.mkdir(parents=True, exist_ok=True)
+            make_private(file.parent)
             file.write_bytes(text.encode())
         if (folder / package.name).exists():
             (folder / package.name).rename(old)
@@ -84,13 +75,14 @@ def remove(package: str) -> None:
     """Remove the definitions of a package from the store.
 
     Raises:
-        NotAddedError: The package is not in the store.
+        WrongValueError: The package is not in the store.
         StoreError: The files cannot be removed.
     """
     known = added_packages()
     folder = definitions_folder()
     if package not in known:
-        raise NotAddedError(package, known)
+        hint = f"the added packages are: {', '.join(known)}" if known else ""
+        raise WrongValueError(f"'{package}' was not added with `zbot interface add`", hint=hint)
     try:
         shutil.rmtree(folder / package)
     except OSError as error:

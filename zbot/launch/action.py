@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from zbot.launch.entity import LaunchDescriptionEntity, calling_line
-from zbot.launch.errors import EntityTypeError, UnknownArgumentError
+from zbot.launch.errors import EntityTypeError, unknown_argument_error
 from zbot.launch.event import ExecutionComplete
 
 if TYPE_CHECKING:
@@ -27,13 +27,13 @@ class Action(LaunchDescriptionEntity):
         unknown: Arguments that neither the action nor its base classes have.
 
     Raises:
-        UnknownArgumentError: There is an unknown argument.
+        WrongArgumentsError: There is an unknown argument.
         EntityTypeError: `condition` is not a condition.
     """
 
     def __init__(self, *, condition: Condition | None = None, **unknown: object) -> None:
         for name in unknown:
-            raise UnknownArgumentError(type(self), name)
+            raise unknown_argument_error(type(self), name)
         if condition is not None and not hasattr(condition, "evaluate"):
             raise EntityTypeError("condition", "IfCondition(...)", condition)
         self.condition = condition

@@ -13,8 +13,8 @@ if TYPE_CHECKING:
 _SAME = (
     ("package", "pkg", "package_name"),
     ("executable", "exec", "type", "node_executable", "exe"),
-    ("name", "node_name"),
-    ("namespace", "ns", "node_namespace"),
+    ("name", "node_name", "node-name"),
+    ("namespace", "ns", "node_namespace", "node-namespace"),
     ("parameters", "param", "params", "parameter", "rosparam"),
     ("remappings", "remap", "remapping", "remaps"),
     ("arguments", "args", "arg", "argument"),
@@ -27,7 +27,7 @@ def question_about(name: str, known: Iterable[str]) -> str:
     """Return `did you mean 'package'?` for `pkg`, or an empty string if there is no such name."""
     names = sorted(known)
     others = other_words(name)
-    return question([one for one in names if one in others][:1]) or did_you_mean(name, names)
+    return question([known for known in names if known in others][:1]) or did_you_mean(name, names)
 
 
 def other_words(name: str) -> tuple[str, ...]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-import os
 import queue
 import threading
 import traceback
@@ -12,6 +11,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
+from zbot.launch.environment import Environment
 from zbot.launch.errors import (
     LaunchUsageError,
     SubstitutionError,
@@ -74,8 +74,9 @@ class LaunchContext:
         self.debug, self.strict = debug, strict
         self.noninteractive = noninteractive
         self.find_program = find_program
-        self.environment: dict[str, str] = dict(os.environ)
+        self._environment = Environment()
         self.launch_configurations: dict[str, Any] = {}
+        self.declared: set[str] = set()  #: names of arguments that files declare
         self.is_shutdown = False
         self.failed = False  #: whether an error occurred, so that the exit code is 1
         self.program_failed = False  #: whether a program exited with an error by itself
@@ -143,6 +144,15 @@ class LaunchContext:
         del self._locals[depth:]
 
     # Scopes
+
+    @property
+    def environment(self) -> Environment:
+        """The environment of the programs, which is that of this process."""
+        return self._environment
+
+    @environment.setter
+    def environment(self, variables: Mapping[str, str]) -> None:
+        self._environment.replace(variables)
 
     def push(self, kind: str) -> None:
         """Save the `environment` or the `launch_configurations` for a later `pop`."""
@@ -315,6 +325,7 @@ class LaunchContext:
         """Release the resources of the launch. A second call does nothing."""
         while self._closers:
             self._closers.pop()()
+        self._environment.undo()
         self._loop = self._wake = self._thread = None
         for held in ("writer", "process_groups"):  # a second run creates them again
             self.__dict__.pop(held, None)

@@ -4,15 +4,18 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from zbot.launch.entity import LaunchDescriptionEntity
-from zbot.launch.errors import EntityTypeError
+from zbot.launch.entity import LaunchDescriptionEntity, entity_list
+from zbot.launch.errors import EntityTypeError, include_loop_error
 from zbot.launch.log import get_logger
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
+    from collections.abc import Iterable, Iterator, Sequence
 
     from zbot.launch.actions.declare_argument import DeclareLaunchArgument
     from zbot.launch.context import LaunchContext
+
+_INDENT = "    "
+_MAX_DEPTH = 60
 
 
 class LaunchDescription(LaunchDescriptionEntity):
@@ -31,9 +34,7 @@ class LaunchDescription(LaunchDescriptionEntity):
     ) -> None:
         self.entities: list[LaunchDescriptionEntity] = []
         self.deprecated_reason = deprecated_reason
-        if isinstance(initial_entities, LaunchDescriptionEntity):
-            raise EntityTypeError("LaunchDescription", "given a list, [...]", initial_entities)
-        for entity in initial_entities or ():
+        for entity in entity_list("LaunchDescription", initial_entities or ()):
             self.add_entity(entity)
 
     @property
@@ -78,6 +79,30 @@ class LaunchDescription(LaunchDescriptionEntity):
         from zbot.launch.arguments import declared_arguments  # noqa: PLC0415 - cycle
 
         found = declared_arguments(self, follow_includes=False)
-        for one in found:
-            one.action.conditionally_included = one.conditional or conditional_inclusion
-        return [one.action for one in found]
+        for argument in found:
+            argument.action.conditionally_included = argument.conditional or conditional_inclusion
+        return [argument.action for argument in found]
+
+
+class LaunchIntrospector:
+    """Formats launch descriptions without launching them."""
+
+    def format_launch_description(self, launch_description: LaunchDescription) -> str:
+        """Return the tree of entities as text, with one entity on each line."""
+        return "\n".join(_lines(launch_description, 0))
+
+
+def _lines(entity: LaunchDescriptionEntity, depth: int) -> Iterator[str]:
+    if depth > _MAX_DEPTH:
+        raise include_loop_error([entity.describe()])
+    is_list = isinstance(entity, LaunchDescription)
+    text = "<launch.LaunchDescription>" if is_list else entity.describe()
+    condition = getattr(entity, "condition", None)
+    condition_text = f" if {condition.describe()}" if condition is not None else ""
+    yield f"{_INDENT * depth}{text}{condition_text}"
+    for inner in entity.describe_sub_entities():
+        yield from _lines(inner, depth + 1)
+    for phrase, entities in entity.describe_conditional_sub_entities():
+        yield f"{_INDENT * (depth + 1)}{phrase}:"
+        for inner in entities:
+            yield from _lines(inner, depth + 2)

@@ -7,9 +7,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from zbot.launch.errors import EntityTypeError
+
 if TYPE_CHECKING:
     import asyncio
-    from collections.abc import Sequence
+    from collections.abc import Iterable, Sequence
 
     from zbot.launch.context import LaunchContext
 
@@ -70,3 +72,14 @@ def calling_line() -> Origin | None:
             return Origin(name, frame.f_lineno)
         frame = frame.f_back  # type: ignore[assignment]
     return None
+
+
+def entity_list(where: str, entities: Iterable[LaunchDescriptionEntity]) -> list[Any]:
+    """Return actions and descriptions as a list.
+
+    Raises:
+        EntityTypeError: An action was given in place of a list.
+    """
+    if isinstance(entities, LaunchDescriptionEntity):
+        raise EntityTypeError(where, "given a list, [...]", entities)
+    return list(entities)

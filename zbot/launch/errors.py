@@ -10,10 +10,13 @@ from typing import TYPE_CHECKING
 from zbot.errors import ZbotError, shortened
 from zbot.errors.suggestion import question, similar_names
 from zbot.launch.argument_names import question_about
+from zbot.package.errors import NotRunnableError
+from zbot.package.unavailable import Unavailable
 from zbot.terminal.typographic import advice
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
+    from pathlib import Path
 
     from zbot.launch.entity import Origin
 
@@ -73,53 +76,62 @@ class LaunchFileNotFoundError(LaunchError, FileNotFoundError):
         super().__init__(message)
 
 
-class LaunchUsageError(LaunchError, RuntimeError, ValueError):
-    """A class of launch is used incorrectly, e.g. `pop` without `push`."""
+class TemplateError(NotRunnableError):
+    """A launch file does not exist, but its template `*.in`, which a build fills in."""
 
-
-class LaunchArgumentError(LaunchError, RuntimeError, ValueError):
-    """A launch argument is missing, is malformed, or is not one of the choices."""
-
-    def __init__(self, message: str, hint: str = "") -> None:
-        self.hint = hint
-        super().__init__(message)
-
-    @classmethod
-    def malformed(cls, word: str) -> LaunchArgumentError:
-        """Return the error for a word that does not have the form `name:=value`."""
-        match = re.match(r"-*(\w+)\s*[:=]*(.*)", word)
-        hint = f"write {match[1]}:={match[2] or 'VALUE'}" if match else ""
-        return cls(f"malformed launch argument '{word}', expected format '<name>:=<value>'", hint)
-
-    @classmethod
-    def missing(cls, name: str, description: str) -> LaunchArgumentError:
-        """Return the error for an argument that has no default and was not given."""
-        details = f' (description: "{description}")' if description else ""
-        text = f'Required launch argument "{name}"{details} was not provided'
-        return cls(text, f"give it a value: {name}:=VALUE")
-
-    @classmethod
-    def no_choice(cls, name: str, value: str, choices: Iterable[str]) -> LaunchArgumentError:
-        """Return the error for a value that is not one of the choices."""
-        known = list(choices)
-        hint = question(f"{name}:={near}" for near in similar_names(value, known))
-        text = f"launch argument '{name}': the value '{value}' is not valid."
-        return cls(f"{text} Valid options are: {known}", hint)
-
-    @classmethod
-    def no_default(cls, name: str, value: str, choices: Iterable[str]) -> LaunchArgumentError:
-        """Return the error for a default value that is not one of the choices."""
-        known = ", ".join(f"'{choice}'" for choice in choices)
-        return cls(
-            f"the default '{value}' of launch argument '{name}' is not in provided choices {known}"
+    def __init__(self, template: Path) -> None:
+        file = template.with_suffix("")
+        kind = Unavailable(
+            f"made from the template {template}",
+            f"copy the template to {file.name} and replace each @NAME@ in it by a value",
+            "CMake fills in when it builds the package",
         )
+        super().__init__(file.name, kind)
+        self.needed = file.name
+        made = f"CMake makes it from the template {template} when it builds the package"
+        self.args = (f"{file.name} does not exist here: {made}; {kind.instead}",)
 
-    @classmethod
-    def missing_in_include(cls, name: str, given: Iterable[str]) -> LaunchArgumentError:
-        """Return the error for an argument that an include does not give."""
-        names = ", ".join(given)
-        text = f'Included launch description missing required argument "{name}", given: [{names}]'
-        return cls(text, f"add '{name}' to the launch_arguments of the include")
+
+class LaunchUsageError(LaunchError, RuntimeError, ValueError):
+    """A launch argument is wrong or missing, or a class of launch is used incorrectly."""
+
+
+def malformed_argument_error(word: str) -> LaunchUsageError:
+    """Return the error for a word that does not have the form `name:=value`."""
+    match = re.match(r"-*(\w+)\s*[:=]*(.*)", word)
+    hint = f"write {match[1]}:={match[2] or 'VALUE'}" if match else ""
+    text = f"malformed launch argument '{word}', expected format '<name>:=<value>'"
+    return LaunchUsageError(text, hint=hint)
+
+
+def missing_argument_error(name: str, description: str) -> LaunchUsageError:
+    """Return the error for an argument that has no default and was not given."""
+    details = f' (description: "{description}")' if description else ""
+    text = f'Required launch argument "{name}"{details} was not provided'
+    return LaunchUsageError(text, hint=f"give it a value: {name}:=VALUE")
+
+
+def no_choice_error(name: str, value: str, choices: Iterable[str]) -> LaunchUsageError:
+    """Return the error for a value that is not one of the choices."""
+    known = list(choices)
+    hint = question(f"{name}:={near}" for near in similar_names(value, known))
+    text = f"launch argument '{name}': the value '{value}' is not valid."
+    return LaunchUsageError(f"{text} Valid options are: {known}", hint=hint)
+
+
+def no_default_error(name: str, value: str, choices: Iterable[str]) -> LaunchUsageError:
+    """Return the error for a default value that is not one of the choices."""
+    known = ", ".join(f"'{choice}'" for choice in choices)
+    return LaunchUsageError(
+        f"the default '{value}' of launch argument '{name}' is not in provided choices {known}"
+    )
+
+
+def missing_in_include_error(name: str, given: Iterable[str]) -> LaunchUsageError:
+    """Return the error for an argument that an include does not give."""
+    names = ", ".join(given)
+    text = f'Included launch description missing required argument "{name}", given: [{names}]'
+    return LaunchUsageError(text, hint=f"add '{name}' to the launch_arguments of the include")
 
 
 class SubstitutionError(LaunchError, RuntimeError, ValueError):
@@ -166,34 +178,31 @@ class EntityTypeError(LaunchError, TypeError, ValueError):
         super().__init__(f"{where} must be {expected}, not {given}")
 
 
-class UnknownArgumentError(LaunchError, TypeError):
-    """An action was given an argument that it does not have, e.g. `pkg` in place of `package`.
-
-    Attributes:
-        action: The class of the action.
-        argument: The name of the argument.
-        hint: The name that may be meant. It is empty if there is none.
-    """
-
-    def __init__(self, action: type[object], argument: str) -> None:
-        self.action, self.argument = action, argument
-        known = {
-            name
-            for base in action.__mro__
-            for name, one in inspect.signature(base.__init__).parameters.items()  # type: ignore[misc] # of a class
-            if one.kind is one.KEYWORD_ONLY or one.kind is one.POSITIONAL_OR_KEYWORD
-        }
-        self.hint = question_about(argument, known - {"self"})
-        super().__init__(f"{action.__name__} has no argument '{argument}'")
+class WrongArgumentsError(LaunchError, TypeError):
+    """An action or a substitution was given arguments that it does not have."""
 
 
-class ArgumentCountError(LaunchError, TypeError):
-    """A substitution has too few arguments or too many."""
+def unknown_argument_error(action: type[object], argument: str) -> WrongArgumentsError:
+    """Return the error for an argument that an action does not have, e.g. `pkg` for `package`."""
+    known = {
+        name
+        for base in action.__mro__
+        for name, parameter in inspect.signature(base.__init__).parameters.items()  # type: ignore[misc] # of a class
+        if parameter.kind is parameter.KEYWORD_ONLY
+        or parameter.kind is parameter.POSITIONAL_OR_KEYWORD
+    }
+    hint = question_about(argument, known - {"self"})
+    return WrongArgumentsError(f"{action.__name__} has no argument '{argument}'", hint=hint)
 
-    def __init__(self, name: str, expected: int, given: int) -> None:
-        self.name, self.expected, self.given = name, expected, given
-        plural = "" if expected == 1 else "s"
-        super().__init__(f"{name} expects {expected} argument{plural}, not {given}")
+
+def argument_count_error(name: str, expected: int, given: int) -> WrongArgumentsError:
+    """Return the error that a substitution has too few arguments or too many."""
+    plural = "" if expected == 1 else "s"
+    return WrongArgumentsError(f"{name} expects {expected} argument{plural}, not {given}")
+
+
+class LaunchControlError(LaunchError):
+    """A running launch has ended, or refuses a request of the page."""
 
 
 class LogLevelError(LaunchError, KeyError):
@@ -216,3 +225,19 @@ def describe(error: BaseException) -> str:
     """Return the type and the text of an exception in one line."""
     text = " ".join(str(error).split())
     return f"{type(error).__name__}: {text}" if text else type(error).__name__
+
+
+class InvalidFrontendLaunchFileError(LaunchFileError, ValueError):
+    """A launch file in XML or YAML is invalid."""
+
+
+class MissingAttributeError(InvalidFrontendLaunchFileError, AttributeError):
+    """A required attribute or child is missing."""
+
+
+class AttributeTypeError(InvalidFrontendLaunchFileError, TypeError):
+    """An attribute has the wrong type."""
+
+
+class SubstitutionSyntaxError(ValueError):
+    """A text with `$(...)` does not follow the grammar."""

@@ -127,9 +127,9 @@ class OnActionEventBase(EventHandler):
         self.event_class = target_event_cls
         if not callable(on_event):
             on_event = _listed(on_event)
-            for number, one in enumerate(on_event):
-                if not isinstance(one, LaunchDescriptionEntity):
-                    raise EntityTypeError(f"reaction {number} to an event", "an action", one)
+            for number, action in enumerate(on_event):
+                if not isinstance(action, LaunchDescriptionEntity):
+                    raise EntityTypeError(f"reaction {number} to an event", "an action", action)
         super().__init__(matcher=self._matches_target, entities=on_event, handle_once=handle_once)
 
     def _matches_target(self, event: Any) -> bool:

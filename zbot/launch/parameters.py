@@ -174,8 +174,9 @@ def _is_valid(value: Any) -> bool:
         return True
     if isinstance(value, Sequence):
         return all(
-            isinstance(one, (*_ITEM_TYPES, ParameterValue, Substitution)) or _is_text_of_parts(one)
-            for one in value
+            isinstance(item, (*_ITEM_TYPES, ParameterValue, Substitution))
+            or _is_text_of_parts(item)
+            for item in value
         )
     return callable(getattr(value, "tolist", None))  # numpy
 
@@ -342,7 +343,7 @@ def _typed(context: LaunchContext, value: Any, kind: Any) -> Any:
         return coerce_to_type(perform(context, value), kind)
     item_kind, is_list = extract_type(kind)
     if is_list and isinstance(value, Sequence) and not isinstance(value, (str, bytes)):
-        return [_typed(context, one, item_kind) for one in value]
+        return [_typed(context, item, item_kind) for item in value]
     return _converted(evaluate(context, value), kind)
 
 

@@ -105,7 +105,7 @@ class ChildProcess:
         await self._protocol.exited.wait()
         closed = [self._protocol.closed, *(terminal.closed for _, terminal in self._terminals)]
         with contextlib.suppress(asyncio.TimeoutError):
-            await asyncio.wait_for(asyncio.gather(*(one.wait() for one in closed)), _DRAIN_S)
+            await asyncio.wait_for(asyncio.gather(*(pipe.wait() for pipe in closed)), _DRAIN_S)
         for transport, _ in self._terminals:
             transport.close()
         code = self._transport.get_returncode()

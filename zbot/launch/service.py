@@ -9,14 +9,15 @@ import signal
 import sys
 import threading
 from functools import partial
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from zbot.launch.context import LaunchContext
 from zbot.launch.errors import LaunchFileError
 from zbot.launch.event import IncludeLaunchDescriptionEvent, SecondInterrupt, Shutdown
 from zbot.launch.event_handler import OnIncludeLaunchDescription
-from zbot.launch.left_out import leave_out, missing_file
 from zbot.launch.log import launch_config
+from zbot.launch.not_runnable import leave_out, missing_file
 from zbot.launch.signal_manager import AsyncSafeSignalManager
 from zbot.package.absent import absent_packages_reported
 from zbot.package.errors import NotRunnableError
@@ -30,6 +31,10 @@ if TYPE_CHECKING:
 
 #: Errors of launch files. A function of a launch file may call `sys.exit`, as xacro does.
 _ERRORS = (Exception, SystemExit)
+
+
+class _InterruptedError(KeyboardInterrupt):
+    """A signal ends the visit of an entity, e.g. the code of a launch file that takes long."""
 
 
 class LaunchService:
@@ -72,6 +77,8 @@ class LaunchService:
         self.__context.register_event_handler(OnIncludeLaunchDescription())
         self.__task: asyncio.Task[Any] | None = None
         self._interrupts = 0
+        self._is_visiting = False
+        self._interrupted_by = 0  #: signal that ended a visit and is not handled yet
 
     @property
     def context(self) -> LaunchContext:
@@ -130,7 +137,7 @@ class LaunchService:
         writer = context.writer
         context.begin(loop)
         self.__task = asyncio.current_task(loop)
-        self._interrupts = 0
+        self._interrupts = self._interrupted_by = 0
         if writer.folder is not None:
             writer.info(self._logger_name, f"All log files can be found below {writer.folder}")
         level = "DEBUG" if writer.shows_debug else logging.getLevelName(launch_config.level)
@@ -172,12 +179,38 @@ class LaunchService:
         depth = self.context.locals_depth
         try:
             for entity in function():
-                self._visit(entity)
+                self._visit_interruptibly(entity)
+        except _InterruptedError:
+            self.context.truncate_locals(depth)
         except _ERRORS as error:  # errors in launch files end the launch
             self.context.truncate_locals(depth)
             self.context.fail(error)
+        if self._interrupted_by:  # also if the code of a launch file has caught the error
+            number, self._interrupted_by = self._interrupted_by, 0
+            self._interrupt(number)
+
+    def _visit_interruptibly(self, entity: LaunchDescriptionEntity) -> None:
+        self._is_visiting = True
+        try:
+            self._visit(entity)
+        finally:
+            self._is_visiting = False
+
+    def _interruption(self, number: int) -> BaseException | None:
+        """Return the error that a signal raises in the code that runs now, or None.
+
+        The programs of a launch start when the visit of all entities has ended. So no program is
+        left behind.
+        """
+        if not self._is_visiting:
+            return None
+        self._is_visiting = False
+        self._interrupted_by = number
+        return _InterruptedError()
 
     def _visit(self, entity: LaunchDescriptionEntity) -> None:
+        if self._interrupted_by or (self._interrupts and not self.context.is_shutdown):
+            return
         origin = getattr(entity, "origin", None)
         try:
             following = self._following(entity, origin)
@@ -186,12 +219,14 @@ class LaunchService:
         except _ERRORS as error:
             if origin is None:
                 raise
-            raise LaunchFileError.at(origin, error) from error
+            from zbot.launch.python_file import located  # noqa: PLC0415 - only for mistakes
+
+            raise located(Path(origin.path), error, origin.line) from error
         future = entity.get_asyncio_future()
         if future is not None:
             self.context.add_completion_future(future)
-        for one in following:
-            self._visit(one)
+        for following_entity in following:
+            self._visit(following_entity)
 
     def _following(
         self, entity: LaunchDescriptionEntity, origin: Origin | None
@@ -201,6 +236,9 @@ class LaunchService:
             return entity.visit(self.context) or ()
         except NotRunnableError as error:
             leave_out(self.context, error, origin)
+        except _InterruptedError:
+            sys.stdout = stdout
+            raise
         except _ERRORS as error:
             sys.stdout = stdout  # a call of `xacro.process` that fails leaves another stdout
             absent = missing_file(error)
@@ -216,7 +254,7 @@ class LaunchService:
             yield  # Python handles signals only in the main thread
             return
         names = ("SIGINT", "SIGTERM", "SIGHUP", "SIGQUIT")
-        with AsyncSafeSignalManager(loop) as manager:
+        with AsyncSafeSignalManager(loop, self._interruption) as manager:
             for number in [getattr(signal, name) for name in names if hasattr(signal, name)]:
                 manager.handle(number, self._interrupt)
             yield

@@ -9,6 +9,9 @@ import socket
 import sys
 from typing import TYPE_CHECKING, Any
 
+from zbot.process import signals
+from zbot.threads.foreign_call import is_deferring_signals
+
 if TYPE_CHECKING:
     import asyncio
     from collections.abc import Callable
@@ -23,10 +26,17 @@ class AsyncSafeSignalManager:
 
     Args:
         loop: The event loop that calls the handlers.
+        interruption: Function that gets the number of a signal at once, while the loop may run
+            code that takes long. If it returns an error, the signal raises this error in that code
+            and the handler is not called.
     """
 
-    def __init__(self, loop: asyncio.AbstractEventLoop) -> None:
-        self._loop = loop
+    def __init__(
+        self,
+        loop: asyncio.AbstractEventLoop,
+        interruption: Callable[[int], BaseException | None] = lambda _: None,
+    ) -> None:
+        self._loop, self._interruption = loop, interruption
         self._handlers: dict[int, Callable[[int], Any]] = {}
         self._previous: dict[int, Any] = {}
         self._is_entered = False
@@ -61,11 +71,17 @@ class AsyncSafeSignalManager:
             signal.signal(number, self._previous.pop(number))
 
     def _on_signal(self, number: int, frame: Any) -> None:
+        if is_deferring_signals(frame):
+            signals.send_again(number)
+            return
         handler, previous = self._handlers.get(number), self._previous.get(number)
-        if handler is not None:
+        error = None if handler is None else self._interruption(number)
+        if handler is not None and error is None:
             self._loop.call_soon_threadsafe(handler, number)
         if callable(previous) and previous is not signal.default_int_handler:
             previous(number, frame)
+        if error is not None:
+            raise error
 
     def __enter__(self) -> AsyncSafeSignalManager:
         self._is_entered = True

@@ -13,6 +13,7 @@ from zbot.launch.errors import (
     LaunchFileError,
     LaunchFileNotFoundError,
     LaunchUsageError,
+    TemplateError,
 )
 from zbot.launch.substitution import describe, normalize, perform
 from zbot.package.absent import absent_packages_reported
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
     from zbot.launch.context import LaunchContext
     from zbot.launch.substitution import SomeSubstitutionsType
 
+_TEMPLATE = ".in"
 _FORMATS = {".py": "python", ".xml": "xml", ".yaml": "yaml", ".yml": "yaml"}
 
 
@@ -129,10 +131,12 @@ def load_launch_file(location: str, kind: str = "") -> LaunchDescription:
             e.g. `.launch`, the file's content decides.
 
     Raises:
+        TemplateError: The file is the template of a launch file, or only its template exists.
         LaunchFileNotFoundError: The file does not exist.
         LaunchFileError: The file is invalid.
     """
     path = Path(location).absolute()
+    check_template(path)
     if not path.is_file():
         raise LaunchFileNotFoundError(f"launch file '{location}' not found")
     kind = kind or _FORMATS.get(path.suffix, "")
@@ -145,6 +149,18 @@ def load_launch_file(location: str, kind: str = "") -> LaunchDescription:
     return _load_unknown(path)
 
 
+def check_template(path: Path) -> None:
+    """Refuse a path if it is the template of a launch file, or if only its template exists.
+
+    Raises:
+        TemplateError: The package's build makes the launch file from the template.
+    """
+    template = path if path.suffix == _TEMPLATE else Path(f"{path}{_TEMPLATE}")
+    is_of_launch_file = template.with_suffix("").suffix in {*_FORMATS, ".launch"}
+    if is_of_launch_file and template.is_file() and (path == template or not path.exists()):
+        raise TemplateError(template)
+
+
 def _load_python(path: Path) -> LaunchDescription:
     from zbot.launch.python_file import load  # noqa: PLC0415 - loaded when used
 
@@ -153,8 +169,8 @@ def _load_python(path: Path) -> LaunchDescription:
 
 def _load_unknown(path: Path) -> LaunchDescription:
     """Return the description of a file whose suffix, e.g. `.launch`, does not tell the format."""
+    from zbot.launch.errors import InvalidFrontendLaunchFileError  # noqa: PLC0415 - as above
     from zbot.launch.frontend import load_file, yaml_file  # noqa: PLC0415 - few files need it
-    from zbot.launch.frontend.errors import InvalidFrontendLaunchFileError  # noqa: PLC0415 - as above
 
     if path.read_bytes().removeprefix(codecs.BOM_UTF8).lstrip().startswith(b"<"):
         return load_file(path, "xml")  # such a text is neither YAML nor Python
@@ -172,8 +188,8 @@ def _load_python_or_explain(path: Path, yaml_error: LaunchFileError) -> LaunchDe
         if not isinstance(error.__cause__, (SyntaxError, ValueError)):
             raise
         found = "; ".join(
-            f"{language}: line {one.line}: {one.reason}"
-            for language, one in (("YAML", yaml_error), ("Python", error))
+            f"{language}: line {found_error.line}: {found_error.reason}"
+            for language, found_error in (("YAML", yaml_error), ("Python", error))
         )
         reason = f"its text is not a launch file in XML, YAML or Python ({found})"
         raise LaunchFileError(str(path), 0, reason) from error

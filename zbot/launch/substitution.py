@@ -7,6 +7,7 @@ from pathlib import PurePath
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from zbot.launch.errors import EntityTypeError
+from zbot.launch.log import get_logger
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -24,6 +25,15 @@ class Substitution:
     def describe(self) -> str:
         """Return a description for `--print` and for error messages."""
         return f"{type(self).__name__}()"
+
+    def __format__(self, spec: str) -> str:
+        """Return the text as for any object. In an f-string, a substitution is a mistake."""
+        name = type(self).__name__
+        get_logger("launch").warning(
+            f"{name} is in an f-string, before it has its value: write a list in place of the "
+            f"f-string, ['text', {name}(...)]"
+        )
+        return super().__format__(spec)
 
     def __truediv__(self, other: SomeSubstitutionsType) -> Substitution:
         from zbot.launch.substitutions.path_join import PathJoinSubstitution  # noqa: PLC0415 - cycle

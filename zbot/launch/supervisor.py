@@ -15,7 +15,7 @@ from zbot.launch.actions.executable import check_program, not_started
 from zbot.launch.errors import LaunchError, LaunchFileError, ProgramError
 from zbot.launch.event import SecondInterrupt, Shutdown
 from zbot.launch.event_handler import EventHandler
-from zbot.launch.output import OutputLines
+from zbot.launch.log_writer import OutputLines
 from zbot.launch.process_event import (
     ProcessExited,
     ProcessIO,
@@ -77,13 +77,38 @@ class Supervisor:
         self._escalate_now = asyncio.Event()
         self._sent: set[int] = set()
         self._escalation: asyncio.Task[None] | None = None
+        self._task: asyncio.Task[None] | None = None
+        self._is_restarting = False
+        self._logs_first_signal = True
 
     def start(self) -> asyncio.Task[None]:
         """Run the program. The returned task is done when the last run of the program has ended."""
         handlers = self._handlers()
         for handler in handlers:  # not in the task, because the launch may end before it begins
             self._context.register_event_handler(handler)
-        return self._context.create_task(self._run(handlers))
+        self._task = self._context.create_task(self._run(handlers))
+        return self._task
+
+    def restart(self) -> asyncio.Task[None]:
+        """Stop the program and start it again. If it has ended, only start it.
+
+        The end of a program that runs is not an event, so the launch does not react to it. Return
+        the task of `start`.
+        """
+        self._context.writer.info(self.label, "the process is started again on request")
+        if self._task is None or self._task.done():
+            self._stop_requested.clear()
+            self._escalation = None
+            return self.start()
+        is_running = self._process is not None and self._process.is_running
+        if is_running and not self._is_stopping:
+            self._is_restarting = True
+            self._start_escalation()
+        return self._task
+
+    @property
+    def _is_stopping(self) -> bool:
+        return self._escalation is not None and not self._escalation.done()
 
     async def _run(self, handlers: list[BaseEventHandler]) -> None:
         try:
@@ -113,11 +138,24 @@ class Supervisor:
         retries = self._policy.respawn_max_retries
         while not self._stop_requested.is_set():
             code = await self._run_once()
+            if self._ends_for_restart():
+                continue
             if not self._policy.respawn or retries == 0 or self._stop_requested.is_set():
                 self._context.program_failed |= code != 0 and not self._sent  # zbot sent no signal
                 return
             retries -= 1
             await _wait(self._stop_requested, self._policy.respawn_delay_s)
+
+    def _ends_for_restart(self) -> bool:
+        """Return whether the run has ended only because the program is started again."""
+        is_restarting, self._is_restarting = self._is_restarting, False
+        if not is_restarting or self._stop_requested.is_set():
+            return False
+        if self._escalation is not None:
+            self._escalation.cancel()
+            self._escalation = None
+        self._sent.clear()
+        return True
 
     async def _run_once(self) -> int:
         prepared, writer = self._prepared, self._context.writer
@@ -194,7 +232,8 @@ class Supervisor:
             text = f"process has died [pid {pid}, exit code {code}, cmd '{words}']."
             writer.error(self.label, text)
         self._action.return_code = code
-        self._emit(ProcessExited, returncode=code)
+        if not self._is_restarting or self._stop_requested.is_set():
+            self._emit(ProcessExited, returncode=code)
 
     def _is_clean_exit(self, code: int) -> bool:
         """Return whether the program had no error, or a signal of this supervisor ended it."""
@@ -235,7 +274,7 @@ class Supervisor:
             return
         self._stop_requested.set()
         self._logs_first_signal = not getattr(event, "due_to_sigint", False)
-        if self._process is not None:
+        if self._process is not None and not self._is_stopping:
             self._start_escalation()
 
     def _start_escalation(self) -> None:

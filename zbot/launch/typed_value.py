@@ -80,7 +80,7 @@ def is_instance_of_valid_type(value: Any, can_be_str: bool = False) -> bool:
     """
     if not isinstance(value, list):
         return isinstance(value, _SCALARS)
-    kinds = {type(one) for one in value} - ({str} if can_be_str else set())
+    kinds = {type(item) for item in value} - ({str} if can_be_str else set())
     return len(kinds) <= 1 and all(map(is_valid_scalar_type, kinds))
 
 
@@ -100,7 +100,7 @@ def is_instance_of(value: Any, data_type: Any = None, can_be_str: bool = False) 
     kind, is_list = extract_type(data_type)
     kinds = (kind, str) if can_be_str else (kind,)
     if is_list:
-        return isinstance(value, list) and all(isinstance(one, kinds) for one in value)
+        return isinstance(value, list) and all(isinstance(item, kinds) for item in value)
     return isinstance(value, kinds)
 
 
@@ -158,8 +158,8 @@ def _list_of(value: str, kind: Any, can_be_str: bool) -> list[Any]:
     """Return the items of a list in YAML. The type decides how the text of each item is read."""
     try:
         items = read_yaml(value, as_strings=True)
-        if isinstance(items, list) and all(isinstance(one, str) for one in items):
-            return [coerce_to_type(one, kind, can_be_str) for one in items]
+        if isinstance(items, list) and all(isinstance(item, str) for item in items):
+            return [coerce_to_type(item, kind, can_be_str) for item in items]
     except (YamlError, CoercionError):
         pass
     raise CoercionError(f"{shortened(value)} is not a value of type {type_name(list[kind])}")
@@ -186,7 +186,7 @@ def coerce_list(value: list[str], data_type: Any = None, can_be_str: bool = Fals
     """
     if not isinstance(value, list):
         raise EntityTypeError("the value", "a list", value)
-    found = [coerce_to_type(one, data_type, can_be_str) for one in value]
+    found = [coerce_to_type(item, data_type, can_be_str) for item in value]
     if not is_instance_of_valid_type(found, can_be_str):
         raise CoercionError(f"the items of a list must have one type: {value}")
     return found
@@ -213,14 +213,14 @@ def is_substitution(value: Any) -> bool:
     if not isinstance(value, Iterable):
         return isinstance(value, Substitution)
     parts = list(value)
-    has_one = any(isinstance(one, Substitution) for one in parts)
-    return has_one and all(isinstance(one, (str, Substitution)) for one in parts)
+    has_one = any(isinstance(part, Substitution) for part in parts)
+    return has_one and all(isinstance(part, (str, Substitution)) for part in parts)
 
 
 def is_normalized_substitution(value: Any) -> bool:
     """Return whether a value is a list of one or more substitutions."""
     is_filled = isinstance(value, list) and bool(value)
-    return is_filled and all(isinstance(one, Substitution) for one in value)
+    return is_filled and all(isinstance(item, Substitution) for item in value)
 
 
 def normalize_typed_substitution(value: SomeValueType, data_type: Any = None) -> Any:
@@ -234,8 +234,8 @@ def normalize_typed_substitution(value: SomeValueType, data_type: Any = None) ->
         return normalize(value)
     if isinstance(value, str) or not isinstance(value, Iterable):
         return _checked(value, data_type)
-    items = [normalize(one) if is_substitution(one) else one for one in value]
-    plain = [one for one in items if not is_normalized_substitution(one)]
+    items = [normalize(item) if is_substitution(item) else item for item in value]
+    plain = [item for item in items if not is_normalized_substitution(item)]
     _checked(plain, data_type)
     return items
 
@@ -266,8 +266,8 @@ def perform_typed_substitution(
         return _checked(value, data_type)
     kind = None if data_type is None else extract_type(data_type)[0]
     found = [
-        coerce_to_type(perform(context, one), kind) if is_normalized_substitution(one) else one
-        for one in value
+        coerce_to_type(perform(context, item), kind) if is_normalized_substitution(item) else item
+        for item in value
     ]
     if not is_instance_of(found, data_type):
         raise CoercionError(f"{found} is not a value of type {type_name(data_type)}")

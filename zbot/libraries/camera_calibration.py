@@ -84,7 +84,7 @@ def _numbers(values: dict[Any, Any], name: str, count: int) -> list[float]:
     matrix = values.get(name)
     data = matrix.get("data") if isinstance(matrix, dict) else None
     try:
-        found = [float(one) for one in data] if isinstance(data, list) else []
+        found = [float(number) for number in data] if isinstance(data, list) else []
     except (TypeError, ValueError, OverflowError):
         found = []
     if not isinstance(data, list) or len(found) != (count or len(data)):
@@ -126,4 +126,4 @@ def calibration_text(info: CameraInfo, name: str) -> str:
 
 
 def _matrix(values: Any, rows: int, columns: int) -> dict[str, Any]:
-    return {"rows": rows, "cols": columns, "data": [float(one) for one in values]}
+    return {"rows": rows, "cols": columns, "data": [float(value) for value in values]}

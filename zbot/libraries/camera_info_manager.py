@@ -137,7 +137,7 @@ class CameraInfoManager:
 
 def genCameraName(from_string: str) -> str:
     """Return a valid name of a camera: other characters than letters and digits become `_`."""
-    return "".join(one if one.isalnum() else "_" for one in from_string) or "_"
+    return "".join(character if character.isalnum() else "_" for character in from_string) or "_"
 
 
 def parseURL(url: str) -> int:

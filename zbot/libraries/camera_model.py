@@ -10,7 +10,8 @@ import copy
 import math
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import WrongStateError
+from zbot.errors import WrongStateError, require_numpy
+from zbot.errors.installation import pip_install
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -27,7 +28,7 @@ def _opencv() -> Any:
     try:
         import cv2  # type: ignore[import-not-found,unused-ignore] # noqa: PLC0415 - optional
     except ImportError:
-        text = "rectifying needs OpenCV: pip install opencv-python-headless"
+        text = f"rectifying needs OpenCV: {pip_install('opencv-python-headless')}"
         raise WrongStateError(text) from None
     return cv2
 
@@ -59,6 +60,7 @@ class PinholeCameraModel:
 
     def from_camera_info(self, msg: CameraInfo) -> None:
         """Take the calibration, the binning and the region of interest of a message."""
+        require_numpy("image_geometry")
         import numpy as np  # noqa: PLC0415 - part of an extra
 
         self._info = msg

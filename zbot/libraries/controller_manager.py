@@ -11,7 +11,7 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import ZbotError
+from zbot.errors import WrongStateError, ZbotError
 from zbot.parameters.file import matches, sections
 from zbot.parameters.parameter import Parameter
 from zbot.runtime import spin_until_future_complete
@@ -34,10 +34,6 @@ class ServiceNotFoundError(ZbotError):
     """A controller manager was not there in time."""
 
 
-class ServiceCallError(ZbotError, RuntimeError):
-    """A controller manager did not answer."""
-
-
 def service_caller(
     node: Node,
     service_name: str,
@@ -51,7 +47,7 @@ def service_caller(
 
     Raises:
         ServiceNotFoundError: The service was not there in time.
-        ServiceCallError: No response came, also after `max_attempts` calls.
+        WrongStateError: No response came, also after `max_attempts` calls.
     """
     space = node.get_namespace().rstrip("/")
     name = service_name if service_name.startswith("/") else f"{space}/{service_name}"
@@ -73,7 +69,7 @@ def service_caller(
             )
     finally:
         node.destroy_client(client)
-    raise ServiceCallError(f"{name} did not answer {max_attempts} calls of {call_timeout:g} s")
+    raise WrongStateError(f"{name} did not answer {max_attempts} calls of {call_timeout:g} s")
 
 
 def _call(

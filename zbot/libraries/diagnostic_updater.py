@@ -192,10 +192,11 @@ class Updater(DiagnosticTaskVector):
             statuses = [
                 task.run(self._status(task, _ERROR, "No message was set")) for task in self.tasks
             ]
-        wrong = [one for one in statuses if one.level != _OK]
-        for one in wrong if self.verbose else ():
+        wrong = [status for status in statuses if status.level != _OK]
+        for status in wrong if self.verbose else ():
             self.node.get_logger().warning(
-                f"Non-zero diagnostic status. Name: {one.name}, status {one.level!r}: {one.message}"
+                f"Non-zero diagnostic status. Name: {status.name}, status {status.level!r}: "
+                f"{status.message}"
             )
         if not (self.hwid or wrong or self.warn_nohwid_done):
             self.node.get_logger().warning(
@@ -220,13 +221,13 @@ class Updater(DiagnosticTaskVector):
         array.header.stamp = self.node.get_clock().now().to_msg()
         array.status = [
             DiagnosticStatus(
-                level=one.level,
-                name=f"{self.node_name}: {one.name}",
-                message=one.message,
-                hardware_id=one.hardware_id,
-                values=one.values,
+                level=status.level,
+                name=f"{self.node_name}: {status.name}",
+                message=status.message,
+                hardware_id=status.hardware_id,
+                values=status.values,
             )
-            for one in statuses
+            for status in statuses
         ]
         self.publisher.publish(array)
 

@@ -10,7 +10,8 @@ import re
 import sys
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import ZbotError
+from zbot.errors import ZbotError, require_numpy
+from zbot.errors.installation import pip_install
 
 from sensor_msgs.msg import CompressedImage, Image
 
@@ -49,7 +50,14 @@ class CvBridgeError(ZbotError, TypeError):
 
 
 class CvBridge:
-    """Converter between image messages and arrays of shape (height, width[, channels])."""
+    """Converter between image messages and arrays of shape (height, width[, channels]).
+
+    Raises:
+        MissingPackageError: numpy is not installed.
+    """
+
+    def __init__(self) -> None:
+        require_numpy("cv_bridge")
 
     def imgmsg_to_cv2(self, img_msg: Image, desired_encoding: str = "passthrough") -> NDArray[Any]:
         """Return an image as an array.
@@ -347,5 +355,6 @@ def _opencv(purpose: str) -> Any:
     try:
         import cv2  # type: ignore[import-not-found,unused-ignore] # noqa: PLC0415 - optional
     except ImportError:
-        raise CvBridgeError(f"{purpose} need OpenCV: pip install opencv-python-headless") from None
+        text = f"{purpose} need OpenCV: {pip_install('opencv-python-headless')}"
+        raise CvBridgeError(text) from None
     return cv2

@@ -253,7 +253,7 @@ class InteractiveMarkerServer:
         del request
         with self._lock:
             response.sequence_number = self.seq_num
-            response.markers = [one.marker for one in self._shown.values()]
+            response.markers = [shown.marker for shown in self._shown.values()]
         return response
 
 

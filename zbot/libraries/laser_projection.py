@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from zbot.errors import require_numpy
 from zbot.libraries.point_cloud import create_cloud, dtype_from_fields
 
 from sensor_msgs.msg import PointField
@@ -51,6 +52,7 @@ class LaserProjection:
                 means the `range_max` of the scan.
             channel_options: Values of `ChannelOption`, joined by `|`.
         """
+        require_numpy("laser_geometry")
         import numpy as np  # noqa: PLC0415 - part of an extra
 
         ranges: NDArray[Any] = np.array(scan_in.ranges, np.float64)

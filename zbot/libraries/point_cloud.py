@@ -9,7 +9,7 @@ import sys
 from collections import namedtuple
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import ZbotError
+from zbot.errors import ZbotError, require_numpy
 
 from sensor_msgs.msg import PointCloud2, PointField
 
@@ -55,6 +55,7 @@ def dtype_from_fields(
 
 
 def _dtype(fields: Iterable[PointField], point_step: int | None, order: str) -> np.dtype[np.void]:
+    require_numpy("point_cloud2")
     import numpy as np  # noqa: PLC0415 - part of an extra
 
     names: list[str] = []
@@ -110,6 +111,7 @@ def read_points(
 
 
 def _all_points(cloud: PointCloud2) -> NDArray[np.void]:
+    require_numpy("point_cloud2")
     import numpy as np  # noqa: PLC0415 - part of an extra
 
     dtype = _dtype(cloud.fields, cloud.point_step, ">" if cloud.is_bigendian else "<")
@@ -137,6 +139,7 @@ def _with_fields(points: NDArray[np.void], names: list[str]) -> NDArray[np.void]
 
 
 def _has_nan(points: NDArray[np.void]) -> NDArray[np.bool_]:
+    require_numpy("point_cloud2")
     import numpy as np  # noqa: PLC0415 - part of an extra
 
     columns = [np.isnan(points[name]) for name in points.dtype.names or ()]
@@ -145,6 +148,7 @@ def _has_nan(points: NDArray[np.void]) -> NDArray[np.bool_]:
 
 
 def _indices(uvs: Iterable[int]) -> NDArray[np.int_]:
+    require_numpy("point_cloud2")
     import numpy as np  # noqa: PLC0415 - part of an extra
 
     return uvs if isinstance(uvs, np.ndarray) else np.fromiter(uvs, int)
@@ -227,6 +231,7 @@ def create_cloud(
 
 
 def _structured(fields: Sequence[PointField], points: Any, step: int | None) -> NDArray[np.void]:
+    require_numpy("point_cloud2")
     import numpy as np  # noqa: PLC0415 - part of an extra
     from numpy.lib.recfunctions import unstructured_to_structured  # noqa: PLC0415 - part of an extra
 

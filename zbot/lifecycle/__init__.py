@@ -15,11 +15,11 @@
 from zbot.lifecycle.errors import CallbackReturnError as CallbackReturnError
 from zbot.lifecycle.errors import NotAManagedEntityError as NotAManagedEntityError
 from zbot.lifecycle.errors import NotANodeError as NotANodeError
+from zbot.lifecycle.managed_entity import LifecyclePublisher as LifecyclePublisher
 from zbot.lifecycle.managed_entity import ManagedEntity as ManagedEntity
 from zbot.lifecycle.managed_entity import SimpleManagedEntity as SimpleManagedEntity
 from zbot.lifecycle.node import LifecycleNode as LifecycleNode
 from zbot.lifecycle.node import LifecycleNodeMixin as LifecycleNodeMixin
-from zbot.lifecycle.publisher import LifecyclePublisher as LifecyclePublisher
 from zbot.lifecycle.state_machine import LifecycleState as LifecycleState
 from zbot.lifecycle.state_machine import StateMachine as StateMachine
 from zbot.lifecycle.state_machine import TransitionCallbackReturn as TransitionCallbackReturn

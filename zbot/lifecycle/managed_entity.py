@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from functools import wraps
-from typing import TYPE_CHECKING, Any, overload
+from typing import TYPE_CHECKING, Any, TypeVar, overload
 
 from zbot.lifecycle.state_machine import TransitionCallbackReturn
+from zbot.log import get_logger
+from zbot.node.publisher import Publisher
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -13,6 +15,8 @@ if TYPE_CHECKING:
     from zbot.lifecycle.state_machine import LifecycleState
 
     Action = Callable[..., Any]
+
+MsgT = TypeVar("MsgT")
 
 
 class ManagedEntity:
@@ -102,3 +106,34 @@ class SimpleManagedEntity(ManagedEntity):
             return work_if_active
 
         return decorate if wrapped is None else decorate(wrapped)
+
+
+class LifecyclePublisher(SimpleManagedEntity, Publisher[MsgT]):
+    """Publishes only while its node is active.
+
+    `LifecycleNode.create_lifecycle_publisher` creates such publishers.
+    """
+
+    def __init__(self, *args: Any, **kwargs: Any) -> None:
+        SimpleManagedEntity.__init__(self)
+        Publisher.__init__(self, *args, **kwargs)
+        self._has_warned = False
+
+    def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
+        """Publish from now on."""
+        self._has_warned = False
+        return SimpleManagedEntity.on_activate(self, state)
+
+    def publish(self, msg: MsgT | bytes) -> None:
+        """Send a message. While the node is not active, drop each message, and log one warning.
+
+        This method raises the errors of `zbot.Publisher.publish`.
+        """
+        if self.is_activated:
+            Publisher.publish(self, msg)
+        elif not self._has_warned:
+            self._has_warned = True
+            get_logger(self.logger_name).warning(
+                f"a message on {self.topic_name} was dropped: the node is not active "
+                "(no more warnings come until the node is active)"
+            )

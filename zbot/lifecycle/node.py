@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING, Any, TypeVar, cast
 from zbot.errors import ArgumentTypeError, ExternalShutdownException
 from zbot.executor.set_by_init import set_by_init
 from zbot.lifecycle.errors import CallbackReturnError, NotAManagedEntityError, NotANodeError
-from zbot.lifecycle.managed_entity import ManagedEntity, SimpleManagedEntity
-from zbot.lifecycle.publisher import LifecyclePublisher
+from zbot.lifecycle.managed_entity import LifecyclePublisher, ManagedEntity, SimpleManagedEntity
 from zbot.lifecycle.services import LifecycleServices
 from zbot.lifecycle.state_machine import (
     ACTIVATING,
@@ -91,6 +90,7 @@ class LifecycleNodeMixin(ManagedEntity):
             raise ArgumentTypeError(name, "a bool", enable_communication_interface)
         node = self._zbot_node()
         self._zbot_lifecycle = data = _LifecycleData()
+        node.handle.parameters.may_grow = True  # `on_configure` may declare parameters
         if enable_communication_interface:
             data.services = LifecycleServices(
                 node, data.machine, self._zbot_change_state, callback_group

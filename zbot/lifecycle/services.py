@@ -95,7 +95,7 @@ class LifecycleServices:
     def _get_states(
         self, _: GetAvailableStates.Request, response: GetAvailableStates.Response
     ) -> GetAvailableStates.Response:
-        response.available_states = [_state(one) for one in STATES]
+        response.available_states = [_state(state) for state in STATES]
         return response
 
     def _get_transitions(
@@ -118,9 +118,9 @@ def _state(state: LifecycleState) -> State:
 def _descriptions(transitions: Iterable[Transition]) -> list[TransitionDescription]:
     return [
         TransitionDescription(
-            transition=TransitionMsg(id=one.transition_id, label=one.label),
-            start_state=_state(one.start),
-            goal_state=_state(one.goal),
+            transition=TransitionMsg(id=transition.transition_id, label=transition.label),
+            start_state=_state(transition.start),
+            goal_state=_state(transition.goal),
         )
-        for one in transitions
+        for transition in transitions
     ]

@@ -112,7 +112,7 @@ TRANSITIONS = (
 
 def transitions_from(state: LifecycleState) -> tuple[Transition, ...]:
     """Return the transitions that are possible in a state."""
-    return tuple(one for one in TRANSITIONS if one.start == state)
+    return tuple(transition for transition in TRANSITIONS if transition.start == state)
 
 
 class TransitionNotPossibleError(ZbotError, RuntimeError):
@@ -121,7 +121,8 @@ class TransitionNotPossibleError(ZbotError, RuntimeError):
     def __init__(self, wanted: str | int, state: LifecycleState) -> None:
         self.wanted, self.state = wanted, state
         possible = ", ".join(
-            f"{one.label} [{one.transition_id}]" for one in transitions_from(state)
+            f"{transition.label} [{transition.transition_id}]"
+            for transition in transitions_from(state)
         )
         super().__init__(
             f"no transition {wanted!r} from the state {state.label}: "
@@ -160,9 +161,9 @@ class StateMachine:
             TransitionNotPossibleError: The present state does not allow the transition.
         """
         state = self._state
-        for one in transitions_from(state):
-            if wanted in {one.label, one.transition_id}:
-                return one
+        for transition in transitions_from(state):
+            if wanted in {transition.label, transition.transition_id}:
+                return transition
         raise TransitionNotPossibleError(wanted, state)
 
     def trigger(self, wanted: str | int) -> Transition:

@@ -13,10 +13,10 @@ from zbot.log.call_site import TimeProvider as TimeProvider
 from zbot.log.log_file import get_logging_directory as get_logging_directory
 from zbot.log.logger import Logger as Logger
 from zbot.log.logger import get_logger as get_logger
+from zbot.log.record import LoggingSeverity as LoggingSeverity
 from zbot.log.record import Record as Record
+from zbot.log.record import get_logging_severity_from_string as get_logging_severity_from_string
 from zbot.log.registry import REGISTRY as _REGISTRY
-from zbot.log.severity import LoggingSeverity as LoggingSeverity
-from zbot.log.severity import get_logging_severity_from_string as get_logging_severity_from_string
 
 add_sink = _REGISTRY.add_sink
 sinks_disabled = _REGISTRY.sinks_disabled

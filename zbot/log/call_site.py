@@ -12,7 +12,7 @@ from zbot.log.errors import log_call_changed_error, log_option_error, not_a_cloc
 if TYPE_CHECKING:
     from types import FrameType
 
-    from zbot.log.severity import LoggingSeverity
+    from zbot.log.record import LoggingSeverity
     from zbot.time import Time
 
 # Re-entrant, because a signal handler may log too.

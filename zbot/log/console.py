@@ -6,8 +6,7 @@ import os
 import sys
 from typing import TYPE_CHECKING, Final, TextIO
 
-from zbot.log.record import formatter
-from zbot.log.severity import LoggingSeverity
+from zbot.log.record import LoggingSeverity, formatter
 from zbot.terminal.text import escape_control_characters, write_styled
 
 if TYPE_CHECKING:

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, cast
 
 from zbot.errors import ArgumentTypeError, InvalidNameError
 from zbot.log.call_site import CallSite
+from zbot.log.record import LoggingSeverity, to_severity
 from zbot.log.registry import REGISTRY
-from zbot.log.severity import LoggingSeverity, to_severity
 
 if TYPE_CHECKING:
     from types import FrameType

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import re
 from datetime import datetime
+from enum import IntEnum
 from operator import attrgetter
 from typing import TYPE_CHECKING, Final, NamedTuple
 
-from zbot.log.severity import LoggingSeverity
+from zbot.log.errors import InvalidSeverityError
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
@@ -16,10 +17,46 @@ if TYPE_CHECKING:
 
 DEFAULT_FORMAT: Final = "[{severity}] [{time}] [{name}]: {message}"
 
+
+class LoggingSeverity(IntEnum):
+    """Severity of a log line. The level of a logger is the lowest severity that it writes."""
+
+    UNSET = 0  #: a logger with this level has the level of its parent
+    DEBUG = 10
+    INFO = 20
+    WARN = 30
+    ERROR = 40
+    FATAL = 50
+
+
 _NAMES: Final[Mapping[int, str]] = {severity: severity.name for severity in LoggingSeverity}
 _TOKEN = re.compile(r"\{(\w+)\}")
 _ESCAPE = re.compile(r"\\(x1b|[abnrt])")
 _ESCAPED = {"a": "\a", "b": "\b", "n": "\n", "r": "\r", "t": "\t", "x1b": "\x1b"}
+
+
+def to_severity(value: int) -> LoggingSeverity:
+    """Return the severity whose number is `value`.
+
+    Raises:
+        InvalidSeverityError: No severity has that number.
+    """
+    try:
+        return LoggingSeverity(value)
+    except ValueError:
+        raise InvalidSeverityError(value) from None
+
+
+def get_logging_severity_from_string(log_severity: str) -> LoggingSeverity:
+    """Return the severity with a name such as `warn`, in upper or lower case.
+
+    Raises:
+        InvalidSeverityError: No severity has that name.
+    """
+    try:
+        return LoggingSeverity[log_severity.upper()]
+    except (KeyError, AttributeError):
+        raise InvalidSeverityError(log_severity) from None
 
 
 class Record(NamedTuple):

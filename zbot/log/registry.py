@@ -13,8 +13,7 @@ from typing import TYPE_CHECKING, Final, TypeAlias
 from zbot.errors import ExternalShutdownException
 from zbot.log.console import Console
 from zbot.log.log_file import LogFile
-from zbot.log.record import Record
-from zbot.log.severity import LoggingSeverity, to_severity
+from zbot.log.record import LoggingSeverity, Record, to_severity
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping

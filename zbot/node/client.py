@@ -16,18 +16,19 @@ import zenoh
 from zbot.errors import InvalidHandleError
 from zbot.handle import Handle
 from zbot.interfaces import type_name
+from zbot.interfaces.same_type import is_message_of
 from zbot.log import get_logger
+from zbot.names import ACTION_PART
 from zbot.node.blocking_call import wait_for_reply
 from zbot.node.errors import ServiceError, request_type_error
 from zbot.node.pending_calls import PendingCalls, ResponseFuture
 from zbot.node.service_introspection import ServiceEndpoint, Step
-from zbot.node.service_reply import response_sample
-from zbot.node.service_request import ServiceRequest
+from zbot.node.service_request import ServiceRequest, response_sample
 from zbot.process import signals
 from zbot.process.memory import LARGE_BYTES, keep_freed_memory
 from zbot.threads.deadline import Deadline
 from zbot.threads.foreign_call import without_interruption
-from zbot.threads.wakeup import BinarySemaphore, BusyWait
+from zbot.threads.wakeup import BinarySemaphore, BusyWait, activity
 from zbot.time import as_seconds
 from zbot.wire.attachment import GID_LENGTH, LAYOUT
 from zbot.wire.tokens import EntityKind
@@ -44,6 +45,8 @@ if TYPE_CHECKING:
 
 RequestT = TypeVar("RequestT")
 ResponseT = TypeVar("ResponseT")
+
+_QUIET_S = 5.0  # a log line tells of a wait that is longer
 
 
 class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
@@ -151,10 +154,15 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
         if self._context.is_tool and not self.service_is_ready() and (text := self._other_type()):
             get_logger(self._logger_name).warning(text)
         deadline = Deadline(as_seconds("timeout_sec", timeout_sec))
+        quiet = Deadline(None if self._context.is_tool else _QUIET_S)
         while not self.service_is_ready() and self._context.is_running:
             if deadline.is_over:
                 return False
-            self._arrival.wait(deadline.left_s)
+            if quiet.is_over:
+                quiet = Deadline(None)
+                name = self.service_name.partition(ACTION_PART)[0]
+                get_logger(self._logger_name).info(f"waiting for {name}: no server is running")
+            self._arrival.wait(min(deadline.left_s, quiet.left_s))
         return self.service_is_ready()
 
     def _listen(self) -> None:
@@ -253,7 +261,7 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
 
     def _prepare(self, request: RequestT) -> ServiceRequest:
         expected = self.srv_type.Request
-        if request.__class__ is not expected and not isinstance(request, expected):
+        if request.__class__ is not expected and not is_message_of(request, expected):
             raise request_type_error(self.service_name, type_name(expected), request)
         payload = self._encode(request)
         if len(payload) >= LARGE_BYTES:
@@ -297,6 +305,7 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
     ) -> None:
         """Send a request. Zenoh's thread calls `on_reply` for each reply, then `on_end` once."""
         handler: Any = zenoh.handlers.Callback(on_reply, drop=on_end, indirect=False)
+        activity.has_sent = True
         self._context.session.get(
             self._querier.key_expr,
             handler,

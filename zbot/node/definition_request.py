@@ -123,7 +123,7 @@ def _from_description(answer: Any, name: str) -> list[InterfaceSpec]:
         {
             "type_description": _individual(described.type_description),
             "referenced_type_descriptions": [
-                _individual(one) for one in described.referenced_type_descriptions
+                _individual(description) for description in described.referenced_type_descriptions
             ],
         }
     )

@@ -1,44 +1,64 @@
 """Warnings about typical mistakes: misspelt topics, two types on a topic, equal names of nodes.
 
-Without a warning, the programs seem to work, but no message arrives. One thread per context waits
-for changes of the graph.
+Without a warning, the programs seem to work, but no message arrives. A thread of the context
+compares the tokens when the graph has changed.
 """
 
 from __future__ import annotations
 
 import threading
-from collections import deque
+from collections import Counter, deque
+from functools import partial
 from typing import TYPE_CHECKING
 
 import zenoh
 
 from zbot.errors import NotInitializedError
-from zbot.errors.suggestion import nearest
+from zbot.errors.suggestion import did_you_mean, nearest, question
 from zbot.graph.snapshot import Snapshot
 from zbot.log import get_logger
-from zbot.names import ROSOUT_TOPIC, fully_qualified, is_hidden
+from zbot.names import ROSOUT_TOPIC, SEND_GOAL, fully_qualified, is_hidden
 from zbot.process import fork
+from zbot.process.call_source import calling_line
 from zbot.threads.deadline import Deadline
+from zbot.threads.on_demand_thread import OnDemandThread
+from zbot.threads.weak_set import WeakSet
 from zbot.transport import running_programs
 from zbot.wire.keys import SHARED_DOMAIN
 from zbot.wire.tokens import EndpointToken, EntityKind, NodeToken
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from zbot.context import Context
     from zbot.graph.snapshot import Token
+    from zbot.parameters.store import ParameterStore
 
-# A missing publisher is reported after this time, because its program may start a bit later.
+# A missing publisher or server is reported after this time, because its program may start later.
 _CHECK_DELAY_S = 3.0
+_HISTORY_S = 0.3  # the tokens of the present endpoints of a type come within 25 ms
 _STANDARD_TYPES = {
     ROSOUT_TOPIC: "rcl_interfaces/msg/Log",
     "/parameter_events": "rcl_interfaces/msg/ParameterEvent",
 }
+#: Parameters of every node.
+_STANDARD_PARAMETERS = {"start_type_description_service", "use_sim_time"}
+#: So many endpoints of one node with one name are made by mistake, e.g. in a callback.
+MOST_EQUAL = 30
+_KINDS = {
+    EntityKind.PUBLISHER: "publishers of",
+    EntityKind.SUBSCRIPTION: "subscriptions to",
+    EntityKind.CLIENT: "clients of",
+}
 _VERBS = {EntityKind.PUBLISHER: "publishes", EntityKind.SUBSCRIPTION: "subscribes to"}
 
-_PAIRS = (
-    {EntityKind.PUBLISHER, EntityKind.SUBSCRIPTION},
-    {EntityKind.SERVICE, EntityKind.CLIENT},
-)
+#: What an endpoint waits for, the words for it, and how many letters of its name may be wrong. A
+#: server may start long after its client: /local_costmap is no mistake for /global_costmap.
+_PARTNERS = {
+    EntityKind.SUBSCRIPTION: (EntityKind.PUBLISHER, "publishes", "publisher", 2),
+    EntityKind.CLIENT: (EntityKind.SERVICE, "offers", "server", 1),
+}
+_PAIRS = tuple({kind, partner} for kind, (partner, *_) in _PARTNERS.items())
 
 _of_contexts: dict[Context, Diagnostics] = {}
 _lock = threading.Lock()
@@ -74,73 +94,141 @@ class Diagnostics:
         self._context = context
         self._own: dict[str, tuple[Token, str]] = {}
         self._news: deque[Token] = deque()
-        self._checks: deque[tuple[Deadline, EndpointToken, str]] = deque()
+        # By delay, so that the first check of each queue is due first.
+        self._checks: dict[float, deque[tuple[Deadline, object, Callable[[], None]]]] = {}
+        self._planned: set[object] = set()  # what these checks are about
+        self._known = Snapshot(())  # the graph during the present checks
+        self._equal: Counter[tuple[object, ...]] = Counter()  # own endpoints by node, kind, name
+        self._silent: dict[str, tuple[EndpointToken, str]] = {}  # own endpoints without a partner
         self._warned: set[tuple[str, ...]] = set()
-        self._signal = threading.Condition()
+        self._stores: WeakSet[ParameterStore] = WeakSet()
+        self._lock = threading.Lock()
+        self._work = OnDemandThread(partial(context.start_thread, "zbot diagnostics"), self._turn)
         context.graph.add_listener(self._on_change)
-        context.add_waker(self._wake)
-        context.start_thread("zbot diagnostics", self._run)
+        context.add_waker(self._work.wake)
 
     def add(self, token: Token, logger_name: str) -> None:
         """Check a node or endpoint from now on. Warnings are logged under `logger_name`."""
         if _is_standard(token):
             return
-        self._context.graph.follow(token)
-        with self._signal:
+        with self._lock:
             self._own[token.key] = (token, logger_name)
+        if isinstance(token, EndpointToken):
+            self._count(token, logger_name)
+            if token.kind in _PARTNERS:
+                self._check_later(token.key, partial(self._check_silence, token, logger_name))
+        if token.kind is not EntityKind.CLIENT or self._context.dialect.needs_equal_types:
+            self._context.graph.follow(token)
             self._news.append(token)
-            if isinstance(token, EndpointToken) and token.kind is EntityKind.SUBSCRIPTION:
-                self._checks.append((Deadline(_CHECK_DELAY_S), token, logger_name))
-            self._signal.notify()
+        self._work.wake()
+
+    def add_parameters(self, parameters: ParameterStore, given: set[str], logger_name: str) -> None:
+        """Warn later if a node does not declare parameters that it is given.
+
+        Args:
+            parameters: The node's parameters.
+            given: The names on the command line. A file may have more, for other nodes.
+            logger_name: The name of the node's logger.
+        """
+        self._stores.add(parameters)
+        if parameters.overrides and not parameters.allow_undeclared:
+            check = partial(self._check_parameters, parameters, given, logger_name)
+            self._check_later(parameters, check)
+            self._work.wake()
+
+    def _count(self, token: EndpointToken, logger_name: str) -> None:
+        equality = _equality(token)
+        with self._lock:
+            self._equal[equality] += 1
+            count = self._equal[equality]
+        if count == MOST_EQUAL:
+            self.warn_of_many(logger_name, f"{_KINDS[token.kind]} {token.name}")
+
+    def warn_of_many(self, logger_name: str, what: str) -> None:
+        """Warn that a node has `MOST_EQUAL` equal entities, if a program has made the last one."""
+        line = calling_line()
+        if line:
+            text = f"{line}: this node now has {MOST_EQUAL} {what}: create one in __init__"
+            self._warn(logger_name, ("many", what), f"{text}, and keep it")
+
+    def warn_later(
+        self,
+        logger_name: str,
+        about: tuple[str, ...],
+        text_of: Callable[[], str],
+        delay_s: float | None = None,
+    ) -> None:
+        """Warn of a mistake of a node later, if there is one then.
+
+        Args:
+            logger_name: The name of the node's logger.
+            about: What the mistake is about. The logger gets one warning about it.
+            text_of: Returns the warning, or an empty text. The diagnostics' thread calls it.
+            delay_s: Seconds. The default is that of the other checks.
+        """
+
+        def check() -> None:
+            if text := text_of():
+                self._warn(logger_name, about, text)
+
+        self._check_later((logger_name, *about), check, delay_s)
+        self._work.wake()
 
     def remove(self, token: Token) -> None:
         """Stop checking a node or endpoint."""
-        with self._signal:
-            self._own.pop(token.key, None)
+        with self._lock:
+            if self._own.pop(token.key, None) and isinstance(token, EndpointToken):
+                equality = _equality(token)
+                self._equal[equality] -= 1
+                if not self._equal[equality]:
+                    del self._equal[equality]
+        self._silent.pop(token.key, None)
 
-    def _wake(self) -> None:
-        with self._signal:
-            self._signal.notify()
+    def _check_later(
+        self, about: object, check: Callable[[], None], delay_s: float | None = None
+    ) -> None:
+        """Make a check later. If a check about the same is planned, do nothing."""
+        if about not in self._planned:
+            self._planned.add(about)
+            delay_s = _CHECK_DELAY_S if delay_s is None else delay_s
+            self._checks.setdefault(delay_s, deque()).append((Deadline(delay_s), about, check))
 
     def _on_change(self, token: Token, appeared: bool) -> None:
-        # Zenoh's thread runs this. It must not log, because logging publishes on /rosout.
+        # The graph's thread runs this, so the comparison must not run here.
         if appeared:
-            with self._signal:
-                self._news.append(token)
-                self._signal.notify()
+            self._news.append(token)
+            self._work.wake()
 
-    def _run(self) -> None:
-        try:
-            self._watch_graph()
-        finally:
+    def _turn(self) -> float | None:
+        """Compare new tokens, and make the checks that are due."""
+        if not self._context.is_running:
             with _lock:
                 _of_contexts.pop(self._context, None)  # an entry would keep the context alive
+            return None
+        news = [self._news.popleft() for _ in range(len(self._news))]
+        try:
+            self._compare(news)
+            self._make_checks()
+        except (zenoh.ZError, NotInitializedError):
+            if self._context.is_running:
+                raise
+            return 0.0  # the session was closed meanwhile
+        first = [checks[0][0] for checks in list(self._checks.values()) if checks]
+        return min((deadline.left_s for deadline in first), default=None)
 
-    def _watch_graph(self) -> None:
-        while True:
-            with self._signal:
-                while self._context.is_running and not self._news and not self._is_check_due():
-                    self._signal.wait(self._checks[0][0].left_s if self._checks else None)
-                if not self._context.is_running:
-                    return
-                news, self._news = list(self._news), deque()
-                checks = []
-                while self._is_check_due():
-                    checks.append(self._checks.popleft())
-            try:
-                self._compare(news)
-                for _, token, logger_name in checks:
-                    self._check_silence(token, logger_name)
-            except (zenoh.ZError, NotInitializedError):
-                if self._context.is_running:
-                    raise
-                return  # the session was closed during a query
-
-    def _is_check_due(self) -> bool:
-        return bool(self._checks) and self._checks[0][0].is_over
+    def _make_checks(self) -> None:
+        due = [checks for checks in list(self._checks.values()) if checks and checks[0][0].is_over]
+        if due:
+            self._known = Snapshot(self._context.graph.known())
+        for checks in due:
+            while checks and checks[0][0].is_over:
+                _, about, check = checks.popleft()
+                self._planned.discard(about)
+                check()
+        self._known = Snapshot(())  # it would keep the tokens of the whole graph
 
     def _compare(self, news: list[Token]) -> None:
-        with self._signal:
+        with self._lock:
             own = list(self._own.values())
             has_own = any(token.key in self._own for token in news)
         self._check_stopped(
@@ -152,6 +240,7 @@ class Diagnostics:
         )
         others = self._context.graph.known() if has_own else ()
         for token in news:
+            self._check_silent_again(token)
             for mine, logger_name in own:
                 self._compare_pair(mine, token, logger_name)
             if token.key in self._own:
@@ -230,23 +319,74 @@ class Diagnostics:
             self._warn(logger_name, about, difference_text(self._context, mine, other))
 
     def _check_silence(self, token: EndpointToken, logger_name: str) -> None:
+        """If an endpoint has no partner, learn the names of all partners of its type."""
+        if not self._is_silent(token) or self._warn_of_unreachable(token, logger_name):
+            return
+        self._silent[token.key] = (token, logger_name)
+        self._context.graph.follow_type(token.domain, _PARTNERS[token.kind][0], token.type_name)
+        self._check_later(token.key, partial(self._check_name, token, logger_name), _HISTORY_S)
+
+    def _check_silent_again(self, other: Token) -> None:
+        """If an endpoint waits for a partner of this type, check later whether this one is it."""
+        for token, logger_name in list(self._silent.values()):
+            sought = (_PARTNERS[token.kind][0], token.type_name)
+            if isinstance(other, EndpointToken) and (other.kind, other.type_name) == sought:
+                self._check_later(token.key, partial(self._check_name, token, logger_name))
+
+    def _is_silent(self, token: EndpointToken) -> bool:
         # A node of a command has a hidden name, which contains `/_` or begins with `_`. It needs no
         # warning here, because the command itself reports a topic without a publisher.
-        if token.key not in self._own or is_hidden(token.name) or is_hidden(token.node):
+        name = token.name.removesuffix(_ending(token))
+        if token.key not in self._own or is_hidden(name) or is_hidden(token.node):
+            return False
+        return not self._known.on(token.name, _PARTNERS[token.kind][0])
+
+    def _check_name(self, token: EndpointToken, logger_name: str) -> None:
+        """Warn if an endpoint without a partner may have a misspelt name."""
+        if not self._is_silent(token):
+            self._silent.pop(token.key, None)
             return
-        if Snapshot(self._context.graph.known()).publishers(token.name):
-            return
-        if self._warn_of_unreachable(token, logger_name):
-            return
-        snapshot = self._context.graph.query()
-        guess = nearest(token.name, _published(snapshot, token.type_name))
+        kind, verb, partner, most_edits = _PARTNERS[token.kind]
+        ending = _ending(token)
+        known = self._known.of_kind(kind)
+        partners = [end.name for end in known if end.type_name == token.type_name]
+        names = {name.removesuffix(ending) for name in partners if name.endswith(ending)}
+        name = token.name.removesuffix(ending)
+        guess = nearest(name, sorted(names), most_edits)
         if guess is not None:
+            type_name = token.type_name.removesuffix("_SendGoal")
             self._warn(
                 logger_name,
-                ("typo", token.name, guess),
-                f"nobody publishes {token.name}, but {guess} ({token.type_name}) has a publisher: "
+                ("typo", name, guess),
+                f"nobody {verb} {name}, but {guess} ({type_name}) has a {partner}: "
                 "is one of the names misspelt?",
             )
+
+    def _check_parameters(
+        self, parameters: ParameterStore, given: set[str], logger_name: str
+    ) -> None:
+        if parameters.may_grow:
+            return
+        # A value without the name of a node may be meant for another node of the program.
+        known = {name for store in self._stores for name in list(store.values)}
+        own = sorted(name for name in list(parameters.values) if name not in _STANDARD_PARAMETERS)
+        listed = f"it declares {', '.join(own)}" if own else "it declares none"
+        for name in sorted(given - known):
+            advice = did_you_mean(name, own) or listed
+            self._warn_of_parameter(logger_name, name, "of the command line", advice)
+        # A file may be for several nodes, so most names that this node lacks are no mistakes.
+        free = [name for name in own if name not in parameters.overrides]
+        for name in sorted(parameters.overrides.keys() - given - known):
+            guess = nearest(name, free)
+            if guess is not None:
+                self._warn_of_parameter(logger_name, name, "that it was given", question([guess]))
+
+    def _warn_of_parameter(self, logger_name: str, name: str, origin: str, advice: str) -> None:
+        self._warn(
+            logger_name,
+            ("parameter", name),
+            f"this node does not declare the parameter {name} {origin}; {advice}",
+        )
 
     def _warn_of_unreachable(self, token: EndpointToken, logger_name: str) -> bool:
         """Warn if a publisher's messages can reach the router, but not this program.
@@ -254,6 +394,8 @@ class Diagnostics:
         Returns:
             Whether the topic has such a publisher.
         """
+        if token.kind is not EntityKind.SUBSCRIPTION:
+            return False
         unreachable = Snapshot(tuple(self._context.unreachable_tokens()))
         publishers = unreachable.publishers(token.name)
         for publisher in publishers[:1]:
@@ -280,6 +422,10 @@ def _is_standard(token: Token) -> bool:
     return token.type_name == _STANDARD_TYPES.get(token.name)
 
 
-def _published(snapshot: Snapshot, type_name: str) -> list[str]:
-    publishers = snapshot.of_kind(EntityKind.PUBLISHER)
-    return sorted({end.name for end in publishers if end.type_name == type_name})
+def _equality(token: EndpointToken) -> tuple[object, ...]:
+    return token.namespace, token.node, token.kind, token.name
+
+
+def _ending(token: EndpointToken) -> str:
+    """Return the part of a name that users do not write: an action has a service for its goals."""
+    return SEND_GOAL if token.name.endswith(SEND_GOAL) else ""

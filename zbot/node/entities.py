@@ -7,10 +7,9 @@ from typing import TYPE_CHECKING, Any, Literal, TypeVar, cast, overload
 
 from zbot.errors import ArgumentTypeError, InvalidHandleError
 from zbot.executor.callback_check import check_callback, unless_called
-from zbot.executor.forgotten_spin import note_callback
 from zbot.executor.guard_condition import GuardCondition
 from zbot.executor.timer import Rate, Timer, check_timer_callback
-from zbot.interfaces.type_support import check_is_valid_msg_type, check_is_valid_srv_type
+from zbot.interfaces.python_class import check_is_valid_msg_type, check_is_valid_srv_type
 from zbot.node.argument_check import (
     check_object,
     check_order,
@@ -21,6 +20,7 @@ from zbot.node.argument_check import (
     seconds,
 )
 from zbot.node.client import Client
+from zbot.node.diagnostics import MOST_EQUAL
 from zbot.node.errors import InvalidPeriodError
 from zbot.node.event_callbacks import PublisherEventCallbacks, SubscriptionEventCallbacks
 from zbot.node.private_aliases import PrivateAliases
@@ -37,7 +37,7 @@ if TYPE_CHECKING:
     from zbot.executor.callback_group import CallbackGroup
     from zbot.executor.clock import Clock
     from zbot.executor.waitable import Waitable
-    from zbot.node.content_filter_options import ContentFilterOptions
+    from zbot.node.message_decoder import ContentFilterOptions
     from zbot.node.state import NodeState
     from zbot.parameters.qos_overrides import QoSOverridingOptions
 
@@ -194,7 +194,7 @@ class NodeEntities(PrivateAliases):
         handle.subscriptions.append(subscription)
         handle.diagnostics.add(subscription.token, handle.logger_name)
         handle.add(subscription)
-        note_callback(handle.token.node, "create_subscription", callback)
+        handle.note_callback("create_subscription", callback)
         events.attach(subscription, handle.ready_queue, handle.context.graph)
         subscription.start()
         return subscription
@@ -244,7 +244,7 @@ class NodeEntities(PrivateAliases):
         )
         service.srv_name = srv_name
         handle.services.append(service)
-        note_callback(handle.token.node, "create_service", callback)
+        handle.note_callback("create_service", callback)
         handle.add(service)
         return service
 
@@ -284,9 +284,9 @@ class NodeEntities(PrivateAliases):
         )
         client.srv_name = srv_name
         handle.clients.append(client)
-        # The diagnostics do not check a tool's client, because they would subscribe to the tokens
-        # of the service. After that, Zenoh answers the tool's queries for all tokens incompletely.
-        if handle.context.dialect.needs_equal_types and not handle.context.is_tool:
+        # The diagnostics do not check a tool's client, because they may subscribe to the tokens of
+        # the service. After that, Zenoh answers the tool's queries for all tokens incompletely.
+        if not handle.context.is_tool:
             handle.diagnostics.add(client.token, handle.logger_name)
         handle.add(client)
         return client
@@ -319,7 +319,8 @@ class NodeEntities(PrivateAliases):
         period_s = seconds("a timer's period", timer_period_sec)
         check_timer_callback("create_timer", callback)
         if callback is not None:
-            note_callback(handle.token.node, "create_timer", callback)
+            handle.note_callback("create_timer", callback)
+            handle.note_period(period_s)
         return self._zbot_add_timer(period_s, callback, callback_group, clock, autostart)
 
     def _zbot_add_timer(
@@ -340,9 +341,12 @@ class NodeEntities(PrivateAliases):
             clock or handle.clock,
             handle.ready_queue,
             autostart=autostart,
+            logger_name=handle.logger_name,
         )
         handle.timers.append(timer)
         handle.add(timer)
+        if len(handle.timers) == MOST_EQUAL:
+            handle.diagnostics.warn_of_many(handle.logger_name, "timers")
         return timer
 
     def create_guard_condition(
@@ -411,6 +415,8 @@ class NodeEntities(PrivateAliases):
 
     def destroy_client(self, client: Client[Any, Any]) -> bool:
         """Destroy a client, and return whether the node had it."""
+        if client in self._zbot_state.clients:
+            self._zbot_state.diagnostics.remove(client.token)
         return self._zbot_remove(self._zbot_state.clients, client)
 
     def destroy_timer(self, timer: Timer) -> bool:

@@ -35,7 +35,13 @@ class InvalidPeriodError(ZbotError, ValueError, RuntimeError):
 
     def __init__(self, what: str, value: object) -> None:
         self.what, self.value = what, value
-        super().__init__(f"{what} must be a positive number of seconds or hertz, not {value!r}")
+        super().__init__(
+            f"{what} must be a positive number of seconds or hertz, not {value!r}{_value_of(value)}"
+        )
+
+
+def _value_of(value: object) -> str:
+    return ": write its .value" if type(value).__name__ == "Parameter" else ""
 
 
 class UnsupportedEventTypeError(ZbotError, RuntimeError):
@@ -44,7 +50,8 @@ class UnsupportedEventTypeError(ZbotError, RuntimeError):
 
 def request_type_error(service: str, expected: str, value: object) -> WrongTypeError:
     """Return the error that a service was called with something else than its request."""
-    return WrongTypeError(f"{service} takes a {expected}, not {shortened(value)}")
+    advice = "; write Request(), with parentheses" if isinstance(value, type) else ""
+    return WrongTypeError(f"{service} takes a {expected}, not {shortened(value)}{advice}")
 
 
 def response_type_error(service: str, expected: str, value: object) -> WrongTypeError:

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
+from zbot.errors import WrongStateError
 from zbot.log import get_logger
-from zbot.node.content_filter_options import ContentFilterOptions, NoContentFilterError
 from zbot.wire.errors import CodecError
 
 if TYPE_CHECKING:
@@ -14,6 +14,16 @@ if TYPE_CHECKING:
     from zbot.interfaces.content_filter import ContentFilter
     from zbot.node.refusals import Refusals
     from zbot.wire.dialect import Dialect
+
+
+class ContentFilterOptions(NamedTuple):
+    """Content filter of a subscription, for `create_subscription`.
+
+    `zbot.interfaces.content_filter` describes the expressions.
+    """
+
+    filter_expression: str  #: an empty expression selects every message
+    expression_parameters: list[str]  #: values of `%0`, `%1` ..., written as in an expression
 
 
 class MessageDecoder:
@@ -72,10 +82,10 @@ class MessageDecoder:
         """The expression of the filter.
 
         Raises:
-            NoContentFilterError: There is no filter.
+            WrongStateError: There is no filter.
         """
         if self.filter is None:
-            raise NoContentFilterError(self._topic)
+            raise WrongStateError(f"the subscription of {self._topic} has no content filter")
         return self._filter_options
 
     def accepts(self, payload: bytes, message: Any = None) -> bool:

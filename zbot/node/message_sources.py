@@ -6,6 +6,7 @@ import contextlib
 import time
 from typing import TYPE_CHECKING
 
+from zbot.errors import counted
 from zbot.log import get_logger, sinks_disabled
 from zbot.names import ROSOUT_TOPIC
 
@@ -130,6 +131,7 @@ class LostMessages:
         own_cause = self._token.name == ROSOUT_TOPIC
         with sinks_disabled() if own_cause else contextlib.nullcontext():
             get_logger(self._logger_name).warning(
-                f"{self._token.name}: {missing} messages lost: they come faster than the callback "
-                f"takes them (queue depth {self._token.qos.depth}; further losses are only counted)"
+                f"{self._token.name}: {counted(missing, 'message')} lost: they come faster than "
+                f"the callback takes them (queue depth {self._token.qos.depth}; further losses are "
+                "only counted)"
             )

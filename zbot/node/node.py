@@ -23,6 +23,7 @@ from zbot.node.state import NodeState
 from zbot.node.time_source import TimeSource
 from zbot.node.type_description import TypeDescriptionService
 from zbot.parameters.ros_args import Arguments
+from zbot.process import main_part
 from zbot.qos import (
     QoSProfile,
     as_profile,
@@ -45,6 +46,7 @@ for _base in (GraphQueries, NodeEntities, NodeParameters):
     for _member in vars(_base).values():
         if isinstance(_member, FunctionType):
             _member.__qualname__ = f"Node.{_member.__name__}"
+main_part.warn_at_exit()
 
 
 class Node(GraphQueries, NodeEntities, NodeParameters):
@@ -103,6 +105,7 @@ class Node(GraphQueries, NodeEntities, NodeParameters):
         space = arguments.namespace_for(node_name) or namespace or "/"
         space = space if space.startswith("/") else f"/{space}"
         validate_namespace(space)
+        main_part.Program.needs_no_warning = True
         context.require_valid(f"the node {name!r}")
         overrides = overrides_of(arguments.parameters_for(fully_qualified(space, name)))
         self._zbot_state = handle = NodeState(context, arguments, name, space)
@@ -119,6 +122,10 @@ class Node(GraphQueries, NodeEntities, NodeParameters):
         if automatically_declare_parameters_from_overrides:
             self._zbot_declare_overrides()
         self._zbot_declare_own()
+        handle.diagnostics.add_parameters(
+            handle.parameters, arguments.names_for(name), handle.logger_name
+        )
+        handle.check_remaps()
         self._zbot_time.attach_node(self)
         if start_parameter_services:
             self._zbot_parameter_services = ParameterServices(handle, self._zbot_resolve)
@@ -212,6 +219,7 @@ class Node(GraphQueries, NodeEntities, NodeParameters):
             handle.executor.remove_node(self)
         if self._zbot_rosout is not None:
             self._zbot_rosout.close()
+        self._zbot_time.detach_node()
         handle.destroy()
         handle.context.remove_node(self, handle.full_name)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
-from zbot.interfaces.lazy_service import LazyService
+from zbot.interfaces.registry import LazyService
 from zbot.node.service import Service
 from zbot.node.service_types import PARAMETER_SERVICES
 from zbot.parameters.errors import ParameterException

@@ -326,10 +326,14 @@ class _OnSetCallback:
         result: Any = self._callback(parameters)
         if not isinstance(getattr(result, "successful", None), bool):
             name = getattr(self._callback, "__qualname__", repr(self._callback))
-            warnings.warn(
+            code = getattr(self._callback, "__code__", None)
+            warnings.warn_explicit(  # at the callback's line, because no caller can mend it
                 "Callback returned an invalid type, it should return SetParameterResult: "
-                f"{name} returned {result!r}",
-                stacklevel=2,
+                f"{name} returned {result!r}; end it with "
+                "`return SetParametersResult(successful=True)`",
+                UserWarning,
+                getattr(code, "co_filename", name),
+                getattr(code, "co_firstlineno", 0),
             )
             return f"Callback returned an invalid type: {name} returned {result!r}"
         return "" if result.successful else result.reason or "a callback of the node refuses it"

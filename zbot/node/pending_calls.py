@@ -11,6 +11,7 @@ from collections import deque
 from functools import partial
 from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast
 
+from zbot.executor.callback_check import check_callback
 from zbot.executor.callback_stack import current_executor, running_callbacks
 from zbot.executor.task import Future
 from zbot.node.errors import ServiceError
@@ -86,6 +87,7 @@ class ResponseFuture(Future[ResponseT]):
 
     def add_done_callback(self, callback: Callable[[Self], Any]) -> None:
         """Let the executor call `callback(self)` as soon as the future is over."""
+        check_callback("add_done_callback", callback, "(future)")
         with self._lock:
             self._callbacks.append(callback)
             if not self.is_over:

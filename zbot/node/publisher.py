@@ -17,6 +17,7 @@ from zbot.node.zenoh_declaration import can_block, declare_publisher
 from zbot.process import blocked_put, fork, signals
 from zbot.process.memory import LARGE_BYTES, keep_freed_memory
 from zbot.qos import DurabilityPolicy, ReliabilityPolicy
+from zbot.threads.wakeup import activity
 from zbot.wire.attachment import GID_LENGTH, LAYOUT
 from zbot.wire.errors import CodecError
 
@@ -94,6 +95,17 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
         """Whether `publish` can still send."""
         return self._publisher is not None and not self._context.is_closed
 
+    @property
+    def is_heard(self) -> bool:
+        """Whether anyone subscribes to the topic now, also a command such as `zbot topic echo`.
+
+        Commands do not announce their subscriptions, so `get_subscription_count` leaves them out.
+        A transient local publisher is always heard: late subscribers will get its messages.
+        """
+        if self._is_latched:
+            return self._publisher is not None
+        return self._publisher is not None and bool(self._publisher.matching_status.matching)
+
     def publish(self, msg: MsgT | bytes) -> None:
         """Send a message, or the bytes of a message in ROS 2's CDR or in zbot's encoding.
 
@@ -127,6 +139,7 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
 
     def _send_at_once(self, payload: Any) -> None:
         self.sent_count = number = self._next_number()
+        activity.has_sent = True
         self._put(payload, attachment=_pack(number, time_ns(), GID_LENGTH, self._gid))
 
     def _send_blocking(self, payload: Any) -> None:
@@ -161,11 +174,13 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
             return self._encode(msg)
         raise WrongTypeError(
             f"{self.topic_name} carries {self._token.type_name}, "
-            f"but publish() was given {type(msg).__name__}: {msg!r}{self._right_call(msg)}"
+            f"but publish() was given {_named(msg)}{self._right_call(msg)}"
         )
 
     def _right_call(self, msg: Any) -> str:
-        """Return what to write for the value of a message's only field, e.g. for `"hello"`."""
+        """Return what to write for a class, or for the value of a message's only field."""
+        if isinstance(msg, type):
+            return f": write {msg.__name__}(), with parentheses"
         fields: dict[str, str] = getattr(self.msg_type, "get_fields_and_field_types", dict)()
         if len(fields) != 1 or not isinstance(msg, (str, bool, int, float)):
             return ""
@@ -255,3 +270,9 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
 
 def _is_reliable(token: EndpointToken) -> bool:
     return token.qos.reliability is not ReliabilityPolicy.BEST_EFFORT
+
+
+def _named(msg: Any) -> str:
+    return (
+        f"the class {msg.__name__}" if isinstance(msg, type) else f"{type(msg).__name__}: {msg!r}"
+    )

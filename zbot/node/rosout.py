@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import contextlib
 import weakref
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
+from zbot.errors import InvalidHandleError, NotInitializedError
 from zbot.log import add_sink, remove_sink
 from zbot.names import ROSOUT_TOPIC
 
@@ -43,18 +45,21 @@ class Rosout:
     def publish(self, record: Record) -> None:
         """Publish a log line if the publisher is still open."""
         if self._publisher.is_open:
-            sec, nanosec = divmod(record.stamp_ns, 10**9)
-            self._send(
-                self._log(
-                    stamp=self._time(sec=sec, nanosec=nanosec),
-                    level=int(record.level),
-                    name=record.name,
-                    msg=record.message,
-                    file=record.file,
-                    function=record.function,
-                    line=record.line,
-                )
-            )
+            # Another thread may end the context or the node meanwhile.
+            with contextlib.suppress(NotInitializedError, InvalidHandleError):
+                self._send(self._message(record))
+
+    def _message(self, record: Record) -> Any:
+        sec, nanosec = divmod(record.stamp_ns, 10**9)
+        return self._log(
+            stamp=self._time(sec=sec, nanosec=nanosec),
+            level=int(record.level),
+            name=record.name,
+            msg=record.message,
+            file=record.file,
+            function=record.function,
+            line=record.line,
+        )
 
     def close(self) -> None:
         """Stop publishing, and leave the topic."""

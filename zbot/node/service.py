@@ -14,12 +14,14 @@ import zenoh
 from zbot.executor.forgotten_spin import Program
 from zbot.handle import Handle
 from zbot.interfaces import type_name
+from zbot.interfaces.same_type import is_message_of
 from zbot.log import get_logger
-from zbot.node.deduplication import RepeatedRequests
 from zbot.node.errors import response_type_error
 from zbot.node.service_introspection import ServiceEndpoint, Step
+from zbot.node.service_request import RepeatedRequests
 from zbot.process.memory import LARGE_BYTES, keep_freed_memory
 from zbot.threads.foreign_call import called_by_zenoh, keep_thread_state
+from zbot.threads.wakeup import activity
 from zbot.wire.attachment import GID_LENGTH, LAYOUT, unpack
 from zbot.wire.errors import CodecError
 
@@ -112,7 +114,7 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
         Raises:
             CodecError: The request cannot be decoded.
         """
-        Program.has_spun = True  # this program needs no executor
+        Program.takes_itself = True
         taken = self.take()
         if taken is None:
             return None
@@ -204,7 +206,7 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
 
     def _answer(self, request_id: bytes, query: zenoh.Query, response: Any) -> None:
         expected = self.srv_type.Response
-        if response.__class__ is not expected and not isinstance(response, expected):
+        if response.__class__ is not expected and not is_message_of(response, expected):
             raise response_type_error(self.service_name, type_name(expected), response)
         self._reply_payload(request_id, query, self._encode(response), response)
 
@@ -248,6 +250,7 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
             finally:
                 query.drop()  # ends the query, so that the caller does not wait for more replies
 
+        activity.has_sent = True
         reply(self._repeated.end(request_id, query, reply) if request_id else query)
 
     def destroy(self) -> None:

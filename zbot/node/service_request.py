@@ -1,10 +1,18 @@
-"""Request of a service call, with the time-outs of its attempts."""
+"""Requests of service calls: they are repeated after a timeout, and a server runs each once."""
 
 from __future__ import annotations
 
+import threading
+import time
+from collections import OrderedDict
 from typing import TYPE_CHECKING, Any
 
+from zbot.node.errors import ServiceError
+from zbot.wire.error_reply import unpack_error
+
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     import zenoh
 
 # Zenoh keeps 0.8 kB for each query until the query's timeout, even if the reply came long before.
@@ -12,6 +20,10 @@ if TYPE_CHECKING:
 _FIRST_TIMEOUT_S = 2.0
 _LONGEST_TIMEOUT_S = 60.0
 _TIMEOUT_REPLY = b"Timeout"  # Zenoh's own error reply after the timeout
+# After this time, a reply counts as late. Its query may end soon: the timeout is 2 s or more.
+_LATE_S = 1.0
+# A server keeps at most this many late replies. A further late reply removes the oldest.
+_MAX_ANSWERS = 32
 
 
 class ServiceRequest:
@@ -53,3 +65,65 @@ class ServiceRequest:
         self._has_timed_out = False
         self.timeout_s = min(2 * self.timeout_s, _LONGEST_TIMEOUT_S)
         return True
+
+
+def response_sample(reply: zenoh.Reply | None, service: str) -> zenoh.Sample:
+    """Return the sample with the response in a reply.
+
+    Args:
+        reply: The reply, or `None` if the server ended without a reply.
+        service: Full name of the service.
+
+    Raises:
+        ServiceError: The reply is an error, or there is none.
+    """
+    if reply is None:
+        raise ServiceError(service, "server_gone", "the server ended before it answered")
+    if reply.ok is None:
+        payload = b"" if reply.err is None else reply.err.payload.to_bytes()
+        raise ServiceError(service, *unpack_error(payload))
+    return reply.ok
+
+
+class RepeatedRequests:
+    """Stores a server's running requests and late replies. Any thread may call the methods."""
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._working: dict[bytes, tuple[zenoh.Query, float]] = {}
+        self._answered: OrderedDict[bytes, Callable[[zenoh.Query], None]] = OrderedDict()
+
+    def is_new(self, request: bytes, query: zenoh.Query, arrived_s: float) -> bool:
+        """Return whether a request is new. A repeated request gets the reply of the first request.
+
+        If the callback still runs, the reply is sent later.
+
+        Args:
+            request: The request's number and its client's gid. Every repetition has the same bytes.
+            query: The Zenoh query to reply to.
+            arrived_s: Time of arrival by the monotonic clock, in seconds.
+        """
+        with self._lock:
+            # Keep the reply: if this query is closed already, a later repetition needs the reply.
+            reply = self._answered.get(request)
+            if reply is None:
+                former = self._working.get(request)
+                self._working[request] = (query, arrived_s if former is None else former[1])
+                return former is None
+        reply(query)
+        return False
+
+    def end(
+        self, request: bytes, query: zenoh.Query, reply: Callable[[zenoh.Query], None]
+    ) -> zenoh.Query:
+        """End a request, and return its latest query, to which the reply must be sent.
+
+        A late reply is kept, because the client may repeat the request.
+        """
+        with self._lock:
+            latest, arrived_s = self._working.pop(request, (query, 0.0))
+            if time.monotonic() - arrived_s > _LATE_S:
+                self._answered[request] = reply
+                while len(self._answered) > _MAX_ANSWERS:
+                    self._answered.popitem(last=False)
+        return latest

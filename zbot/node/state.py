@@ -6,20 +6,26 @@ import threading
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import InvalidHandleError
+from zbot.errors.suggestion import nearest
 from zbot.executor.callback_group import CallbackGroup, MutuallyExclusiveCallbackGroup
 from zbot.executor.clock import ROSClock
+from zbot.executor.forgotten_spin import callback_place, note_callback, waiting_text
 from zbot.executor.ready_queue import ReadyQueue
 from zbot.executor.waitable import WaitableEntity
 from zbot.interfaces import type_hash, type_name
+from zbot.log import get_logger
 from zbot.names import (
     expand_topic_name,
     fully_qualified,
+    is_hidden,
     validate_full_topic_name,
     validate_topic_name,
 )
 from zbot.node.diagnostics import diagnostics_of
 from zbot.parameters.store import ParameterStore
 from zbot.process import fork
+from zbot.process.call_source import called_function
+from zbot.process.main_part import is_program
 from zbot.wire.tokens import EndpointToken, NodeToken
 
 if TYPE_CHECKING:
@@ -36,6 +42,9 @@ if TYPE_CHECKING:
     from zbot.parameters.store import Changes
     from zbot.qos import QoSProfile
     from zbot.wire.tokens import EntityKind
+
+_SPIN_DELAY_S = 10.0  # a program may load data before it spins
+_LONG_PERIOD_S = 100.0  # few timers have such a period, but many have as many milliseconds
 
 
 class NodeState:
@@ -68,6 +77,8 @@ class NodeState:
         self.parameters = ParameterStore(self._publish_changes)
         self.parameter_events: Publisher[Any] | None = None
         self.is_destroyed = False
+        self._used_names: set[str] = set()  # full names before remapping
+        self._first_callback = ""  # line and function of the program that created the first one
         self._lock = threading.RLock()  # re-entrant, because a signal handler may use it
         self._users = 0  # number of `with` blocks that use the node now
         token = NodeToken(
@@ -93,6 +104,48 @@ class NodeState:
         """The full name with dots, as log lines show it."""
         return self.full_name[1:].replace("/", ".")
 
+    def note_callback(self, call: str, callback: Any) -> None:
+        """Note a callback. If it is the program's first for the node, warn later without a spin."""
+        if self._first_callback:
+            return
+        place = callback_place(self.token.node, call, callback)
+        if place:
+            note_callback(place)
+        # An object such as a `BasicNavigator` creates entities itself, and spins when it has to.
+        if place and called_function() == call:
+            self._first_callback = place
+            waiting = self._waiting_text
+            self.diagnostics.warn_later(self.logger_name, ("spin",), waiting, _SPIN_DELAY_S)
+
+    def _waiting_text(self) -> str:
+        if self.is_destroyed or self.ready_queue.was_attached:
+            return ""
+        return waiting_text(self._first_callback, _SPIN_DELAY_S)
+
+    def check_remaps(self) -> None:
+        """Warn later of remappings that may have a misspelt name, if there are remappings."""
+        if self.arguments.remaps:
+            self.diagnostics.warn_later(self.logger_name, ("remap",), self._remap_text)
+
+    def _remap_text(self) -> str:
+        used = sorted(self._used_names)
+        for source in self.arguments.remapped_names(self.token.node, self.token.namespace):
+            guess = None if source in used else nearest(source, used)
+            if guess is not None:
+                return (
+                    f"the remapping of {source} has no effect, but this node uses {guess}: "
+                    "is one of the names misspelt?"
+                )
+        return ""
+
+    def note_period(self, period_s: float) -> None:
+        """Tell a user who may have given a timer's period in milliseconds."""
+        if period_s >= _LONG_PERIOD_S and is_program() and not is_hidden(self.token.node):
+            get_logger(self.logger_name).info(
+                f"create_timer({period_s:g}): the first call comes after {period_s:g} seconds; "
+                f"for {period_s:g} milliseconds, write {period_s / 1000:g}"
+            )
+
     def resolve(self, name: str, *, is_service: bool, only_expand: bool = False) -> str:
         """Return the full name of a topic or service, remapped if `only_expand` is false."""
         validate_topic_name(name, is_service=is_service)
@@ -100,6 +153,7 @@ class NodeState:
         validate_full_topic_name(full, is_service=is_service)
         if only_expand:
             return full
+        self._used_names.add(full)
         remap = self.arguments.remap_service if is_service else self.arguments.remap_topic
         return remap(full, self.token.node, self.token.namespace)
 

@@ -10,6 +10,8 @@ from enum import Enum
 from functools import partial
 from typing import TYPE_CHECKING, Any, Generic, Literal, TypeVar
 
+import zenoh
+
 from zbot.executor.forgotten_spin import Program
 from zbot.handle import Handle
 from zbot.interfaces import has_sequences
@@ -18,23 +20,21 @@ from zbot.node.message_decoder import MessageDecoder
 from zbot.node.message_info import MessageInfo, PublisherGid, takes_info
 from zbot.node.message_sources import LostMessages, MessageSources
 from zbot.node.refusals import Refusals
-from zbot.node.sample_queue import SampleQueue
-from zbot.node.zenoh_declaration import declare_subscriber
+from zbot.node.sample_queue import LatchedChannel, SampleQueue
+from zbot.node.zenoh_declaration import subscriber_declaration
 from zbot.process import blocked_put, fork
 from zbot.process.memory import LARGE_BYTES, keep_freed_memory
-from zbot.qos import HistoryPolicy
+from zbot.qos import DurabilityPolicy, HistoryPolicy
 from zbot.wire.attachment import LAYOUT
 from zbot.wire.errors import CodecError
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    import zenoh
-
     from zbot.context import Context
     from zbot.executor.callback_group import CallbackGroup
     from zbot.executor.ready_queue import ReadyQueue
-    from zbot.node.content_filter_options import ContentFilterOptions
+    from zbot.node.message_decoder import ContentFilterOptions
     from zbot.wire.tokens import EndpointToken
 
 MsgT = TypeVar("MsgT")
@@ -44,16 +44,14 @@ MsgT = TypeVar("MsgT")
 # short, because a single message of such a type can take megabytes of memory.
 _KEEP_ALL_QUEUE = 8192
 _KEEP_ALL_QUEUE_OF_SEQUENCES = 256
-
+# A batch of a keep-last queue should empty Zenoh's queue, but it must end.
+_LEAST_BATCH = 8192
 
 _unpack, _FACTS_LENGTH = LAYOUT.unpack, LAYOUT.size
 
 
-def _channel_size(msg_type: type[Any], *, keeps_all: bool) -> int:
-    """Return the size of a keep-all channel, and the largest number of samples to take at once."""
-    if keeps_all and has_sequences(msg_type):
-        return _KEEP_ALL_QUEUE_OF_SEQUENCES
-    return _KEEP_ALL_QUEUE
+def _keep_all_size(msg_type: type[Any]) -> int:
+    return _KEEP_ALL_QUEUE_OF_SEQUENCES if has_sequences(msg_type) else _KEEP_ALL_QUEUE
 
 
 class Subscription(TopicEndpoint, Generic[MsgT]):
@@ -84,8 +82,6 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
 
         MessageOnly = 0
         WithMessageInfo = 1
-
-    due_ns: int | None = None
 
     def __init__(
         self,
@@ -131,13 +127,28 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
     def _declare(self) -> None:
         qos = self._token.qos
         keeps_all = qos.history is HistoryPolicy.KEEP_ALL
-        size = _channel_size(self.msg_type, keeps_all=keeps_all)
-        self._subscriber: Any = declare_subscriber(self._context, self._token, size)
+        size = _keep_all_size(self.msg_type) if keeps_all else max(qos.depth, 1)
+        declare = subscriber_declaration(self._context, self._token, size)
+        self._latched: LatchedChannel | None = None
+        handler: Any
+        if qos.durability is DurabilityPolicy.TRANSIENT_LOCAL:
+            self._latched = LatchedChannel(size, blocks=keeps_all)
+            # A pair, because Zenoh never undeclares the inner subscribers of a mere callback.
+            handler = (
+                self._context.receiver(self._latched.receive, may_wait=True),
+                self._latched,
+            )
+        elif keeps_all:
+            handler = zenoh.handlers.FifoChannel(size)
+        else:
+            handler = zenoh.handlers.RingChannel(size)
+        self._subscriber: Any = declare(handler)
         self._samples = SampleQueue(
             self._subscriber.handler,
-            depth=None if keeps_all else max(qos.depth, 1),
-            batch=size,
+            depth=None if keeps_all else size,
+            batch=max(size, _LEAST_BATCH),
             post=partial(self.ready_queue.post, self),
+            declare=None if self._latched else declare,
         )
         #: Removes and returns the oldest sample that the profile's history keeps, if any.
         self.take: Callable[[], zenoh.Sample | None] = self._samples.take
@@ -146,8 +157,14 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
 
     def start(self) -> None:
         """Start to receive. The ready queue tells the executor about messages."""
-        samples = self._samples
-        self._context.start_thread(f"zbot {self.topic_name}", samples.listen, samples.end)
+        if self._latched is not None:
+            self._latched.post = partial(self.ready_queue.post, self)
+        self._samples.start()
+
+    @property
+    def due_ns(self) -> int | None:
+        """When to look for a message without a post (monotonic clock, nanoseconds)."""
+        return self._samples.due_ns
 
     @property
     def callback(self) -> Callable[..., Any]:
@@ -203,7 +220,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         """Return the current filter.
 
         Raises:
-            NoContentFilterError: The subscription has no filter.
+            WrongStateError: The subscription has no filter.
         """
         return self._decoder.filter_options
 
@@ -233,7 +250,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         Raises:
             CodecError: The message cannot be decoded.
         """
-        Program.has_spun = True  # this program needs no executor
+        Program.takes_itself = True
         while (sample := self.take()) is not None:
             payload = sample.payload.to_bytes()
             if not self._decoder.accepts(payload):
@@ -318,10 +335,14 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         for handler in self.event_handlers:
             handler.destroy()
         self._context.undeclare(self._announcement)
+        if self._latched is not None:
+            self._latched.end()
+            self._context.undeclare(self._subscriber)
         if self._context.is_inherited:
-            fork.keep(self._subscriber)
+            fork.keep(self._subscriber, self._samples)
+        else:
+            self._samples.end()
         self._subscriber = None  # so Zenoh undeclares it, as in `Publisher.destroy`
-        self._samples.end()
 
 
 class SubscriptionHandle(Handle[Subscription[Any]]):

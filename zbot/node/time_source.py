@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from zbot.executor.callback_group import CallbackGroup
+    from zbot.node.lockstep import LockstepAnswer
     from zbot.node.state import NodeState
     from zbot.node.subscription import Subscription
 
@@ -70,6 +71,7 @@ class TimeSource:
         # A separate group lets `/clock` advance the time while a callback waits for a later time.
         self._group = MutuallyExclusiveCallbackGroup()
         self._clock_sub: Subscription[Any] | None = None
+        self._answer: LockstepAnswer | None = None
         if node is not None:
             self.attach_node(node)
 
@@ -134,8 +136,12 @@ class TimeSource:
     def _subscribe(self) -> None:
         if not self._is_active or self._node is None or self._clock_sub is not None:
             return
+        from zbot.node.lockstep import LockstepAnswer  # noqa: PLC0415 - as above
+
         from rosgraph_msgs.msg import Clock  # noqa: PLC0415 - few nodes use simulated time
 
+        # A simulator that sees the subscription must be able to ask the node.
+        self._answer = LockstepAnswer(self._node.handle, self._node.handle.clock)
         profile = QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)
         self._clock_sub = self._node.create_subscription(
             Clock, CLOCK_TOPIC, self.clock_callback, profile, callback_group=self._group
@@ -145,3 +151,6 @@ class TimeSource:
         if self._node is not None and self._clock_sub is not None:
             self._node.destroy_subscription(self._clock_sub)
         self._clock_sub = None
+        if self._answer is not None:
+            self._answer.destroy()
+        self._answer = None

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.interfaces import MessageSpec, get_spec, type_description, type_hash
 from zbot.interfaces.errors import UnknownInterfaceError, UnknownPackageError
-from zbot.interfaces.lazy_service import LazyService
+from zbot.interfaces.registry import LazyService
 from zbot.node.parameters import START_TYPE_DESCRIPTION_SERVICE
 from zbot.node.service import Service
 from zbot.node.service_types import DESCRIPTION_SERVICE

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import zenoh
@@ -9,6 +10,8 @@ import zenoh
 from zbot.qos import DurabilityPolicy, HistoryPolicy, ReliabilityPolicy
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from zbot.context import Context
     from zbot.qos import QoSProfile
     from zbot.wire.tokens import EndpointToken
@@ -62,28 +65,28 @@ def declare_publisher(context: Context, token: EndpointToken) -> Any:
     )
 
 
-def declare_subscriber(context: Context, token: EndpointToken, keep_all_depth: int) -> Any:
-    """Return a Zenoh subscriber with the history and durability in a token.
+def subscriber_declaration(
+    context: Context, token: EndpointToken, depth: int
+) -> Callable[[Any], Any]:
+    """Return a function that declares a Zenoh subscriber, with the durability in a token.
 
     Args:
         context: The context whose session subscribes.
         token: The subscription's token.
-        keep_all_depth: How many samples the queue of a keep-all subscription holds.
+        depth: How many past samples a transient local subscription wants.
+
+    Returns:
+        A function that takes Zenoh's handler of the samples, and returns the subscriber.
     """
-    qos = token.qos
-    depth = max(qos.depth, 1)
-    channel: Any = zenoh.handlers.RingChannel(depth)
-    if qos.history is HistoryPolicy.KEEP_ALL:
-        channel, depth = zenoh.handlers.FifoChannel(keep_all_depth), keep_all_depth
     key = context.dialect.subscription_key(token)
-    if qos.durability is not DurabilityPolicy.TRANSIENT_LOCAL:
-        return context.session.declare_subscriber(key, channel)
+    if token.qos.durability is not DurabilityPolicy.TRANSIENT_LOCAL:
+        return partial(context.session.declare_subscriber, key)
     import zenoh.ext as advanced  # noqa: PLC0415 - only transient local topics need it
 
-    return advanced.declare_advanced_subscriber(
+    return partial(
+        advanced.declare_advanced_subscriber,
         context.session,
         key,
-        channel,
         history=advanced.HistoryConfig(detect_late_publishers=True, max_samples=depth),
         recovery=advanced.RecoveryConfig(periodic_queries=None, heartbeat=True),
     )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING, Any, Protocol
 
 from zbot.interfaces.field_path import FieldPath, FieldPathError
@@ -9,7 +10,7 @@ from zbot.observer.errors import ViewerError
 from zbot.observer.value_text import tree
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
+    from collections.abc import Iterable, Mapping, Sequence
 
     from zbot.observer.watch import Watch
 
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
 KEPT_MESSAGES = 20_000
 #: The largest number of curves for a topic, if the user gives no field.
 _MOST_FIELDS = 8
+Branch = dict[str, Any]
 
 
 class Watcher(Protocol):
@@ -77,7 +79,7 @@ def thinned(
         part = range(start, min(start + size, len(times)))
         low = min(part, key=values.__getitem__)
         high = max(part, key=values.__getitem__)
-        points += [(times[one], values[one]) for one in sorted({low, high})]
+        points += [(times[index], values[index]) for index in sorted({low, high})]
     return points
 
 
@@ -221,3 +223,36 @@ class Curves:
                 value = curve.value(message)
                 if value is not None:
                     found.setdefault(curve.name, []).extend((time_s, value))
+
+
+def curve_tree(fields: Mapping[str, Iterable[str]]) -> list[Branch]:
+    """Return the branches for `ui.tree`, with a branch for each topic.
+
+    The id of a leaf is the name of its curve, e.g. `/turtle1/pose.x`. A topic without known numbers
+    is a leaf too. Its id is the name of the topic, which means all numbers of its first message.
+
+    Args:
+        fields: The paths of each topic's numbers, e.g. `linear.x` and `covariance[0]`.
+    """
+    topics = []
+    for topic, paths in fields.items():
+        top: Branch = {"id": topic, "label": topic}
+        for path in paths:
+            _put(top, path, f"{topic}.{path}")
+        topics.append(top)
+    return topics
+
+
+def _put(branch: Branch, path: str, name: str) -> None:
+    parts = re.findall(r"[^.\[]+|\[\d+\]", path)
+    for part in parts[:-1]:
+        branch = _child(branch, part, f"{branch['id']}/{part}")
+    _child(branch, parts[-1], name)
+
+
+def _child(branch: Branch, label: str, key: str) -> Branch:
+    children: list[Branch] = branch.setdefault("children", [])
+    if children and children[-1]["label"] == label:  # the fields of a child follow each other
+        return children[-1]
+    children.append({"id": key, "label": label})
+    return children[-1]

@@ -44,8 +44,8 @@ class RateMeter:
     def rates(self, now_ns: int) -> tuple[float, float]:
         """Return arrivals and bytes a second. Both are 0 for fewer than two arrivals in 5 s."""
         with self._lock:
-            recent = [one for one in self._buckets if now_ns - one.last_ns <= _WINDOW_NS]
-        count = sum(one.count for one in recent)
+            recent = [bucket for bucket in self._buckets if now_ns - bucket.last_ns <= _WINDOW_NS]
+        count = sum(bucket.count for bucket in recent)
         if count < 2:
             return 0.0, 0.0
         span_ns = recent[-1].last_ns - recent[0].first_ns
@@ -55,4 +55,4 @@ class RateMeter:
         if span_ns <= 0:
             return 0.0, 0.0
         rate_hz = (count - 1) / span_ns * 1e9
-        return rate_hz, rate_hz * sum(one.size for one in recent) / count
+        return rate_hz, rate_hz * sum(bucket.size for bucket in recent) / count

@@ -18,10 +18,8 @@ from zbot.names import ROSOUT_TOPIC
 from zbot.node.node import Node
 from zbot.observer.errors import ViewerError
 from zbot.observer.log_ring import LogRing
-from zbot.observer.payload_subscription import QUEUE_DEPTH, subscribe_to_payloads
-from zbot.observer.repeated_publishing import RepeatedPublishing
-from zbot.observer.shared_entities import SharedEntities
-from zbot.observer.watch import Feed, Watch
+from zbot.observer.shared_entities import RepeatedPublishing, SharedEntities
+from zbot.observer.watch import QUEUE_DEPTH, Feed, Watch, subscribe_to_payloads
 from zbot.qos import qos_profile_rosout_default
 from zbot.remote.parameters import RemoteParameters
 from zbot.remote.profiles import profile_to_show
@@ -39,6 +37,7 @@ if TYPE_CHECKING:
     from zbot.node.publisher import Publisher
     from zbot.observer.shared_entities import EntityReference
     from zbot.parameters.parameter import Parameter
+    from zbot.tf2.diagnosis import TransformMonitor
 
 T = TypeVar("T")
 
@@ -67,7 +66,7 @@ class System:
 
     Raises:
         SessionError: Zenoh cannot open a session.
-        ConfigError: The Zenoh configuration file is unusable.
+        SettingError: The Zenoh configuration file is unusable.
         SettingError: The domain is out of range.
     """
 
@@ -187,7 +186,9 @@ class System:
     def watched_topics(self) -> list[str]:
         """The topics that have a subscription now, sorted."""
         with self._lock:
-            return sorted(one.topic for one in self._feeds.values() if one.subscription is not None)
+            return sorted(
+                feed.topic for feed in self._feeds.values() if feed.subscription is not None
+            )
 
     def _subscribe(self, feed: Feed) -> None:
         with self._lock:
@@ -317,6 +318,14 @@ class System:
             ("client", name, type_name),
             lambda: self.node.create_client(service_type, name),
             self.node.destroy_client,
+        )
+
+    def transforms(self) -> EntityReference[TransformMonitor]:
+        """Return a reference to the monitor of all transforms. See `TransformWatch`."""
+        from zbot.tf2.diagnosis import TransformMonitor  # noqa: PLC0415 - few pages need it
+
+        return self._shared_entities.get(
+            "transforms", lambda: TransformMonitor(self.node), TransformMonitor.unregister
         )
 
     def set_parameters(self, node: str, parameters: Sequence[Parameter[Any]]) -> list[Any]:

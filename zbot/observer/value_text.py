@@ -54,7 +54,9 @@ def _brief_fields(message: Any, longest: int) -> str:
     parts: list[str] = []
     length = 0
     # One line has no space for a header.
-    fields = [one for one in fields_of(message) if one.type.base != _HEADER] or fields_of(message)
+    fields = [field for field in fields_of(message) if field.type.base != _HEADER] or fields_of(
+        message
+    )
     for field in fields:
         parts.append(f"{field.name}: {_brief_value(getattr(message, field.name), longest)}")
         length += len(parts[-1]) + 2
@@ -73,7 +75,7 @@ def _brief_value(value: Any, longest: int) -> str:
     count = len(value)
     if isinstance(value, bytes) or count > 8:
         return f"[{count} elements]"
-    return f"[{', '.join(_brief_value(_plain(one), longest) for one in value)}]"
+    return f"[{', '.join(_brief_value(_plain(item), longest) for item in value)}]"
 
 
 def _plain(value: Any) -> Any:
@@ -115,10 +117,10 @@ def _list(path: str, name: str, kind: FieldType, values: Any, depth: int) -> Ite
     yield TreeRow(path, name, depth, kind.text, f"[{count}]" if count else "[]")
     if isinstance(values, bytes) and count > MOST_ELEMENTS:
         return  # bytes, for example of an image
-    one = type(kind)(kind.base, "scalar", 0, kind.string_bound)
+    element = type(kind)(kind.base, "scalar", 0, kind.string_bound)
     for index in range(min(count, MOST_ELEMENTS)):
         inner = f"[{index}]"
-        yield from _field(f"{path}{inner}", inner, one, _plain(values[index]), depth + 1)
+        yield from _field(f"{path}{inner}", inner, element, _plain(values[index]), depth + 1)
     if count > MOST_ELEMENTS:
         more = f"and {count - MOST_ELEMENTS} more"
         yield TreeRow(f"{path}[…]", "…", depth + 1, "", more)
@@ -134,6 +136,13 @@ def _scalar(value: Any) -> str:
 
 def _is_number(value: Any) -> bool:
     return isinstance(value, (int, float))
+
+
+def duration(seconds: float) -> str:
+    """Return a duration in full seconds, minutes or hours, e.g. `12 s`."""
+    if seconds < 100:
+        return f"{max(0.0, seconds):.0f} s"
+    return f"{seconds / 60:.0f} min" if seconds < 6000 else f"{seconds / 3600:.0f} h"
 
 
 def amount(value: float, unit: str) -> str:

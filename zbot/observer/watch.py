@@ -11,6 +11,7 @@ from collections import deque
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from zbot.observer.rate_meter import RateMeter
+from zbot.threads.on_demand_thread import OnDemandThread
 from zbot.wire.errors import CodecError
 
 if TYPE_CHECKING:
@@ -19,11 +20,22 @@ if TYPE_CHECKING:
     from typing_extensions import Self
 
     from zbot.node.message_info import MessageInfo
+    from zbot.node.node import Node
+    from zbot.node.subscription import Subscription
+    from zbot.qos import QoSProfile
 
 #: A page is drawn at most 30 times a second. Between two drawings, the last decoded message is used
 #: again.
 _DECODE_PERIOD_NS = 10**9 // 30
+#: A page may wait this long for the decoding of a message. Other messages are decoded in a thread,
+#: because a page that waits stops all pages.
+_QUICK_S = 0.01
+#: Time for each byte of a list of empty messages. It counts until a message was decoded.
+_SLOWEST_S = 1e-6
+_FORGETTING = 0.9
 _MOST_HISTORY_BYTES = 32_000_000
+#: Messages that can wait while the executor is busy. Lost messages are counted.
+QUEUE_DEPTH = 100
 
 
 class Record(NamedTuple):
@@ -71,8 +83,10 @@ class Feed:
         self._watches: set[Watch] = set()
         self._lock = threading.Lock()
         self._decode_lock = threading.Lock()
-        self._decoded: tuple[int, Any] = (0, None)
+        self._decoded: tuple[Record | None, Any] = (None, None)
         self._decoded_ns = 0
+        self._seconds_for_byte = _SLOWEST_S
+        self._decoder = OnDemandThread(_start, self._decode_newest)
         self._history: deque[Record] = deque(maxlen=0)
         self._history_bytes = 0
 
@@ -91,10 +105,10 @@ class Feed:
         """Add, change or remove a watch. Subscribe or unsubscribe if necessary."""
         with self._lock:
             (self._watches.add if is_held else self._watches.discard)(watch)
-            keep = max((one.keep for one in self._watches), default=0)
+            keep = max((held.keep for held in self._watches), default=0)
             if keep != self._history.maxlen:
                 self._history = deque(self._history, maxlen=keep)
-                self._history_bytes = sum(len(one.payload) for one in self._history)
+                self._history_bytes = sum(len(message.payload) for message in self._history)
             wanted = self.is_wanted
         (self._subscribe if wanted else self._unsubscribe)(self)
 
@@ -131,18 +145,32 @@ class Feed:
         subscription, self.subscription = self.subscription, None
         return subscription
 
-    def latest(self) -> Any:
-        """Return the newest message, or None. Messages are decoded at most 30 times a second."""
+    def latest(self) -> tuple[Record | None, Any]:
+        """Return the newest decoded message with its record. See `Watch.latest_record`."""
         newest = self.newest
         if newest is None:
-            return None
+            return None, None
         with self._decode_lock:
             now_ns = time.monotonic_ns()
             is_due = now_ns - self._decoded_ns >= _DECODE_PERIOD_NS
-            if self._decoded[0] != newest.number and (is_due or self._decoded[1] is None):
-                self._decoded = (newest.number, self.read(newest))
+            if self._decoded[0] is not newest and (is_due or self._decoded[1] is None):
                 self._decoded_ns = now_ns
-            return self._decoded[1]
+                if len(newest.payload) * self._seconds_for_byte <= _QUICK_S:
+                    self._decode(newest)
+                else:
+                    self._decoder.wake()
+            return self._decoded
+
+    def _decode(self, record: Record) -> None:
+        began_s = time.thread_time()
+        self._decoded = (record, self.read(record))
+        measured_s = (time.thread_time() - began_s) / max(len(record.payload), 1)
+        self._seconds_for_byte = max(measured_s, self._seconds_for_byte * _FORGETTING)
+
+    def _decode_newest(self) -> None:
+        newest = self.newest
+        if newest is not None and self._decoded[0] is not newest:
+            self._decode(newest)
 
     def read(self, record: Record) -> Any:
         """Decode and return a kept message. If decoding fails, set `problem` and return None."""
@@ -197,7 +225,15 @@ class Watch:
 
     @property
     def latest(self) -> Any:
-        """The newest message, or None. Messages are decoded at most 30 times a second."""
+        """The newest message, or None. Messages are decoded at most 30 times a second.
+
+        Large messages are decoded in a thread, so they come some milliseconds later.
+        """
+        return self._feed.latest()[1]
+
+    @property
+    def latest_record(self) -> tuple[Record | None, Any]:
+        """The newest message as in `latest`, after its record."""
         return self._feed.latest()
 
     @property
@@ -258,3 +294,29 @@ class Watch:
 
     def __exit__(self, *_: object) -> None:
         self.release()
+
+
+def subscribe_to_payloads(
+    node: Node,
+    message_type: Any,
+    topic: str,
+    take: Callable[[bytes, MessageInfo], object],
+    profile: QoSProfile,
+) -> Subscription[Any]:
+    """Return a subscription whose callback receives undecoded payloads.
+
+    The subscription counts lost messages.
+
+    The decoder for the payloads is `context.dialect.codec_for(message_type).decode`.
+    """
+    subscription = node.create_subscription(message_type, topic, take, profile, raw="payload")
+    subscription.report_losses_to(_ignore)
+    return subscription
+
+
+def _start(run: Callable[[], None]) -> None:
+    threading.Thread(target=run, name="zbot watch", daemon=True).start()
+
+
+def _ignore(_missing: int) -> None:
+    """Do nothing. With this listener, the subscription does not log a warning of lost messages."""

@@ -74,9 +74,12 @@ def _find(name: str) -> Package:
     if not _NAME.match(name):
         raise PackageNameError(name)
     package = find_package(name)
-    if package is not None:
+    if package is not None and package.origin is not Origin.BUNDLED:
         return package
+    # zbot has the messages of some well-known packages that do not run here.
     prefix = absent_prefix(name)
+    if package is not None and prefix is None:
+        return package
     if prefix is None:
         raise PackageNotFoundError(name, searched_folders(), all_packages())
     return Package(name, prefix / "share" / name, Origin.INSTALLED, prefix)

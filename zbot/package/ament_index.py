@@ -137,6 +137,8 @@ def get_resources(resource_type: str) -> dict[str, str]:
     Raises:
         InvalidResourceTypeNameError: The type is empty or contains a slash.
     """
+    from zbot.package.symlink_install import prefix_folder  # noqa: PLC0415 - slow to import
+
     _check(resource_type)
     found = _Prefixes() if resource_type == _PACKAGES else {}
     for prefix in prefixes():
@@ -146,7 +148,7 @@ def get_resources(resource_type: str) -> dict[str, str]:
     for name, package in all_packages().items():
         if name not in found and _text(resource_type, package) is not None:
             with contextlib.suppress(SetupFileError):  # only this package cannot be used
-                found[name] = str(package_prefix(name))
+                found[name] = str(prefix_folder(package))
     return found
 
 

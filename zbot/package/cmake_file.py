@@ -176,11 +176,11 @@ class _Reader:
         parameters, body = functions[name]
         self._variables = {
             **variables,
-            **{one: [word] for one, word in zip(parameters, words, strict=False)},
+            **{parameter: [word] for parameter, word in zip(parameters, words, strict=False)},
             "ARGN": words[len(parameters) :],
         }
         # A function that calls itself would not end, because all branches are read.
-        self._functions = {key: one for key, one in functions.items() if key != name}
+        self._functions = {key: function for key, function in functions.items() if key != name}
         self._read(body)
         self._variables, self._functions = variables, functions
 
@@ -237,7 +237,7 @@ class _Reader:
             place, slash, name = relative.rpartition("/")
             relative = f"{place}{slash}**/{name}"
         found = self._search.matching(relative, recursive=recursive)
-        return [str(self._folder / one) for one in found]
+        return [str(self._folder / path) for path in found]
 
     def _read_add_executable(self, words: list[str], line: int) -> None:
         if "${" not in words[0]:

@@ -26,7 +26,11 @@ class NotRunnableError(ZbotError):
     Attributes:
         name: The program.
         sentence: What is left out, why, and what does the same in zbot.
+        needed: What a line of a launch file needs and does not get. It is empty if the line itself
+            names the program.
     """
+
+    needed = ""
 
     def __init__(self, name: str, kind: Unavailable) -> None:
         self.name = name
@@ -44,6 +48,7 @@ class AbsentFileError(NotRunnableError):
 
     def __init__(self, package: str, kind: Unavailable, file: str = "") -> None:
         self.file = file
+        self.needed = f"{file or 'a file'} of {package}"
         super().__init__(package, kind)
 
 
@@ -90,6 +95,15 @@ class SetupFileError(ZbotError):
         self.path, self.reason, self.line = path, reason, line
         where = f"line {line}: " if line else ""
         super().__init__(f"cannot read {path}: {where}{reason}")
+
+
+class NoGenuineRclpyError(ZbotError):
+    """The user wants a genuine rclpy, but this Python has none."""
+
+    def __init__(self) -> None:
+        super().__init__(
+            "this Python has no genuine rclpy: source ROS 2's setup script, or leave out --genuine"
+        )
 
 
 class WrapperError(ZbotError):

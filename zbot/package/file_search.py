@@ -54,7 +54,7 @@ class FileSearch:
         found = [begin]
         for part in [*([start] if start else []), *parts]:
             found = list(dict.fromkeys(self._step(found, part, recursive=recursive)))
-        return sorted(one for one in found if one)
+        return sorted(path for path in found if path)
 
     def below(self, folder: Path) -> list[Path]:
         """Return all files below a folder, sorted.
@@ -62,21 +62,21 @@ class FileSearch:
         Raises:
             SearchLimitError: The searches read too many folder entries.
         """
-        return sorted(Path(one) for one in self._below(str(folder), 0) if os.path.isfile(one))  # noqa: PTH113
+        return sorted(Path(path) for path in self._below(str(folder), 0) if os.path.isfile(path))  # noqa: PTH113
 
     def _step(self, found: list[str], part: str, *, recursive: bool) -> Iterator[str]:
-        for one in found:
+        for path in found:
             if part == "**" and recursive:
-                yield one
-                yield from self._below(one, 0)
+                yield path
+                yield from self._below(path, 0)
             elif len(part) > _MAX_PART:
                 return  # no file has such a name, and `fnmatch` would need very long
             elif _MAGIC.search(part):
-                names = fnmatch.filter(self._names(one), part)
-                yield from (os.path.join(one, name) for name in names if _is_shown(name, part))  # noqa: PTH118
-            elif os.path.lexists(os.path.join(self._folder, one, part)):  # noqa: PTH118
+                names = fnmatch.filter(self._names(path), part)
+                yield from (os.path.join(path, name) for name in names if _is_shown(name, part))  # noqa: PTH118
+            elif os.path.lexists(os.path.join(self._folder, path, part)):  # noqa: PTH118
                 self._count(1)
-                yield os.path.join(one, part)  # noqa: PTH118
+                yield os.path.join(path, part)  # noqa: PTH118
 
     def _below(self, base: str, depth: int) -> Iterator[str]:
         for name in self._names(base):

@@ -105,7 +105,7 @@ def _bundled() -> Iterator[Package]:
     for parent in (*_DEFINITIONS, COMPAT_PACKAGES):
         if parent.is_dir():
             folders = (entry for entry in parent.iterdir() if entry.name.isidentifier())
-            yield from (_bundled_package(one, share) for one in folders if one.is_dir())
+            yield from (_bundled_package(folder, share) for folder in folders if folder.is_dir())
     # These packages come last, because a package above may have the same name and contain messages.
     for name in BUNDLED_NODES:
         yield Package(name, share / "launch" / name, Origin.BUNDLED)

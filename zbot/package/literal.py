@@ -70,15 +70,15 @@ class Literals:
         size, waiting = 0, [value]
         while waiting:
             self._count_step()
-            one = waiting.pop()
-            if isinstance(one, (str, bytes)):
-                size += len(one)
-            elif isinstance(one, (list, tuple)):
-                size += len(one)
-                waiting += one
-            elif isinstance(one, dict):
-                size += len(one)
-                waiting += [*one, *one.values()]
+            item = waiting.pop()
+            if isinstance(item, (str, bytes)):
+                size += len(item)
+            elif isinstance(item, (list, tuple)):
+                size += len(item)
+                waiting += item
+            elif isinstance(item, dict):
+                size += len(item)
+                waiting += [*item, *item.values()]
             if size > _MAX_SIZE:
                 raise LiteralLimitError
         return size
@@ -133,7 +133,9 @@ class Literals:
         match statement:
             case ast.Assign(targets=targets, value=value):
                 found = self.value(value)
-                self._names.update({one.id: found for one in targets if isinstance(one, ast.Name)})
+                self._names.update(
+                    {target.id: found for target in targets if isinstance(target, ast.Name)}
+                )
             case ast.AugAssign(target=ast.Name(id=name), op=operator, value=value):
                 self._names[name] = self._combined(
                     operator, self._names.get(name), self.value(value)

@@ -83,6 +83,17 @@ def read_manifest(path: Path) -> Manifest:
     return Manifest(name, build_type, depends, tuple(_texts(root, "member_of_group")))
 
 
+def build_type_in(path: Path) -> str:
+    """Return the build type in a package.xml, which may lack other parts, or an empty string.
+
+    Raises:
+        ManifestError: The file is not valid XML.
+    """
+    root = read_tree(path)
+    _remove_what_does_not_apply(path, root)
+    return _text(root, "export/build_type")
+
+
 def read_tree(path: Path) -> Element:
     """Return the root element of a package.xml.
 
@@ -135,12 +146,12 @@ def _check(path: Path, source: bytes) -> None:
 def _remove_what_does_not_apply(path: Path, root: Element) -> None:
     """Remove the elements whose attribute `condition` is false."""
     for parent in (root, *root.findall("export")):
-        for one in list(parent):
+        for element in list(parent):
             try:
-                if not holds(one.get("condition", "1==1")):
-                    parent.remove(one)
+                if not holds(element.get("condition", "1==1")):
+                    parent.remove(element)
             except ConditionError as error:
-                raise ManifestError(path, _line(path, str(one.tag)), str(error)) from None
+                raise ManifestError(path, _line(path, str(element.tag)), str(error)) from None
 
 
 def _whole_text(root: Element, tag: str) -> str:
@@ -154,7 +165,7 @@ def _text(root: Element, tag: str) -> str:
 
 
 def _texts(root: Element, tag: str) -> list[str]:
-    return [text for one in root.findall(tag) if (text := (one.text or "").strip())]
+    return [text for element in root.findall(tag) if (text := (element.text or "").strip())]
 
 
 def _line(path: Path, tag: str) -> int:

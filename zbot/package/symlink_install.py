@@ -15,16 +15,19 @@ from pathlib import Path, PurePosixPath
 from typing import TYPE_CHECKING
 
 from zbot.errors import ZbotError
-from zbot.package.cmake_file import read_cmake
+from zbot.package.cmake_file import Installation, read_cmake
 from zbot.package.finder import Origin
 from zbot.package.setup_file import data_files
-from zbot.package.user_folders import cache_folder
+from zbot.package.user_folders import cache_folder, make_private
 from zbot.package.workspace import MANIFEST, SKIPPED
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from zbot.package.finder import Package
+
+_PYTHON_TYPE = "ament_python"
+_CMAKE_TYPES = {"ament_cmake", "cmake"}
 
 
 class SymlinkInstallError(ZbotError, OSError):
@@ -65,7 +68,7 @@ def prefix_folder(package: Package) -> Path:
     prefix = cache_folder() / "packages" / place
     files = {f"share/{package.name}/{target}": file for target, file in _shared(package).items()}
     if package.origin is Origin.WORKSPACE:
-        programs = read_cmake(package.folder).programs
+        programs = _cmake(package.folder).programs
         files.update({target: file for target, file in programs.items() if _is_below(target)})
     try:
         _bring_up_to_date(prefix, files)
@@ -97,15 +100,35 @@ def installed_files(package: Package) -> dict[str, Path]:
     """
     listed = [
         (f"{PurePosixPath(folder.replace(os.sep, '/'))}/{Path(file).name}", package.folder / file)
-        for folder, file in data_files(package.folder)
+        for folder, file in _data_files(package.folder)
     ]
-    listed += read_cmake(package.folder).files.items()
+    listed += _cmake(package.folder).files.items()
     start = f"share/{package.name}/"
     return {
         target.removeprefix(start): file
         for target, file in listed
         if target.startswith(start) and _is_below(target) and file.is_file()
     }
+
+
+def _data_files(folder: Path) -> Iterator[tuple[str, str]]:
+    return iter(()) if _decisive_build_type(folder) in _CMAKE_TYPES else data_files(folder)
+
+
+def _cmake(folder: Path) -> Installation:
+    return Installation() if _decisive_build_type(folder) == _PYTHON_TYPE else read_cmake(folder)
+
+
+def _decisive_build_type(folder: Path) -> str:
+    """Return a package's build type if it has both build files. colcon then uses one of them."""
+    if not all((folder / name).is_file() for name in ("setup.py", "CMakeLists.txt")):
+        return ""
+    from zbot.package.manifest import ManifestError, build_type_in  # noqa: PLC0415 - seldom used
+
+    try:
+        return build_type_in(folder / MANIFEST)
+    except ManifestError:
+        return ""
 
 
 def _is_below(target: str) -> bool:
@@ -141,7 +164,7 @@ def _relative(file: Path, package: Package) -> str:
 def files_below(root: Path) -> Iterator[Path]:
     """Yield the files below a folder. Skip other packages and the output of tools."""
     for folder, below, names in os.walk(root):
-        below[:] = [one for one in below if _is_part(Path(folder, one))]
+        below[:] = [name for name in below if _is_part(Path(folder, name))]
         yield from (Path(folder, name) for name in names)
 
 
@@ -172,7 +195,7 @@ def _link(path: Path, file: Path) -> None:
     if path.exists() and path.samefile(file):
         return
     path.unlink(missing_ok=True)
-    path.parent.mkdir(parents=True, exist_ok=True)
+    make_private(path.parent)
     try:
         path.symlink_to(file)
     except FileExistsError:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from importlib.util import find_spec
 from typing import TYPE_CHECKING, Final, NamedTuple
 
 if TYPE_CHECKING:
@@ -20,6 +21,9 @@ _VIEWER = Unavailable(
     "a 3D viewer in C++",
     "`zbot web` shows topics, images, plots and the graph, and `zbot foxglove` serves 3D viewers",
 )
+_RVIZ2 = Unavailable(
+    "a 3D viewer in C++", 'after `pip install "zbot[view]"`, zbot shows its displays in a browser'
+)
 _RQT = Unavailable("a window of Qt", "`zbot web` shows the same in a browser")
 _RQT_CONTROLLERS = Unavailable(
     "a window of Qt", "the spawner and the unspawner of controller_manager switch controllers"
@@ -28,8 +32,12 @@ _SIMULATOR = Unavailable(
     "a simulator in C++",
     "`zbot launch robot` simulates a robot in a room, and controller_manager has a mock hardware",
 )
+_GAZEBO = Unavailable(
+    "a simulator in C++", 'after `pip install "zbot[sim]"`, zbot\'s simulator answers in its place'
+)
 _NAVIGATION = Unavailable(
-    "a navigation program in C++", "`zbot run robot_navigation` drives the simulated robot to goals"
+    "a navigation program in C++",
+    "`zbot launch nav2_bringup bringup_launch.py` maps, localises and drives a robot to goals",
 )
 _LOCALIZATION = Unavailable(
     "a filter for poses in C++",
@@ -100,7 +108,7 @@ _PACKAGES: Final = (
     (
         _VIEWER,
         """
-        rviz rviz2 mapviz rviz_common rviz_default_plugins foxglove_studio plotjuggler
+        rviz mapviz rviz_common rviz_default_plugins foxglove_studio plotjuggler
         plotjuggler_ros rviz_imu_plugin rviz_satellite rviz_visual_tools rviz_2d_overlay_plugins
         nav2_rviz_plugins turtlebot4_viz clearpath_viz leo_viz
         """,
@@ -109,17 +117,15 @@ _PACKAGES: Final = (
         _RQT,
         """
         rqt_bag rqt_dep rqt_gui_cpp rqt_image_overlay rqt_joint_trajectory_controller rqt_moveit
-        rqt_multiplot rqt_py_console rqt_robot_monitor rqt_robot_steering rqt_runtime_monitor
-        rqt_shell rqt_srv rqt_tf_tree rqt_virtual_joy rqt_gauges rqt_play_motion_builder
+        rqt_multiplot rqt_py_console rqt_shell rqt_srv rqt_virtual_joy rqt_gauges
+        rqt_play_motion_builder
         """,
     ),
     (_RQT_CONTROLLERS, "rqt_controller_manager"),
     (
         _SIMULATOR,
         """
-        gazebo gazebo_ros gazebo_plugins gazebo_ros_pkgs gazebo_ros2_control gz_ros2_control gz_sim
-        ign_ros2_control ros_gz ros_gz_bridge ros_gz_image ros_gz_sim ros_ign ros_ign_bridge
-        ros_ign_gazebo ros_ign_image webots_ros2_driver webots_ros2_control stage_ros2
+        gazebo_ros_pkgs webots_ros2_driver webots_ros2_control stage_ros2
         flatland_server mvsim turtlebot3_fake_node turtlebot3_gazebo gazebo_dev
         gazebo_model_attachment_plugin gz_ros2_control_demos gz_ros2_control_tests
         ign_ros2_control_demos ros_gz_sim_demos ros_ign_gazebo_demos webots_ros2 webots_ros2_core
@@ -142,20 +148,18 @@ _PACKAGES: Final = (
     (
         _NAVIGATION,
         """
-        nav2_amcl nav2_behaviors nav2_bringup nav2_bt_navigator nav2_collision_monitor
-        nav2_controller nav2_costmap_2d nav2_docking nav2_planner nav2_recoveries nav2_route
-        nav2_smoother nav2_velocity_smoother nav2_waypoint_follower opennav_docking slam_toolbox
-        cartographer_ros slam_gmapping rtabmap_launch rtabmap_slam rtabmap_odom rtabmap_viz
-        rtabmap_util explore_lite frontier_exploration navigation2 nav2_behavior_tree nav2_core
-        nav2_util nav2_voxel_grid nav2_mppi_controller nav2_regulated_pure_pursuit_controller
-        nav2_rotation_shim_controller nav2_graceful_controller nav2_dwb_controller
-        nav2_navfn_planner nav2_smac_planner nav2_theta_star_planner nav2_constrained_smoother
-        nav2_system_tests opennav_docking_bt opennav_docking_core opennav_following opennav_coverage
-        cartographer cartographer_rviz rtabmap rtabmap_ros rtabmap_demos rtabmap_examples
-        rtabmap_sync rtabmap_conversions rtabmap_rviz_plugins rtabmap_costmap_plugins
-        turtlebot3_navigation2 turtlebot3_cartographer turtlebot4_navigation create3_lidar_slam
-        clearpath_nav2_demos stretch_nav2 beluga_amcl behaviortree_cpp mola mola_lidar_odometry
-        kiss_icp rmf_traffic_ros2 rmf_fleet_adapter lidarslam
+        nav2_costmap_2d nav2_docking nav2_route opennav_docking cartographer_ros
+        slam_gmapping rtabmap_launch rtabmap_slam rtabmap_odom rtabmap_viz rtabmap_util explore_lite
+        frontier_exploration navigation2 nav2_behavior_tree nav2_core nav2_util nav2_voxel_grid
+        nav2_mppi_controller nav2_regulated_pure_pursuit_controller nav2_rotation_shim_controller
+        nav2_graceful_controller nav2_dwb_controller nav2_navfn_planner nav2_smac_planner
+        nav2_theta_star_planner nav2_constrained_smoother nav2_system_tests opennav_docking_bt
+        opennav_docking_core opennav_following opennav_coverage cartographer cartographer_rviz
+        rtabmap rtabmap_ros rtabmap_demos rtabmap_examples rtabmap_sync rtabmap_conversions
+        rtabmap_rviz_plugins rtabmap_costmap_plugins turtlebot3_navigation2 turtlebot3_cartographer
+        turtlebot4_navigation create3_lidar_slam clearpath_nav2_demos stretch_nav2 beluga_amcl
+        behaviortree_cpp mola mola_lidar_odometry kiss_icp rmf_traffic_ros2 rmf_fleet_adapter
+        lidarslam
         """,
     ),
     (
@@ -195,7 +199,7 @@ _PACKAGES: Final = (
     (
         _CAMERA,
         """
-        usb_cam v4l2_camera realsense2_camera zed_wrapper depthai_ros_driver depthai_examples
+        realsense2_camera zed_wrapper depthai_ros_driver depthai_examples
         astra_camera orbbec_camera openni2_camera kinect_ros2 azure_kinect_ros_driver camera_ros
         gscam spinnaker_camera_driver pylon_ros2_camera_wrapper raspicam2_node libcamera_ros depthai
         depthai_bridge depthai_filters depthai_ros zed_components camera_aravis2 gscam2
@@ -233,7 +237,7 @@ _PACKAGES: Final = (
     (
         _IMAGES,
         """
-        image_proc stereo_image_proc depth_image_proc image_view image_rotate image_tools
+        stereo_image_proc depth_image_proc image_view image_rotate
         image_publisher apriltag_ros apriltag_detector aruco_ros aruco_opencv
         camera_calibration_parsers darknet_ros opencv_apps image_pipeline find_object_2d apriltag
         apriltag_draw apriltag_mit aruco tracetools_image_pipeline
@@ -340,6 +344,34 @@ _PACKAGES: Final = (
     ),
 )
 _BY_PACKAGE: Final = {name: kind for kind, names in _PACKAGES for name in names.split()}
+#: Packages, also the names of their programs, that zbot replaces if a module is installed.
+_WITHOUT_EXTRA: Final = {
+    "rviz2": ("viser", _RVIZ2),
+    **dict.fromkeys(
+        [
+            "gazebo",
+            "gazebo_ros",
+            "gazebo_plugins",
+            "gazebo_ros2_control",
+            "gz_ros2_control",
+            "gz_sim",
+            "ign_ros2_control",
+            "ros_gz",
+            "ros_gz_bridge",
+            "ros_gz_image",
+            "ros_gz_sim",
+            "ros_ign",
+            "ros_ign_bridge",
+            "ros_ign_gazebo",
+            "ros_ign_image",
+            "gzserver",
+            "gzclient",
+            "gz",
+            "ign",
+        ],
+        ("mujoco", _GAZEBO),
+    ),
+}
 
 _COMPILED = Unavailable("a C++ program", "zbot has no program in Python that does the same")
 _LACKING = Unavailable(
@@ -378,8 +410,8 @@ _BY_EXECUTABLE: Final = {
 
 #: Programs that launch files start by their names.
 _BY_PROGRAM: Final = {
-    **dict.fromkeys(("rviz2", "rviz", "mapviz", "plotjuggler"), _VIEWER),
-    **dict.fromkeys(("gazebo", "gzserver", "gzclient", "gz", "ign", "webots", "stage"), _SIMULATOR),
+    **dict.fromkeys(("rviz", "mapviz", "plotjuggler"), _VIEWER),
+    **dict.fromkeys(("webots", "stage"), _SIMULATOR),
     **dict.fromkeys(("MicroXRCEAgent", "micro_ros_agent"), _MICRO),
 }
 #: Programs that end when their work is done. If a launch leaves such a program out, actions that
@@ -389,12 +421,12 @@ _SHORT: Final = frozenset({"create", "spawn_entity.py", "spawn_entity", "remove"
 
 def unavailable_packages() -> Collection[str]:
     """Return the names of the well-known packages that do not run in zbot."""
-    return _BY_PACKAGE.keys()
+    return _BY_PACKAGE.keys() | _WITHOUT_EXTRA.keys()
 
 
 def unavailable_package(name: str) -> Unavailable | None:
     """Return what a package is if it is well known and does not run in zbot."""
-    return _BY_PACKAGE.get(name)
+    return _without_extra(name) or _BY_PACKAGE.get(name)
 
 
 def unavailable_executable(package: str, name: str) -> Unavailable | None:
@@ -404,7 +436,13 @@ def unavailable_executable(package: str, name: str) -> Unavailable | None:
 
 def unavailable_program(name: str) -> Unavailable | None:
     """Return what a program on the PATH is if it is well known and does not run in zbot."""
-    return _BY_PROGRAM.get(name)
+    return _without_extra(name) or _BY_PROGRAM.get(name)
+
+
+def _without_extra(name: str) -> Unavailable | None:
+    """Return what a package or a program is if zbot replaces it, but lacks a module for that."""
+    module, kind = _WITHOUT_EXTRA.get(name, ("", None))
+    return None if kind is None or find_spec(module) is not None else kind
 
 
 def ends_by_itself(executable: str) -> bool:

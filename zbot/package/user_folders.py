@@ -9,6 +9,20 @@ import sys
 from pathlib import Path
 
 
+def make_private(folder: Path) -> None:
+    """Make a folder, and its missing parents, which only this user can read and change.
+
+    Its mode does not depend on the umask. A folder that exists stays as it is.
+
+    Raises:
+        OSError: The folder cannot be made.
+    """
+    if not folder.is_dir():
+        make_private(folder.parent)
+        with contextlib.suppress(FileExistsError):  # another program was faster
+            folder.mkdir(mode=0o700)
+
+
 def home_folder() -> Path:
     """Return the user's home folder.
 
@@ -56,7 +70,7 @@ def cache_folder() -> Path:
 
 def _can_be_written(folder: Path) -> bool:
     above = (folder, *folder.parents)
-    present = next((one for one in above if os.path.exists(one)), folder)  # noqa: PTH110 - raises no PermissionError
+    present = next((place for place in above if os.path.exists(place)), folder)  # noqa: PTH110 - raises no PermissionError
     return os.access(present, os.W_OK)
 
 

@@ -6,6 +6,7 @@ very many subfolders, and the import of a message package waits until the search
 
 from __future__ import annotations
 
+import functools
 import itertools
 import os
 import re
@@ -13,7 +14,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, TypeAlias
 
 from zbot.package.errors import SetupFileError
-from zbot.package.pyproject import project_table
+from zbot.package.setup_file import project_table
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
@@ -25,6 +26,8 @@ FIRST_VARIABLE = "ZBOT_WORKSPACE_FIRST"
 #: Files that make a folder a package: the manifest of ROS 2, and the setup files of Python.
 MANIFEST = "package.xml"
 SETUP_FILES = frozenset({"setup.py", "setup.cfg", "pyproject.toml"})
+#: Entries of a package's folder. A folder with definitions needs no manifest.
+_PACKAGE_ENTRIES = {MANIFEST, *SETUP_FILES, "msg", "srv", "action"}
 _MAX_PARENTS = 12
 _MAX_DEPTH = 5
 _DEPTH_ELSEWHERE = 1  # for a current folder outside any workspace
@@ -99,11 +102,20 @@ def set_workspace_variable(start: Path) -> None:
     """
     if os.environ.get(VARIABLE):
         return
-    around = [*_workspaces_here(), *_workspaces_around(start.absolute())]
+    around = [*(_workspaces_here() or [_folder_here()]), *_workspaces_around(start.absolute())]
     found = (root for roots in around for root in roots)
-    folders = dict.fromkeys(str(root) for root, depth in found if _is_workspace(root, depth))
+    folders = dict.fromkeys(str(folder) for root in found for folder in _named_folders(*root))
     if folders:
         os.environ[VARIABLE] = os.pathsep.join(folders)
+
+
+def _named_folders(root: Path, depth: int) -> Iterator[Path]:
+    """Yield what ZBOT_WORKSPACE names for a root: the workspace, or else each package below it."""
+    if _is_workspace(root, depth):
+        yield root
+    elif depth:
+        found = (folder for folder, names, _ in walk(root, depth) if names & _PACKAGE_ENTRIES)
+        yield from (folder for folder in found if folder != root)
 
 
 def package_folders(
@@ -200,27 +212,46 @@ def walk(root: Path, depth: int) -> Iterator[tuple[Path, set[str], list[str]]]:
 def _workspaces_around(current: Path) -> list[Roots]:
     """Return the workspaces that contain a folder, the nearest first.
 
-    The packages of a workspace are in a folder `src`, which is not the `src` of a package. If there
-    is no such folder, the workspace is the nearest package with a folder `src`, or else the
-    nearest package.
+    The packages of a workspace are in a folder `src`, which is not the `src` of a package. Many
+    people keep checkouts of all kinds in a folder `src`, which is no workspace. If there is no
+    workspace, the result is the nearest package with a folder `src`, or else the nearest package
+    and the packages beside it in a repository.
     """
     near = [folder for folder in (current, *current.parents)[:_MAX_PARENTS] if _may_search(folder)]
     found: list[Roots] = []
     for folder in near:
         # The `src` of a package contains its modules and is not a workspace.
         if folder.name == "src" and not _is_package(folder.parent):
+            if folder != current and not _has_ros_packages(folder):
+                continue
             found.append(((folder, _MAX_DEPTH),))
         elif (folder / "src").is_dir() and folder / "src" not in near and not _is_package(folder):
             found.append(((folder / "src", _MAX_DEPTH), (folder, 0)))
     if found:
         return found
     for folder in near:
-        if (folder / "src").is_dir():
-            return [((folder / "src", _MAX_DEPTH), (folder, 0))]
+        if (folder / "src").is_dir() and _is_package(folder):
+            return [((folder / "src", _MAX_DEPTH), (folder, 0)), *_repository_around(folder)]
     for folder in near:
         if (folder / MANIFEST).is_file():
-            return [((folder, _MAX_DEPTH),)]
+            return [((folder, _MAX_DEPTH),), *_repository_around(folder)]
     return []
+
+
+def _repository_around(package: Path) -> list[Roots]:
+    """Return the folder around a package if it is the root of a repository with packages."""
+    root = package.parent
+    if (root / ".git").exists() and _may_search(root) and not _is_package(root):
+        return [((root, _DEPTH_ELSEWHERE),)]
+    return []
+
+
+@functools.lru_cache(maxsize=16)
+def _has_ros_packages(source: Path) -> bool:
+    """Return whether a folder `src` has packages of ROS 2, or was built."""
+    if (source.parent / "install").is_dir():
+        return True
+    return any(MANIFEST in names for _, names, _ in walk(source, _MAX_DEPTH))
 
 
 def _is_package(folder: Path) -> bool:

@@ -19,7 +19,8 @@ from typing import TYPE_CHECKING
 
 from zbot.package.bundled_nodes import BUNDLED_PROGRAMS
 from zbot.package.errors import WrapperError
-from zbot.package.user_folders import cache_folder
+from zbot.package.unavailable import unavailable_program
+from zbot.package.user_folders import cache_folder, make_private
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -53,14 +54,15 @@ def run_scripts_with_zbot(words: Sequence[str]) -> list[str]:
 def find_on_path(name: str, environment: Mapping[str, str]) -> str | None:
     """Return the path of a program or of its wrapper. Return None if neither exists.
 
-    A missing `ros2`, `zbot` or rqt program has a wrapper. The wrapper of an rqt program opens
-    zbot's web page. If this Python installation has xacro, a wrapper starts it even if another
-    `xacro` is on the PATH, because only the xacro of this installation finds zbot's packages.
+    A missing `ros2`, `zbot`, `rviz2` or rqt program has a wrapper. The wrapper of an rqt program
+    opens zbot's web page, and that of `rviz2` opens the 3D view. If this Python installation has
+    xacro, a wrapper starts it even if another `xacro` is on the PATH, because only the xacro of
+    this installation finds zbot's packages.
     """
     if name == "xacro" and importlib.util.find_spec("xacro") is not None:
         return str(executable_wrapper("xacro", "xacro"))
     found = shutil.which(name, path=environment.get("PATH"))
-    if found is None and name in BUNDLED_PROGRAMS:
+    if found is None and name in BUNDLED_PROGRAMS and unavailable_program(name) is None:
         return str(executable_wrapper(BUNDLED_PROGRAMS[name], name))
     if found is None and Path(name).name in {"ros2", "zbot"}:
         found = str(_wrapper(Path(name).name, zbot_command()))
@@ -95,7 +97,7 @@ def _wrapper(name: str, words: Sequence[str]) -> Path:
 
 
 def _write(path: Path, words: Sequence[str]) -> None:
-    path.parent.mkdir(parents=True, exist_ok=True)
+    make_private(path.parent)
     if os.name == "nt":
         line = " ".join(f'"{word}"' for word in words)
         path.write_text(f"@{line} %*\n", encoding="utf-8")

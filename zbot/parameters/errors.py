@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from zbot.errors import (
     InvalidParameterError,
@@ -17,11 +17,8 @@ from zbot.errors.suggestion import question, similar_names
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from zbot.parameters.parameter import Parameter
-
 __all__ = [
     "InvalidParameterException",
-    "InvalidParameterTypeException",
     "InvalidParameterValueException",
     "InvalidQosOverridesError",
     "ParameterAlreadyDeclaredException",
@@ -35,6 +32,7 @@ __all__ = [
 ]
 
 _DECIMAL_COMMA = re.compile(r"[-+]?[0-9]+,[0-9]+")
+_NUMBER = re.compile(r"[-+]?\d+(\.\d+)?")
 
 ParameterException = ParameterError
 InvalidParameterException = InvalidParameterError
@@ -48,6 +46,16 @@ def decimal_comma(value: object, expected_type: str) -> str:
     return ""
 
 
+def advice_for_override(value: object, expected_type: str) -> str:
+    """Return what to write in a file in place of a value of another type, e.g. without quotes."""
+    is_number = expected_type.lower() in {"double", "integer"}
+    if is_number and isinstance(value, str) and _NUMBER.fullmatch(value):
+        return f"; write {value}, without quotes"
+    if expected_type.lower() == "string" and isinstance(value, (bool, int, float)):
+        return "; put it into quotes, or write ParameterValue(..., value_type=str) in a launch file"
+    return decimal_comma(value, expected_type)
+
+
 class ParameterNotDeclaredException(ParameterError, LookupError):
     """A program used a parameter that the node has not declared.
 
@@ -55,10 +63,12 @@ class ParameterNotDeclaredException(ParameterError, LookupError):
         suggestions: Declared names that are similar.
     """
 
-    def __init__(self, parameters: str | list[str], known: Iterable[str] = ()) -> None:
+    def __init__(
+        self, parameters: str | list[str], known: Iterable[str] = (), advice: str = ""
+    ) -> None:
         super().__init__("Invalid access to undeclared parameter(s)", parameters)
         self.suggestions = similar_names(str(self.parameters[0]), known) if self.parameters else ()
-        self.args = (f"{self.args[0]}{question(self.suggestions, '; ')}",)
+        self.args = (f"{self.args[0]}{question(self.suggestions, '; ') or advice}",)
 
 
 class ParameterAlreadyDeclaredException(ParameterError, ValueError):
@@ -66,20 +76,6 @@ class ParameterAlreadyDeclaredException(ParameterError, ValueError):
 
     def __init__(self, parameters: str | list[str]) -> None:
         super().__init__("Parameter(s) already declared", parameters)
-
-
-class InvalidParameterTypeException(ParameterError, TypeError):
-    """A parameter's value has another type than the declaration. The value is often an override."""
-
-    def __init__(self, desired_parameter: Parameter[Any], expected_type: str) -> None:
-        self.desired_parameter, self.expected_type = desired_parameter, expected_type
-        super().__init__(
-            f"Trying to set parameter {desired_parameter.name!r} to "
-            f"'{desired_parameter.value}' of type '{desired_parameter.type_.name}', "
-            f"expecting type '{expected_type}'"
-            f"{decimal_comma(desired_parameter.value, expected_type)}",
-            desired_parameter.name,
-        )
 
 
 class InvalidParameterValueException(ParameterError, ValueError):
@@ -121,7 +117,10 @@ class ParameterListError(ZbotError, TypeError):
 
     def __init__(self, index: int, item: object, expected: str) -> None:
         self.index, self.item, self.expected = index, item, expected
-        super().__init__(f"element {index} of the list must be {expected}, not {item!r}")
+        text = f"element {index} of the list must be {expected}, not {item!r}"
+        if expected == "a Parameter" and isinstance(item, tuple) and len(item) == 2:
+            text += f"; write Parameter({item[0]!r}, value={item[1]!r})"
+        super().__init__(text)
 
 
 class UnknownCallbackError(ZbotError, ValueError, RuntimeError):

@@ -84,8 +84,8 @@ def sections(path: str) -> list[tuple[str, dict[str, Any]]]:
     """
     text = _text(path)
     try:
-        documents = [one for one in compose_untagged(text) if not _is_empty(one)]
-        return [found for one in documents for found in _sections(path, "", one)]
+        documents = [document for document in compose_untagged(text) if not _is_empty(document)]
+        return [found for document in documents for found in _sections(path, "", document)]
     except (YamlError, ParametersFileError) as error:
         from zbot.terminal.typographic import advice  # noqa: PLC0415 - only for mistakes
 
@@ -253,7 +253,7 @@ def _pairs(node: Any) -> Iterator[tuple[str, Any]]:
     for key, value in node.value:
         name = key.value if key.id == "scalar" else ""
         mappings = value.value if value.id == "sequence" else [value]
-        if name == "<<" and all(one.id == "mapping" for one in mappings):
+        if name == "<<" and all(mapping.id == "mapping" for mapping in mappings):
             merged += mappings
         else:
             own.append((name, value))
@@ -278,10 +278,10 @@ def _value(node: Any) -> Any:
 
 def _items(nodes: list[Any]) -> list[Any]:
     """Return the values of a list's items. `y` and `n` are strings beside other strings."""
-    values = [_value(one) for one in nodes]
+    values = [_value(node) for node in nodes]
     if not any(isinstance(value, str) for value in values):
         return values
-    is_letter = [isinstance(one.value, str) and one.value in LETTERS for one in nodes]
+    is_letter = [isinstance(node.value, str) and node.value in LETTERS for node in nodes]
     return [
         node.value if is_one else value
         for node, value, is_one in zip(nodes, values, is_letter, strict=True)

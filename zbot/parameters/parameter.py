@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import array
 import re
+import warnings
 from enum import IntEnum
 from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast, overload
 
-from zbot.errors import ArgumentTypeError, WrongStateError, ZbotError
-from zbot.parameters.errors import ParameterValueError
+from zbot.errors import ArgumentTypeError, ParameterError, WrongStateError, ZbotError
+from zbot.parameters.errors import ParameterValueError, advice_for_override
 from zbot.parameters.file import matches, parse_value, sections
 from zbot.yaml_reader import YamlError, read_yaml
 
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
 __all__ = [
     "PARAMETER_SEPARATOR_STRING",
     "AllowableParameterValue",
+    "InvalidParameterTypeException",
     "Parameter",
     "get_parameter_value",
     "parameter_dict_from_yaml_file",
@@ -46,7 +48,7 @@ class ParameterTypeError(ZbotError, TypeError):
         many = isinstance(value, (list, tuple, array.array))
         kind = "a list of one of the allowed types" if many else "one of the allowed types"
         items = [value, *value] if isinstance(value, (list, tuple)) else [value]
-        is_numpy = any(callable(getattr(one, "tolist", None)) for one in items)
+        is_numpy = any(callable(getattr(item, "tolist", None)) for item in items)
         advice = "; write .tolist() after a value of numpy" if is_numpy else ""
         super().__init__(
             f"The given value is not {kind} '{value}': a parameter is a bool, an int, a float, "
@@ -60,6 +62,20 @@ class ParameterMismatchError(ZbotError, ValueError):
     def __init__(self, name: str, type_: Parameter.Type, value: object) -> None:
         self.name, self.type_, self.value = name, type_, value
         super().__init__(f"parameter {name!r}: type {type_.name} and value {value!r} do not agree")
+
+
+class InvalidParameterTypeException(ParameterError, TypeError):  # noqa: N818 - rclpy's name
+    """A parameter's value has another type than the declaration. The value is often an override."""
+
+    def __init__(self, desired_parameter: Parameter[Any], expected_type: str) -> None:
+        self.desired_parameter, self.expected_type = desired_parameter, expected_type
+        super().__init__(
+            f"Trying to set parameter {desired_parameter.name!r} to "
+            f"'{desired_parameter.value}' of type '{desired_parameter.type_.name}', "
+            f"expecting type '{expected_type}'"
+            f"{advice_for_override(desired_parameter.value, expected_type)}",
+            desired_parameter.name,
+        )
 
 
 class UnknownParameterTypeError(ZbotError, RuntimeError):
@@ -122,7 +138,7 @@ class Parameter(Generic[ValueT_co]):
                     return cls(found)
             if isinstance(parameter_value, (list, tuple, array.array)):
                 for found in _ARRAYS:
-                    if all(_is_a(one, found) for one in parameter_value):
+                    if all(_is_a(item, found) for item in parameter_value):
                         return cls(found)
                 if all(map(_is_number, parameter_value)):
                     return cls.DOUBLE_ARRAY
@@ -135,7 +151,7 @@ class Parameter(Generic[ValueT_co]):
             if not self.is_array:
                 return _is_a(parameter_value, self)
             return isinstance(parameter_value, (list, tuple, array.array)) and all(
-                _is_a(one, self) for one in parameter_value
+                _is_a(item, self) for item in parameter_value
             )
 
         @property
@@ -206,6 +222,28 @@ class Parameter(Generic[ValueT_co]):
 
         return Message(name=self._name, value=self.get_parameter_value())
 
+    __hash__ = object.__hash__
+
+    def __eq__(self, other: object) -> bool:
+        """Return whether this is the same object. A comparison with a value is a mistake."""
+        if isinstance(other, (str, int, float)):
+            warnings.warn(
+                f"the parameter {self._name} is compared with {other!r}, and they always differ: "
+                f"compare its value, e.g. get_parameter({self._name!r}).value == {other!r}",
+                stacklevel=2,
+            )
+        return self is other
+
+    def __bool__(self) -> bool:
+        """Return `True`, as for each object. If the value is `False`, this is a mistake."""
+        if self._value is False:
+            warnings.warn(
+                f"a condition takes the parameter {self._name} as true, but its value is False: "
+                f"write get_parameter({self._name!r}).value",
+                stacklevel=2,
+            )
+        return True
+
     def __repr__(self) -> str:
         return f"Parameter({self._name!r}, {self._type_!s}, {self._value!r})"
 
@@ -244,8 +282,8 @@ def _widened(type_: Parameter.Type, value: Any) -> Any:
         if type_ is Parameter.Type.DOUBLE and type(value) is int:
             return float(value)
         if type_ is Parameter.Type.DOUBLE_ARRAY and isinstance(value, (list, tuple)):
-            is_mixed = any(type(one) is int for one in value) and all(map(_is_number, value))
-            return [float(one) for one in value] if is_mixed else value
+            is_mixed = any(type(item) is int for item in value) and all(map(_is_number, value))
+            return [float(item) for item in value] if is_mixed else value
     except OverflowError:
         return value  # too large for a float: a later check rejects the integer
     return value

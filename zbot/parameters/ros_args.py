@@ -19,7 +19,7 @@ from zbot.parameters import file as parameter_file
 from zbot.parameters.errors import ArgumentsError, ParameterValueError
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable, Iterator, Sequence
 
 __all__ = [
     "Arguments",
@@ -152,6 +152,13 @@ class Arguments(NamedTuple):
                 values[item.name] = item.value
         return values
 
+    def names_for(self, node_name: str) -> set[str]:
+        """Return the names that `-p` gives for the node `node_name`. Files are not read."""
+        values = [
+            parameter for parameter in self.parameters if isinstance(parameter, ParameterValue)
+        ]
+        return {value.name for value in values if value.node in {"", node_name}}
+
     def warnings_for(self, node: str) -> list[str]:
         """Return a warning for each parameter file that probably misspells the node's name.
 
@@ -167,6 +174,16 @@ class Arguments(NamedTuple):
             if nodes
         ]
 
+    def remapped_names(self, node: str, namespace: str) -> list[str]:
+        """Return the full names of topics and services that a node's remappings change."""
+        return [expand_topic_name(rule.source, node, namespace) for rule in self._of_names(node)]
+
+    def _of_names(self, node: str) -> Iterator[Remap]:
+        """Yield the rules for a node's topics and services. Others are for the node's own name."""
+        for rule in self.remaps:
+            if rule.node in {"", node} and rule.source not in {"__node", "__ns"}:
+                yield rule
+
     def _special(self, source: str, node: str) -> str | None:
         for rule in self.remaps:
             if rule.source == source and rule.node in {"", node}:
@@ -174,12 +191,11 @@ class Arguments(NamedTuple):
         return None
 
     def _remapped(self, kind: str, full_name: str, node: str, namespace: str) -> str:
-        for rule in self.remaps:
-            if rule.node in {"", node} and rule.kind in {"", kind}:
-                if rule.source in {"__node", "__ns"}:
-                    continue
-                if expand_topic_name(rule.source, node, namespace) == full_name:
-                    return expand_topic_name(rule.target, node, namespace)
+        for rule in self._of_names(node):
+            if rule.kind not in {"", kind}:
+                continue
+            if expand_topic_name(rule.source, node, namespace) == full_name:
+                return expand_topic_name(rule.target, node, namespace)
         return full_name
 
 
@@ -303,7 +319,8 @@ _SWITCHES: dict[str, dict[str, Any]] = {
 def configure_logging(arguments: Arguments) -> None:
     """Apply the log options of a command line."""
     levels = {
-        one.logger: get_logging_severity_from_string(one.level) for one in arguments.log_levels
+        level.logger: get_logging_severity_from_string(level.level)
+        for level in arguments.log_levels
     }
     configure(
         levels=levels,

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from zbot.names import validate_parameter_name
 from zbot.parameters.errors import (
-    InvalidParameterTypeException,
     InvalidParameterValueException,
     ParameterAlreadyDeclaredException,
     ParameterDeclarationError,
@@ -15,7 +14,11 @@ from zbot.parameters.errors import (
     ParameterNotDeclaredException,
     ParameterUninitializedException,
 )
-from zbot.parameters.parameter import PARAMETER_SEPARATOR_STRING, Parameter
+from zbot.parameters.parameter import (
+    PARAMETER_SEPARATOR_STRING,
+    InvalidParameterTypeException,
+    Parameter,
+)
 from zbot.parameters.validation import Descriptor, is_wrong_type, rejection_reason, widened
 
 if TYPE_CHECKING:
@@ -99,6 +102,7 @@ class ParameterStore:
         self.descriptors: dict[str, Descriptor] = {}
         self.overrides = dict(overrides or {})
         self.allow_undeclared = allow_undeclared
+        self.may_grow = False  #: whether the node may declare parameters long after its start
         self.pre_set: list[Callable[[Parameters], Parameters]] = []
         #: each callback returns the reason for a rejection, or an empty string
         self.on_set: list[Callable[[Parameters], str]] = []
@@ -115,7 +119,8 @@ class ParameterStore:
         """
         parameter = self.values.get(name)
         if parameter is None:
-            self._require_undeclared_allowed([name])
+            advice = f"; first write self.declare_parameter({name!r}, VALUE)"
+            self._require_undeclared_allowed([name], advice)
             return Parameter(name)
         is_set = parameter.type_ is not Parameter.Type.NOT_SET
         if not is_set and not self.descriptors[name].dynamic_typing:
@@ -150,7 +155,7 @@ class ParameterStore:
         """Return a group's parameters by name without prefix. An empty prefix returns all."""
         start = f"{prefix}{PARAMETER_SEPARATOR_STRING}" if prefix else ""
         found = list(self.values.items())
-        return {name[len(start) :]: one for name, one in found if name.startswith(start)}
+        return {name[len(start) :]: value for name, value in found if name.startswith(start)}
 
     def names(self, prefixes: Sequence[str], depth: int) -> list[str]:
         """Return the names below some prefixes, down to `depth` levels. 0 means all levels."""
@@ -160,10 +165,10 @@ class ParameterStore:
             if any(_is_below(name, prefix, depth) for prefix in prefixes or ("",))
         ]
 
-    def _require_undeclared_allowed(self, names: Iterable[str]) -> None:
+    def _require_undeclared_allowed(self, names: Iterable[str], advice: str = "") -> None:
         unknown = [name for name in names if name not in self.values]
         if unknown and not self.allow_undeclared:
-            raise ParameterNotDeclaredException(unknown, self.values)
+            raise ParameterNotDeclaredException(unknown, self.values, advice)
 
     def declare(
         self, declarations: Iterable[Declaration], *, ignore_override: bool = False
@@ -178,15 +183,15 @@ class ParameterStore:
             InvalidParameterValueException: The descriptor or a callback rejects the value.
         """
         wanted = list(declarations)
-        for one in wanted:
-            validate_parameter_name(one.name)
-        resolved = [one.resolved() for one in wanted]
-        known = [one.name for one in resolved if one.name in self.values]
+        for parameter in wanted:
+            validate_parameter_name(parameter.name)
+        resolved = [parameter.resolved() for parameter in wanted]
+        known = [parameter.name for parameter in resolved if parameter.name in self.values]
         if known:
             raise ParameterAlreadyDeclaredException(known)
-        for one in resolved:
-            self._declare(one, ignore_override=ignore_override)
-        return [self.values[one.name] for one in resolved]
+        for parameter in resolved:
+            self._declare(parameter, ignore_override=ignore_override)
+        return [self.values[parameter.name] for parameter in resolved]
 
     def _declare(self, wanted: Declaration, *, ignore_override: bool) -> None:
         name = wanted.name
@@ -229,12 +234,14 @@ class ParameterStore:
                 allowed.
         """
         if self.pre_set:
-            parameters = [one for callback in list(self.pre_set) for one in callback(parameters)]
+            parameters = [
+                parameter for callback in list(self.pre_set) for parameter in callback(parameters)
+            ]
             if not parameters:
                 return _EMPTY_LIST_REASON
-        self._require_undeclared_allowed(one.name for one in parameters)
-        last = {one.name: one for one in parameters}
-        parameters = [self._widened(one) for one in last.values()]
+        self._require_undeclared_allowed(parameter.name for parameter in parameters)
+        last = {parameter.name: parameter for parameter in parameters}
+        parameters = [self._widened(parameter) for parameter in last.values()]
         reason = next(
             filter(None, map(self._rejection_reason, parameters)), ""
         ) or self._callback_rejection(parameters)

@@ -27,7 +27,7 @@ def with_quotes(value: Any) -> Any:
     from zbot.interfaces import yaml_text  # noqa: PLC0415 - as above
 
     if isinstance(value, (list, tuple)):
-        return [with_quotes(one) for one in value]
+        return [with_quotes(item) for item in value]
     if not isinstance(value, str):
         return value
     try:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import linecache
+import re
 import sys
 from functools import lru_cache
 from pathlib import Path
@@ -14,6 +15,7 @@ if TYPE_CHECKING:
     from types import FrameType
 
 _PACKAGE = str(Path(__file__).parents[1])
+_TARGET = re.compile(r"\btarget\s*=\s*([\w.]+)\(([^()]*)\)")
 
 
 def argument_source(function: str, keyword: str, position: int | None) -> ast.expr | None:
@@ -56,6 +58,26 @@ def calling_line() -> str:
     if frame is None or str(frame.f_globals.get("__name__")).startswith("zbot_"):
         return ""
     return f"{frame.f_code.co_filename}:{frame.f_lineno}"
+
+
+def called_function() -> str:
+    """Return the name of zbot's function that the program has called, which calls this one."""
+    return _calling_frame()[1]
+
+
+def called_target() -> str:
+    """Return what the program should write for a thread that gets the result of its present call.
+
+    For `Thread(target=rclpy.spin(node))`, this is `target=rclpy.spin, args=(node,)`. The result is
+    empty if the program's line has no such call.
+    """
+    frame, function = _calling_frame()
+    if frame is None:
+        return ""
+    found = _TARGET.search(linecache.getline(frame.f_code.co_filename, frame.f_lineno))
+    if found is None or found[1].rpartition(".")[2] != function:
+        return ""
+    return f"target={found[1]}" + (f", args=({found[2]},)" if found[2] else "")
 
 
 def _calling_frame() -> tuple[FrameType | None, str]:

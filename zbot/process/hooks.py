@@ -6,7 +6,6 @@ A program that is started in another way, e.g. with `python`, keeps its own hook
 from __future__ import annotations
 
 import os
-import re
 import sys
 import threading
 from pathlib import Path
@@ -16,19 +15,10 @@ from typing import Any
 from zbot.errors import ExternalShutdownException, SetupError
 from zbot.interfaces.unknown_field import add_advice
 from zbot.process import at_exit, signals
+from zbot.process.attribute_advice import advise_of_attribute
+from zbot.process.call_advice import advise_of_call
 from zbot.terminal.typographic import advise_of_syntax
 
-_MISSING = re.compile(
-    r"\A(?:(?:LifecycleNode|Node)\w*\.|spin)\w*\(\) "
-    r"missing \d+ required positional arguments?: .*'(\w+)'\Z"
-)
-#: What to write for an argument that a program forgot.
-_ARGUMENTS = {
-    "node_name": "the node's name, e.g. super().__init__('my_node')",
-    "qos_profile": "the depth of the queue, e.g. 10",
-    "node": "the node, e.g. rclpy.spin(node)",
-    "callback": "the function to call, e.g. self.callback",
-}
 _PACKAGE = str(Path(__file__).parents[1]) + os.sep
 
 
@@ -55,28 +45,18 @@ def _excepthook_before(previous: Any) -> Any:
             print(value, file=sys.stderr)
         elif not issubclass(kind, (ExternalShutdownException, KeyboardInterrupt)):
             _remove_zbot_frames(value)
-            _advise(value)
+            advise(value)
             previous(kind, value, value.__traceback__ or trace)
 
     return excepthook
 
 
-def _advise(value: BaseException) -> None:
+def advise(value: BaseException) -> None:
     """Add to the text of a typical mistake what to write."""
-    _advise_of_argument(value)
+    advise_of_call(value)
+    advise_of_attribute(value)
     add_advice(value)
     advise_of_syntax(value)
-
-
-def _advise_of_argument(value: BaseException) -> None:
-    """Say what to write for an argument that is missing in a call of zbot.
-
-    Python's error names the argument, but not what it is.
-    """
-    missing = _MISSING.search(str(value)) if isinstance(value, TypeError) else None
-    advice = _ARGUMENTS.get(missing[1]) if missing else None
-    if advice is not None:
-        value.args = (f"{value}: write {advice}",)
 
 
 def _thread_hook_before(previous: Any) -> Any:
@@ -86,7 +66,7 @@ def _thread_hook_before(previous: Any) -> Any:
         if not issubclass(args.exc_type, (ExternalShutdownException, KeyboardInterrupt)):
             _remove_zbot_frames(args.exc_value)
             if args.exc_value is not None:
-                _advise(args.exc_value)
+                advise(args.exc_value)
             previous(args)
 
     return thread_hook

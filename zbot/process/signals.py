@@ -8,6 +8,7 @@ immediately.
 
 The handlers raise subclasses of these exceptions that also inherit from `SystemExit`. So Python
 prints no traceback if the program does not catch them, and the process needs no exception hook.
+From Python 3.14 on, a `KeyboardInterrupt` is not taken as a `SystemExit`, so Ctrl-C sets a hook.
 """
 
 from __future__ import annotations
@@ -26,11 +27,13 @@ from zbot.threads.foreign_call import is_deferring_signals
 from zbot.threads.weak_set import WeakSet
 
 if TYPE_CHECKING:
-    from types import FrameType
+    from collections.abc import Callable
+    from types import FrameType, TracebackType
 
 #: A signal that cannot raise its exception now is sent again after this time. A callback of Zenoh
 #: takes less time, and so does the start of a thread.
 RETRY_S = 0.005
+_NEEDS_HOOK = sys.version_info >= (3, 14)
 # A loop usually calls `ok()` at least once a second. The time is shorter than the 5 s after which
 # `launch` kills a program that SIGTERM does not end.
 _LOOK_TIMEOUT_S = 3.0
@@ -101,6 +104,26 @@ class SignalExit(SystemExit):
 
 class Interrupted(SignalExit, KeyboardInterrupt):
     """`KeyboardInterrupt` for which Python prints no traceback."""
+
+
+class _QuietHook:
+    """Exception hook that prints no traceback of `Interrupted`.
+
+    Args:
+        previous: The hook for all other exceptions.
+    """
+
+    def __init__(self, previous: Callable[..., object]) -> None:
+        self._previous = previous
+
+    def __call__(
+        self, kind: type[BaseException], value: BaseException, trace: TracebackType | None
+    ) -> None:
+        """Handle an exception that no code has caught."""
+        if isinstance(value, Interrupted):
+            _Process.ends_by = value.number
+        else:
+            self._previous(kind, value, trace)
 
 
 class ShutdownBySignal(SignalExit, ExternalShutdownException):
@@ -234,7 +257,11 @@ def _on_sigint(number: int, frame: FrameType | None) -> None:
         return
     # At a prompt, or in a notebook, Ctrl-C ends only the present statement.
     is_interactive = hasattr(sys, "ps1") or sys.flags.interactive
-    raise KeyboardInterrupt if is_interactive else Interrupted(number)
+    if is_interactive:
+        raise KeyboardInterrupt
+    if _NEEDS_HOOK and not isinstance(sys.excepthook, _QuietHook):
+        sys.excepthook = _QuietHook(sys.excepthook)
+    raise Interrupted(number)
 
 
 def _on_sigterm(number: int, frame: FrameType | None) -> None:

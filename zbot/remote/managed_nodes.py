@@ -37,24 +37,21 @@ class NodeSilentError(ZbotError):
         super().__init__(f"Exception while calling service of node '{node}': {reason}")
 
 
-class UnknownTransitionError(ZbotError):
-    """The transition is not possible in the node's present state."""
-
-    def __init__(self, wanted: str, possible: Sequence[TransitionDescription]) -> None:
-        self.wanted = wanted
-        labels = [one.transition.label for one in possible]
-        self.hint = did_you_mean(wanted, labels)
-        rows = [f"- {one.transition.label} [{one.transition.id}]" for one in possible]
-        super().__init__("\n".join(("Unknown transition requested, available ones are:", *rows)))
+class TransitionError(ZbotError):
+    """A managed node did not make a transition, or it cannot make it in its present state."""
 
 
-class TransitionFailedError(ZbotError):
-    """The transition's callback failed, or the state changed before the transition started."""
-
-    def __init__(self, node: str, state: State) -> None:
-        self.node, self.state = node, state
-        self.hint = f"{node} is {state.label} now; see its log for the reason"
-        super().__init__("Transitioning failed")
+def unknown_transition_error(
+    wanted: str, possible: Sequence[TransitionDescription]
+) -> TransitionError:
+    """Return the error that a transition is not possible in the node's present state."""
+    hint = did_you_mean(wanted, [description.transition.label for description in possible])
+    rows = [
+        f"- {description.transition.label} [{description.transition.id}]"
+        for description in possible
+    ]
+    text = "\n".join(("Unknown transition requested, available ones are:", *rows))
+    return TransitionError(text, hint=hint)
 
 
 def managed_nodes(graph: Snapshot, *, include_hidden: bool) -> list[str]:
@@ -132,18 +129,18 @@ class ManagedNodes:
         There is no time limit, because the transition's callback in the node may take long.
 
         Raises:
-            UnknownTransitionError: The transition is not possible now.
-            TransitionFailedError: The state did not change.
+            TransitionError: The transition is not possible now, or the state did not change.
             NodeSilentError: The node does not answer, or ended before it answered.
         """
         possible = self.transitions(name, show_all=False)
-        for one in possible:
-            if wanted in {one.transition.label, str(one.transition.id)}:
+        for description in possible:
+            if wanted in {description.transition.label, str(description.transition.id)}:
                 break
         else:
-            raise UnknownTransitionError(wanted, possible)
-        if not self.request(name, one.transition.id, one.transition.label):
-            raise TransitionFailedError(name, self.state(name))
+            raise unknown_transition_error(wanted, possible)
+        if not self.request(name, description.transition.id, description.transition.label):
+            hint = f"{name} is {self.state(name).label} now; see its log for the reason"
+            raise TransitionError("Transitioning failed", hint=hint)
 
     def request(self, name: str, number: int, label: str = "") -> bool:
         """Request a transition by its number. Return whether the node made it.

@@ -65,8 +65,8 @@ class ParameterEventCallbacks:
             if parameter is not None:
                 for handle in handles:
                     handle.callback(parameter)
-        for one in of_events:
-            one.callback(event)
+        for of_event in of_events:
+            of_event.callback(event)
 
     def add_parameter_callback(
         self, parameter_name: str, node_name: str, callback: Callable[[ParameterMsg], Any]
@@ -173,7 +173,7 @@ class ParameterEventHandler:
         if event.node != node_name:
             return None
         found = ParameterEventHandler.get_parameters_from_event(event)
-        return next((one for one in found if one.name == parameter_name), None)
+        return next((parameter for parameter in found if parameter.name == parameter_name), None)
 
     @staticmethod
     def get_parameters_from_event(event: ParameterEvent) -> Iterable[ParameterMsg]:

@@ -92,7 +92,9 @@ class RemoteParameters:
         """
         answer = self.ask(node, "GetParameters", names=list(names)).values
         if len(answer) == len(names):
-            return {name: _parameter(name, one) for name, one in zip(names, answer, strict=True)}
+            return {
+                name: _parameter(name, value) for name, value in zip(names, answer, strict=True)
+            }
         return {name: self.value(node, name) for name in self._require(node, names)}
 
     def known_values(self, node: str, names: Sequence[str]) -> dict[str, Parameter[Any]]:
@@ -115,7 +117,7 @@ class RemoteParameters:
             WrongValueError: The node's answer does not fit the request.
         """
         answer = list(self.ask(node, "DescribeParameters", names=list(names)).descriptors)
-        if [one.name for one in answer] != list(names):
+        if [descriptor.name for descriptor in answer] != list(names):
             self._require(node, names)
             reason = f"{len(answer)} descriptors for {len(names)} names"
             raise parameter_answer_error(node, reason)
@@ -124,7 +126,7 @@ class RemoteParameters:
     def types(self, node: str, names: Sequence[str]) -> dict[str, Parameter.Type]:
         """Return the declared types of parameters of a node."""
         answer = self.ask(node, "DescribeParameters", names=list(names)).descriptors
-        return {one.name: parameter_type(one.type) for one in answer}
+        return {descriptor.name: parameter_type(descriptor.type) for descriptor in answer}
 
     def set(self, node: str, parameters: Parameters, *, atomic: bool = False) -> list[Any]:
         """Set parameters of a node. A parameter without a value is deleted.
@@ -160,7 +162,7 @@ class RemoteParameters:
         known = set(self.names(node)) if lists else set()
         types = self.types(node, [name for name in lists if name in known]) if known else {}
         return [
-            Parameter(name, Parameter.Type.BYTE_ARRAY, [bytes([one]) for one in value])
+            Parameter(name, Parameter.Type.BYTE_ARRAY, [bytes([octet]) for octet in value])
             if types.get(name) is Parameter.Type.BYTE_ARRAY
             else infer_parameter(name, value)
             for name, value in values.items()
@@ -182,13 +184,18 @@ class RemoteParameters:
     def ask(self, node: str, service: str, **fields: Any) -> Any:
         """Call a parameter service of a node, e.g. `GetParameters`, and return the response."""
         srv_type = _service(service)
-        words = "".join(f"_{one.lower()}" if one.isupper() else one for one in service)
+        words = "".join(
+            f"_{character.lower()}" if character.isupper() else character for character in service
+        )
         return self._calls.call(f"{node}/{words.lstrip('_')}", srv_type, srv_type.Request(**fields))
 
 
 def parameter_messages(parameters: Parameters) -> list[ParameterMsg]:
     """Return parameters as messages."""
-    return [one.to_parameter_msg() if isinstance(one, Parameter) else one for one in parameters]
+    return [
+        parameter.to_parameter_msg() if isinstance(parameter, Parameter) else parameter
+        for parameter in parameters
+    ]
 
 
 def nodes_with_parameters(graph: Snapshot, *, include_hidden: bool) -> list[str]:
@@ -215,5 +222,5 @@ def _parameter(name: str, value: Any) -> Parameter[Any]:
 def _is_octets(value: Any) -> bool:
     """Return whether a value is a list of integers from 0 to 255. Such a list can be bytes."""
     return isinstance(value, list) and all(
-        isinstance(one, int) and not isinstance(one, bool) and 0 <= one < 256 for one in value
+        isinstance(item, int) and not isinstance(item, bool) and 0 <= item < 256 for item in value
     )

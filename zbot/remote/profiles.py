@@ -54,12 +54,12 @@ def profile_to_subscribe(offered: Sequence[QoSProfile], profile: QoSProfile) -> 
     """
     if not offered:
         return profile
-    is_reliable = all(one.reliability is ReliabilityPolicy.RELIABLE for one in offered)
-    is_kept = all(one.durability is DurabilityPolicy.TRANSIENT_LOCAL for one in offered)
+    is_reliable = all(offer.reliability is ReliabilityPolicy.RELIABLE for offer in offered)
+    is_kept = all(offer.durability is DurabilityPolicy.TRANSIENT_LOCAL for offer in offered)
     profile.reliability = (
         ReliabilityPolicy.RELIABLE if is_reliable else ReliabilityPolicy.BEST_EFFORT
     )
     profile.durability = DurabilityPolicy.TRANSIENT_LOCAL if is_kept else DurabilityPolicy.VOLATILE
     if is_kept:
-        profile.depth = max(profile.depth, *(one.depth for one in offered))
+        profile.depth = max(profile.depth, *(offer.depth for offer in offered))
     return profile

@@ -94,7 +94,9 @@ def learn_type(
 
 def nodes_to_ask(context: Context, name: str) -> frozenset[str]:
     """Return the tokens of the nodes that `learn_type` would ask now."""
-    return frozenset(one.service.key for one in _providers(context.graph.snapshot(), name))
+    return frozenset(
+        provider.service.key for provider in _providers(context.graph.snapshot(), name)
+    )
 
 
 def _providers(graph: Snapshot, name: str) -> Iterator[Provider]:

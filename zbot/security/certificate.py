@@ -204,7 +204,7 @@ def facts(certificate: Path) -> Facts:
     """Return the contents of a certificate's file.
 
     Raises:
-        CertificateError: The file does not exist or cannot be read.
+        SecurityError: The file does not exist or cannot be read.
     """
     return _facts(_certificate(certificate))
 
@@ -218,7 +218,7 @@ def _facts(certificate: x509.Certificate) -> Facts:
     extensions = certificate.extensions
     try:
         listed = extensions.get_extension_for_class(x509.SubjectAlternativeName).value
-        addresses = tuple(str(one.value) for one in listed)
+        addresses = tuple(str(address.value) for address in listed)
     except x509.ExtensionNotFound:
         addresses = ()
     try:
@@ -245,7 +245,7 @@ def check(certificate: Path, key: Path, authority: Path, now: datetime | None = 
         now: The time at which the certificate must be valid. The default is the present time.
 
     Raises:
-        CertificateError: A file does not exist, or a file is damaged, or the key does not belong to
+        SecurityError: A file does not exist, or a file is damaged, or the key does not belong to
             the certificate, or the machine's or the authority's certificate has expired, or is not
             valid yet, or another authority signed the certificate.
     """
@@ -270,7 +270,7 @@ def check_issued(der: bytes, shown_by: str, authority: Path, now: datetime | Non
         now: The time at which the certificate must be valid. The default is the present time.
 
     Raises:
-        CertificateError: The certificate is not valid (see `check`).
+        SecurityError: The certificate is not valid (see `check`).
     """
     from cryptography import x509  # noqa: PLC0415 - slow to import
 

@@ -35,50 +35,36 @@ def certificate_request_error(value: object, reason: str) -> SecurityError:
     return SecurityError(f"{value!r} {reason}")
 
 
-class CertificateError(SecurityError):
-    """Root of the errors of one certificate.
-
-    Attributes:
-        path: The file, or `HOST:PORT` of the hub that showed the certificate.
-    """
-
-    def __init__(self, path: Path | str, sentence: str) -> None:
-        self.path = path
-        super().__init__(sentence)
-
-
-def missing_file_error(path: Path, what: str) -> CertificateError:
+def missing_file_error(path: Path, what: str) -> SecurityError:
     """Return the error that the file of a certificate or key does not exist."""
-    return CertificateError(
-        path,
+    return SecurityError(
         f"there is no {what} at {path}: copy the machine's whole folder out of the keystore, "
         "or make the folder with `zbot security create_enclave`",
     )
 
 
-def invalid_file_error(path: Path, what: str, reason: str) -> CertificateError:
+def invalid_file_error(path: Path, what: str, reason: str) -> SecurityError:
     """Return the error that a file is not a valid certificate, or not its key."""
-    return CertificateError(
-        path, f"{path} is not a valid {what} ({reason}): copy the machine's whole folder again"
+    return SecurityError(
+        f"{path} is not a valid {what} ({reason}): copy the machine's whole folder again"
     )
 
 
 def validity_period_error(
     path: Path | str, name: str, since: datetime, until: datetime, *, is_expired: bool
-) -> CertificateError:
+) -> SecurityError:
     """Return the error that a certificate has expired, or is not valid yet."""
     if is_expired:
         problem = f"expired on {until:%Y-%m-%d %H:%M} UTC: renew it with `zbot security "
         problem += "create_enclave --renew`, or set this machine's clock"
     else:
         problem = f"is valid only from {since:%Y-%m-%d %H:%M} UTC on: set this machine's clock"
-    return CertificateError(path, f"the certificate of {name} ({path}) {problem}")
+    return SecurityError(f"the certificate of {name} ({path}) {problem}")
 
 
-def foreign_certificate_error(path: Path | str, name: str, authority: Path) -> CertificateError:
+def foreign_certificate_error(path: Path | str, name: str, authority: Path) -> SecurityError:
     """Return the error that a certificate was not signed by the keystore's authority."""
-    return CertificateError(
-        path,
+    return SecurityError(
         f"the certificate of {name} ({path}) was not made with the keystore of {authority}: "
         "use certificates of one keystore on both machines",
     )
@@ -86,11 +72,10 @@ def foreign_certificate_error(path: Path | str, name: str, authority: Path) -> C
 
 def certificate_address_error(
     path: Path | str, name: str, address: str, known: tuple[str, ...]
-) -> CertificateError:
+) -> SecurityError:
     """Return the error that a hub's certificate does not contain the address of the hub."""
     problem = f"is for {', '.join(known)}, not for {address}" if known else "names no address"
-    return CertificateError(
-        path,
+    return SecurityError(
         f"the certificate of {name} ({path}) {problem}: renew it with "
         f"`zbot security create_enclave --renew KEYSTORE NAME --ip {address}`",
     )

@@ -73,7 +73,7 @@ class Identity:
         """Check the certificate as other machines will check it, and return its contents.
 
         Raises:
-            CertificateError: The certificate is not valid (see `certificate.check`).
+            SecurityError: The certificate is not valid (see `certificate.check`).
         """
         return check(self.certificate, self.key, self.authority)
 
@@ -202,7 +202,7 @@ def identity(folder: Path) -> Identity:
 
     Raises:
         SecurityError: The keystore is empty, or no enclave has the host name.
-        CertificateError: The folder does not exist.
+        SecurityError: The folder does not exist.
     """
     if not is_keystore(folder):
         if not folder.is_dir():

@@ -9,6 +9,8 @@ import tempfile
 from pathlib import Path
 from typing import Final
 
+from zbot.package.user_folders import make_private
+
 _RANDOM_BYTES = 16  #: as hard to guess as an AES-128 key
 FOLDER_MODE: Final = 0o700
 
@@ -56,13 +58,13 @@ class Secret:
 def make_private_folder(folder: Path) -> None:
     """Make a folder that only its owner can list, and make its missing parents.
 
-    If the folder exists, only its mode changes. On Windows, the mode has no effect, but folders
+    If the folder exists, its mode changes. On Windows, the mode has no effect, but folders
     inside the user's folder are private already.
 
     Raises:
         OSError: The folder cannot be made.
     """
-    folder.mkdir(mode=FOLDER_MODE, parents=True, exist_ok=True)
+    make_private(folder)
     folder.chmod(FOLDER_MODE)
 
 

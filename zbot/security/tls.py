@@ -51,7 +51,7 @@ def check_listening(identity: Identity, address: str) -> Facts:
             name is accepted for any address, because others may use the host name.
 
     Raises:
-        CertificateError: The certificate is not valid (see `certificate.check`). Or it is a
+        SecurityError: The certificate is not valid (see `certificate.check`). Or it is a
             client's certificate, or a certificate for other addresses.
     """
     said = identity.check()
@@ -80,7 +80,7 @@ def check_dialling(
         The contents of the hub's certificate.
 
     Raises:
-        CertificateError: This machine's certificate or the hub's is invalid.
+        SecurityError: This machine's certificate or the hub's is invalid.
         SecurityError: The hub does not accept this machine's certificate, or the program at the
             address does not use TLS.
         OSError: No program answers.

@@ -9,7 +9,7 @@ import time
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
-from zbot.errors import ZbotError
+from zbot.errors import WrongStateError
 from zbot.package.user_folders import definitions_folder
 from zbot.transport import config, membership
 from zbot.transport.config import COMMAND_DOMAIN, MAX_DOMAIN_ID, MEETING_PORT
@@ -28,29 +28,25 @@ _RESERVATION_PORT = MEETING_PORT + 1000
 _NO_HUB = "9"  # the port "discard", which nobody uses
 
 
-class NoFreeDomainError(ZbotError):
-    """All domains of this machine are in use."""
-
-    def __init__(self) -> None:
-        super().__init__("all domains of this machine are in use: end other programs")
-
-
 @contextmanager
-def reserved_domain() -> Iterator[int]:
+def reserved_domain(largest: int = MAX_DOMAIN_ID) -> Iterator[int]:
     """Reserve an unused domain of this machine until the end of a block.
 
+    Args:
+        largest: The largest number to choose. The smallest is 1.
+
     Raises:
-        NoFreeDomainError: All domains are in use.
+        WrongStateError: All these domains are in use.
     """
-    first = time.monotonic_ns() // 1000 % MAX_DOMAIN_ID
-    for offset in range(MAX_DOMAIN_ID):
-        candidate = 1 + (first + offset) % MAX_DOMAIN_ID
+    first = time.monotonic_ns() // 1000 % largest
+    for offset in range(largest):
+        candidate = 1 + (first + offset) % largest
         # A meeting port may be free for moments of its test: a second port reserves it.
         with _bound(_RESERVATION_PORT + candidate) as is_ours:
             if is_ours and _is_free(MEETING_PORT + candidate):
                 yield candidate
                 return
-    raise NoFreeDomainError
+    raise WrongStateError("all domains of this machine are in use: end other programs")
 
 
 @contextmanager

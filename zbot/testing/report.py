@@ -6,6 +6,7 @@ import inspect
 import textwrap
 from typing import TYPE_CHECKING, Any
 
+from zbot.errors import counted
 from zbot.errors.suggestion import did_you_mean
 from zbot.names import is_hidden
 from zbot.wire.tokens import EntityKind
@@ -37,7 +38,7 @@ def values(condition: Callable[[], object]) -> str:
 def publishers(context: Context, topic: str, type_name: str) -> str:
     """Return why no message may have come: a missing publisher, or a different type."""
     snapshot = context.graph.snapshot()
-    types = {one.type_name for one in snapshot.publishers(topic)}
+    types = {publisher.type_name for publisher in snapshot.publishers(topic)}
     if not types:
         published = snapshot.names_and_types(EntityKind.PUBLISHER)
         return "nobody publishes it" + _similar(topic, published)
@@ -54,7 +55,7 @@ def servers(context: Context, service: str, type_name: str) -> str:
 
 
 def _similar(name: str, known: NamesAndTypes) -> str:
-    return did_you_mean(name, [one for one, _ in known if not is_hidden(one)], before="; ")
+    return did_you_mean(name, [topic for topic, _ in known if not is_hidden(topic)], before="; ")
 
 
 def _other_types(types: Iterable[str], type_name: str, who: str) -> str:
@@ -65,7 +66,7 @@ def _other_types(types: Iterable[str], type_name: str, who: str) -> str:
 def domain(context: Context) -> str:
     """Return the nodes, topics and services of a domain, except for hidden ones."""
     snapshot = context.graph.snapshot()
-    names = {f"{one.namespace.rstrip('/')}/{one.node}" for one in snapshot.nodes}
+    names = {f"{node.namespace.rstrip('/')}/{node.node}" for node in snapshot.nodes}
     services = [(name, types) for name, types in snapshot.services() if not _is_usual(name)]
     return "\n".join(
         (
@@ -84,8 +85,8 @@ def _is_usual(service: str) -> bool:
 
 def _topics(snapshot: Snapshot) -> list[str]:
     return [
-        f"{name} [{', '.join(types)}]: {_count(len(snapshot.publishers(name)), 'publisher')}, "
-        f"{_count(_visible_subscriptions(snapshot, name), 'subscription')}"
+        f"{name} [{', '.join(types)}]: {counted(len(snapshot.publishers(name)), 'publisher')}, "
+        f"{counted(_visible_subscriptions(snapshot, name), 'subscription')}"
         for name, types in snapshot.topics()
         if not is_hidden(name) and name not in _OF_EVERY_NODE and _is_visible(snapshot, name)
     ]
@@ -97,11 +98,7 @@ def _is_visible(snapshot: Snapshot, topic: str) -> bool:
 
 
 def _visible_subscriptions(snapshot: Snapshot, topic: str) -> int:
-    return sum(not is_hidden(one.node) for one in snapshot.subscriptions(topic))
-
-
-def _count(number: int, noun: str) -> str:
-    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
+    return sum(not is_hidden(subscription.node) for subscription in snapshot.subscriptions(topic))
 
 
 def _listed(title: str, items: list[str]) -> str:
@@ -110,7 +107,7 @@ def _listed(title: str, items: list[str]) -> str:
 
 def states(programs: Sequence[Program]) -> str:
     """Return for each program whether it runs."""
-    codes: list[tuple[Program, Any]] = [(one, one.process.poll()) for one in programs]
+    codes: list[tuple[Program, Any]] = [(program, program.process.poll()) for program in programs]
     return "\n".join(
         f"`{program}` " + ("is running" if code is None else f"ended with exit code {code}")
         for program, code in codes

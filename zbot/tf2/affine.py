@@ -103,7 +103,7 @@ def _parts(
     try:
         with np.errstate(all="ignore"):
             parts = tuple(take_apart(m))
-            again = compose(*(vector3(one) if np.ndim(one) else one for one in parts))
+            again = compose(*(vector3(part) if np.ndim(part) else part for part in parts))
     except ValueError:
         parts, again = (), np.nan
     if not np.allclose(again, m):

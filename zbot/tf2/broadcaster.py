@@ -63,8 +63,8 @@ class StaticTransformBroadcaster:
         self, transform: TransformStamped | Iterable[TransformStamped]
     ) -> None:
         """Publish transforms together with the latest transform of every other child frame."""
-        sent = {one.child_frame_id: one for one in self.net_message.transforms}
+        sent = {known.child_frame_id: known for known in self.net_message.transforms}
         # Keep copies, because programs may change and send the same message object again.
-        sent.update((one.child_frame_id, copy.deepcopy(one)) for one in _listed(transform))
+        sent.update((latest.child_frame_id, copy.deepcopy(latest)) for latest in _listed(transform))
         self.net_message.transforms = list(sent.values())
         self.pub_tf.publish(self.net_message)

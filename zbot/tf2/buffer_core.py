@@ -13,6 +13,7 @@ from zbot.tf2.errors import (
     ExtrapolationException,
     InvalidArgumentException,
     LookupException,
+    TransformException,
 )
 from zbot.tf2.frame import Frame, Sample
 from zbot.tf2.rigid import Quaternion, Rigid, Vector, normalized
@@ -77,7 +78,7 @@ class BufferCore:
     def clear(self) -> None:
         """Remove all transforms except static ones, which are published only once."""
         with self._changed:
-            self._frames = {name: one for name, one in self._frames.items() if one.is_static}
+            self._frames = {name: frame for name, frame in self._frames.items() if frame.is_static}
 
     def lookup_transform_core(self, target_frame: str, source_frame: str, time: Any) -> Any:
         """Return the transform of `source_frame` in `target_frame`, as `TransformStamped`.
@@ -89,7 +90,7 @@ class BufferCore:
 
         Raises:
             InvalidArgumentException: A name is empty or begins with a slash.
-            LookupException: A frame does not exist.
+            LookupException: A frame does not exist, or the frames form a loop.
             ConnectivityException: Nothing connects the frames.
             ExtrapolationException: The time is outside of the known samples.
         """
@@ -154,7 +155,7 @@ class BufferCore:
                 return False
             try:
                 self._find(target, source, _nanoseconds(time))
-            except (ConnectivityException, ExtrapolationException):
+            except (ConnectivityException, ExtrapolationException, LookupException):
                 return False
         return True
 
@@ -163,7 +164,7 @@ class BufferCore:
 
         Raises:
             InvalidArgumentException: A name is empty or begins with a slash.
-            LookupException: A frame does not exist.
+            LookupException: A frame does not exist, or the frames form a loop.
             ConnectivityException: Nothing connects the frames.
         """
         with self._changed:
@@ -189,7 +190,7 @@ class BufferCore:
             if problem is not None and next(reversed(ways)) in between:
                 route = f"when looking up transform from frame [{source}] to frame [{target}]"
                 raise ExtrapolationException(f"{problem}, {route}")
-        raise _unconnected(target, source)
+        raise self._unconnected(target, source)
 
     def _to_ancestors(
         self, name: str, stamp_ns: int, ends: Container[str]
@@ -236,7 +237,7 @@ class BufferCore:
             )
 
     def _exists(self, name: str) -> bool:
-        return name in self._frames or any(name == one.parent for one in self._frames.values())
+        return name in self._frames or any(name == frame.parent for frame in self._frames.values())
 
     def _names(self) -> list[str]:
         parents = (frame.parent for frame in self._frames.values())
@@ -254,25 +255,29 @@ class BufferCore:
         for place, name in enumerate(from_source):
             if name in from_target:
                 return from_source[:place], from_target[: from_target.index(name)]
-        raise _unconnected(target, source)
+        raise self._unconnected(target, source)
+
+    def _unconnected(self, target: str, source: str) -> TransformException:
+        if any(self._ancestors(name)[-1] in self._frames for name in (source, target)):
+            frames = self.all_frames_as_string()
+            return LookupException(f"The tf tree is invalid because it contains a loop.\n{frames}")
+        return ConnectivityException(
+            f"Could not find a connection between '{target}' and '{source}' because they are not "
+            "part of the same tree. Tf has two or more unconnected trees."
+        )
 
     def all_frames_as_string(self) -> str:
         """Return one line for each frame, with the name of its parent."""
         with self._changed:
             frames = list(self._frames.values())
-            return "".join(f"Frame {one.name} exists with parent {one.parent}.\n" for one in frames)
+            return "".join(
+                f"Frame {frame.name} exists with parent {frame.parent}.\n" for frame in frames
+            )
 
     def all_frames_as_yaml(self) -> str:
         """Return the tree as YAML, with parents, rates and times in seconds."""
         with self._changed:
             return "".join(_yaml(frame) for frame in self._frames.values()) or "[]"
-
-
-def _unconnected(target: str, source: str) -> ConnectivityException:
-    return ConnectivityException(
-        f"Could not find a connection between '{target}' and '{source}' because they are not "
-        "part of the same tree. Tf has two or more unconnected trees."
-    )
 
 
 def _yaml(frame: Frame) -> str:

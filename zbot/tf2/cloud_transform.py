@@ -9,6 +9,7 @@ import copy
 import sys
 from typing import TYPE_CHECKING, Any
 
+from zbot.errors import require_numpy
 from zbot.libraries.point_cloud import read_points
 from zbot.tf2 import conversion
 from zbot.tf2.rigid import normalized
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
 
 def transform_points(point_cloud: ArrayLike, transform: Any) -> NDArray[np.float64]:
     """Return points in the transform's parent frame, as an array of shape (points, 3)."""
+    require_numpy("tf2_sensor_msgs")
     import numpy as np  # noqa: PLC0415 - part of an extra
 
     motion = conversion.rigid(transform)
@@ -41,6 +43,7 @@ def do_transform_cloud(cloud: Any, transform: Any) -> Any:
     Raises:
         PointCloudError: The cloud has no x, y or z, or less data than its size needs.
     """
+    require_numpy("tf2_sensor_msgs")
     from numpy.lib.recfunctions import structured_to_unstructured  # noqa: PLC0415 - part of an extra
 
     moved = transform_points(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from zbot.errors import SetupError, ZbotError
+from zbot.errors import ZbotError
 
 
 class TransformException(ZbotError):  # noqa: N818 - all names here are tf2's
@@ -35,15 +35,3 @@ class TypeException(TransformException):
 
 class NotImplementedException(TransformException):
     """A subclass does not implement a method."""
-
-
-class NoTransforms3dError(SetupError, ModuleNotFoundError):
-    """A package that tf_transformations needs is not installed.
-
-    Attributes:
-        name: The missing package.
-    """
-
-    def __init__(self, name: str) -> None:
-        super().__init__(f'tf_transformations needs {name}: pip install "zbot[numpy]"')
-        self.name = name

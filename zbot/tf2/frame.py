@@ -38,6 +38,11 @@ class Frame:
         self._samples: list[Sample] = []
 
     @property
+    def newest(self) -> Sample:
+        """Latest sample."""
+        return self._samples[-1]
+
+    @property
     def parent(self) -> str:
         """Parent frame in the latest sample."""
         return self._samples[-1].parent

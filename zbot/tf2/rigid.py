@@ -45,6 +45,12 @@ def rotate(q: Quaternion, v: Vector) -> Vector:
     return (x, y, z)
 
 
+def heading(q: Quaternion) -> float:
+    """Return the part of a rotation that is about the z axis, in radians from -pi to pi."""
+    x, y, z, w = q
+    return math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))
+
+
 def slerp(a: Quaternion, b: Quaternion, share: float) -> Quaternion:
     """Return a rotation on the shorter way from `a` (`share` is 0) to `b` (`share` is 1)."""
     cosine = sum(p * q for p, q in zip(a, b, strict=True))

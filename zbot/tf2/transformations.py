@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
-from zbot.tf2.errors import NoTransforms3dError
+from zbot.errors import MissingPackageError
 
 try:
     import numpy as np
@@ -19,7 +19,7 @@ try:
 except ModuleNotFoundError as error:
     if error.name not in {"numpy", "transforms3d"}:
         raise
-    raise NoTransforms3dError(error.name) from None
+    raise MissingPackageError("tf_transformations", error.name, "numpy") from None
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -4,6 +4,10 @@ Otherwise the exception would be lost, or the function would not release its loc
 calls Python functions in its own threads. But if a client and its service are in one process, Zenoh
 calls the service in the client's thread, which may be the main thread. Zenoh's Rust code loses
 exceptions of these functions.
+
+A signal may come when Python has just entered such a function. Then Python shows the signal's
+handler the frame of the caller of Zenoh. So a declaration that leads back into Python is marked
+too.
 """
 
 from __future__ import annotations

@@ -19,4 +19,4 @@ class WeakSet(weakref.WeakSet[T]):
 
     def __iter__(self) -> Iterator[T]:
         references = list(self.data)  # type: ignore[attr-defined] # one atomic step
-        return iter([item for one in references if (item := one()) is not None])
+        return iter([item for reference in references if (item := reference()) is not None])

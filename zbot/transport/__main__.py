@@ -81,8 +81,10 @@ def _is_alone_at_end(session: zenoh.Session) -> bool:
 
 def _after(event: Any, programs: set[str]) -> set[str]:
     """Return the ids of the linked programs after an event. Routers are not programs."""
-    one = {str(event.transport.zid)} if event.transport.whatami != zenoh.WhatAmI.ROUTER else set()
-    return programs - one if event.kind == zenoh.SampleKind.DELETE else programs | one
+    changed = (
+        {str(event.transport.zid)} if event.transport.whatami != zenoh.WhatAmI.ROUTER else set()
+    )
+    return programs - changed if event.kind == zenoh.SampleKind.DELETE else programs | changed
 
 
 if __name__ == "__main__":

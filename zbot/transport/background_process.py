@@ -9,10 +9,13 @@ import subprocess
 import sys
 import time
 from pathlib import Path
-from typing import IO, Any
+from typing import IO, TYPE_CHECKING, Any
 
 from zbot.transport import membership
-from zbot.transport.process_space import process_space
+from zbot.transport.process_facts import process_space
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
 
 # On Windows, no other process can read a locked byte, so the locked byte is far behind the text.
 _LOCKED_BYTE = 1 << 20
@@ -77,19 +80,22 @@ def is_hub_locked() -> bool:
         return False
 
 
-def start(module: str, *words: str, **options: Any) -> subprocess.Popen[str]:
+def start(
+    module: str, *words: str, variables: Mapping[str, str] | None = None, **options: Any
+) -> subprocess.Popen[str]:
     """Start `python -m module words` without a terminal. Ctrl-C does not reach the process.
 
     Args:
         module: A module of zbot.
         words: Arguments of the module. Every user of the machine can read them.
+        variables: Environment variables for the process. Those of this process have priority.
         options: Options of `subprocess.Popen`.
     """
     reap()
     return subprocess.Popen(  # noqa: S603 - runs this Python itself
         [sys.executable, "-m", module, *words],
         stdin=subprocess.DEVNULL,
-        env=_environment(),
+        env={**(variables or {}), **_environment()},
         encoding="utf-8",
         **_detached(),
         **options,

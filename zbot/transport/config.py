@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import zenoh
 
 from zbot.transport import membership
-from zbot.transport.errors import ConfigError, SettingError, discovery_range_error, port_error
+from zbot.transport.errors import SettingError, config_error, discovery_range_error, port_error
 
 MAX_DOMAIN_ID = 232  #: ROS 2's own limit, so that lesson sheets for ROS 2 are valid here
 MEETING_PORT = 7450  #: port of the router of domain 0 on 127.0.0.1 (domain n: 7450 + n)
@@ -142,15 +142,15 @@ class SessionConfig(NamedTuple):
             force: Paths and values that this kind of session needs. They replace the file's values.
 
         Raises:
-            ConfigError: The file is not a valid Zenoh configuration, or it sets `id`.
+            SettingError: The file is not a valid Zenoh configuration, or it sets `id`.
         """
         try:
             built: zenoh.Config = zenoh.Config.from_json5(self.text)
         except zenoh.ZError as exc:
-            raise ConfigError(self.source, str(exc)) from exc
+            raise config_error(self.source, str(exc)) from exc
         if built.get_json("id") != "null":
             reason = "remove `id`: every session of a program needs a different one"
-            raise ConfigError(self.source, reason)
+            raise config_error(self.source, reason)
         default = zenoh.Config()
         for path, value in fill.items():
             if path == "metadata" and isinstance(given := setting(built, path), dict):
@@ -176,7 +176,7 @@ def load() -> SessionConfig:
     """Return the file in `$ZBOT_CONFIG` or `$ZENOH_CONFIG`, else `./zenoh.json5`, else zbot's.
 
     Raises:
-        ConfigError: The file cannot be read.
+        SettingError: The file cannot be read.
     """
     found = named_by(_FILE_VARIABLES)
     if found is not None:
@@ -189,7 +189,7 @@ def named_by(variables: tuple[str, ...]) -> SessionConfig | None:
     """Return the file in the first environment variable that is set, or `None`.
 
     Raises:
-        ConfigError: The file cannot be read.
+        SettingError: The file cannot be read.
     """
     found = _first_set(variables)
     return None if found is None else _read(Path(found[1]))
@@ -199,7 +199,7 @@ def _read(path: Path) -> SessionConfig:
     try:
         return SessionConfig(str(path), path.read_text(encoding="utf-8"))
     except (OSError, UnicodeDecodeError) as exc:
-        raise ConfigError(str(path), getattr(exc, "strerror", None) or str(exc)) from exc
+        raise config_error(str(path), getattr(exc, "strerror", None) or str(exc)) from exc
 
 
 def _packaged() -> SessionConfig:

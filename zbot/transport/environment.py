@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from zbot.log import get_logger
 from zbot.transport import background_process, config, membership
 from zbot.transport.config import DiscoveryRange
+from zbot.transport.meeting_port import meeting_port
 
 if TYPE_CHECKING:
     from zbot.transport.membership import Membership
@@ -33,7 +34,7 @@ def differences(domain_id: int | None = None) -> list[Difference]:
         domain_id: The domain that the program itself has chosen, or `None`.
 
     Raises:
-        ConfigError: The Zenoh configuration file cannot be read, or is not valid.
+        SettingError: The Zenoh configuration file cannot be read, or is not valid.
         SettingError: The variable for the discovery range has an unknown value.
         MembershipError: The membership file is damaged.
     """
@@ -42,7 +43,9 @@ def differences(domain_id: int | None = None) -> list[Difference]:
         return []
     domain = _chosen_domain(joined, domain_id) if joined.in_class else None
     found = [domain, _hub_port(joined), _range(joined), _configuration(joined)]
-    return [one for one in (*found, _localhost_only(joined)) if one is not None]
+    return [
+        difference for difference in (*found, _localhost_only(joined)) if difference is not None
+    ]
 
 
 def missing_hub() -> str:
@@ -62,7 +65,7 @@ def missing_hub() -> str:
 
 def warn(domain_id: int | None) -> None:
     """Log the differences that have `is_logged`, and a missing hub. A process logs them once."""
-    texts = [one.text for one in differences(domain_id) if one.is_logged]
+    texts = [difference.text for difference in differences(domain_id) if difference.is_logged]
     texts += filter(None, [missing_hub()])
     if texts:
         get_logger("zbot").warning("\n".join(texts), once=True)
@@ -155,7 +158,9 @@ def _configuration(joined: Membership) -> Difference | None:
 def _connects_elsewhere(file: config.SessionConfig) -> bool:
     endpoints = json.loads(file.build({}).get_json("connect/endpoints"))
     lists = [endpoints] if isinstance(endpoints, list) else endpoints.values()
-    listed = [str(one) for found in lists for one in found]
-    ports = (config.MEETING_PORT + config.domain_id(), config.hub_port())
+    listed = [str(endpoint) for found in lists for endpoint in found]
+    ports = (meeting_port(config.domain_id()), config.hub_port())
     own = {f"{host}:{port}" for host in _LOOPBACK for port in ports}
-    return bool(listed) and not any(any(one in endpoint for one in own) for endpoint in listed)
+    return bool(listed) and not any(
+        any(address in endpoint for address in own) for endpoint in listed
+    )

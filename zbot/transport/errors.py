@@ -6,7 +6,7 @@ from zbot.errors import SetupError
 
 
 class SettingError(SetupError, ValueError, RuntimeError):
-    """An environment variable or an option of the transport has a value that is not allowed."""
+    """A setting of the transport is not allowed, or its configuration file cannot be used."""
 
 
 class TransportError(SetupError, OSError):
@@ -23,12 +23,9 @@ def port_error(source: str, value: str) -> SettingError:
     return SettingError(f"{source} is {value!r}, but a port is a number from 1 to 65535")
 
 
-class ConfigError(SetupError, ValueError):
-    """A Zenoh configuration file cannot be read, or is not valid."""
-
-    def __init__(self, source: str, reason: str) -> None:
-        self.source, self.reason = source, reason
-        super().__init__(f"cannot use the Zenoh configuration {source}: {_first_part(reason)}")
+def config_error(source: str, reason: str) -> SettingError:
+    """Return the error that a Zenoh configuration cannot be read, or is not valid."""
+    return SettingError(f"cannot use the Zenoh configuration {source}: {_first_part(reason)}")
 
 
 class SessionError(SetupError, OSError):
@@ -49,10 +46,16 @@ class NoRouterError(SetupError, OSError):
 
 def router_port_error(endpoints: list[str], reason: str) -> TransportError:
     """Return the error that a router cannot listen on its endpoint."""
+    why = ", because another program uses the port" if is_in_use(reason) else f": {reason}"
     return TransportError(
-        f"cannot listen on {' and '.join(endpoints)}: {_first_part(reason)}; if a router runs "
+        f"cannot listen on {' and '.join(endpoints)}{_first_part(why)}; if a router runs "
         "there already, it is enough: a machine needs one"
     )
+
+
+def is_in_use(reason: str) -> bool:
+    """Return whether Zenoh's error says that another program uses the address."""
+    return "address already in use" in reason.lower() or "os error 10048" in reason  # on Windows
 
 
 def no_router_text(endpoints: list[str]) -> str:

@@ -49,6 +49,7 @@ class Membership:
     claim: str = ""  #: identifies this machine's request for the number
     hub_id: str = ""  #: the Zenoh id of this machine's hub, as the class knows it
     hub_port: int = 0  #: port of this machine's own hub on 127.0.0.1
+    version: str = ""  #: version of zbot that the class or hub had, empty if it is unknown
     keystore: str = ""  #: folder of this machine's certificate, if the hubs use certificates
 
     @property

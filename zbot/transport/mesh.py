@@ -11,6 +11,7 @@ from __future__ import annotations
 import contextlib
 from typing import IO
 
+from zbot.package.user_folders import make_private
 from zbot.transport import background_process, membership
 
 PLACES = 12  #: the most sessions of one user in the mesh of a domain
@@ -33,7 +34,7 @@ class Mesh:
         Each place has a file. If the files cannot be written, this returns `True`.
         """
         try:
-            membership.folder().mkdir(parents=True, exist_ok=True)
+            make_private(membership.folder())
             return any(self._take(number) for number in range(PLACES))
         except OSError:  # e.g. the folder is read-only
             return True

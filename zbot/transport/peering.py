@@ -8,9 +8,8 @@ that starts twenty programs, Zenoh does not try again. This module does.
 from __future__ import annotations
 
 import contextlib
-import queue
 import threading
-from collections import Counter
+from collections import Counter, deque
 from functools import partial
 from typing import TYPE_CHECKING, Any, Protocol
 
@@ -19,6 +18,8 @@ import zenoh
 from zbot.errors import SetupError
 from zbot.threads.deadline import Deadline
 from zbot.threads.foreign_call import without_interruption
+from zbot.threads.on_demand_thread import OnDemandThread
+from zbot.threads.unawaited_thread import UnawaitedThread
 from zbot.transport import admin_query, background_process
 from zbot.transport.errors import SessionError
 from zbot.transport.session import LINK_TIMEOUT_S
@@ -84,11 +85,11 @@ class Meeting(Protocol):
 class Peering:
     """Keeps a router on the domain's port, and links to all peers, until the session is closed.
 
-    One thread waits, without polling, for links to appear and disappear. When the link to the
-    router disappears, the thread tries to open a router on the port, and exactly one of the
-    domain's processes succeeds. When the links have not changed for a time, the thread asks the
-    router for its peers. If a link to any of these peers is missing, the thread opens an introducer
-    session, which introduces the peers to each other again.
+    Zenoh tells when links appear and disappear. Then one thread works until nothing is left to do.
+    When the link to the router has disappeared, the thread tries to open a router on the port, and
+    exactly one of the domain's processes succeeds. When the links have not changed for a time, the
+    thread asks the router for its peers. If a link to any of these peers is missing, the thread
+    opens an introducer session, which introduces the peers to each other again.
 
     Args:
         session: The session.
@@ -104,39 +105,51 @@ class Peering:
     ) -> None:
         self._session = session
         self._meeting = meeting
-        self._changed = threading.Condition()
-        self._events: queue.SimpleQueue[Any] = queue.SimpleQueue()  # `None` ends the thread
+        self._receiver = receiver
+        self._changed = threading.Event()
+        self._events: deque[Any] = deque()
+        self._check_time = Deadline(_CHECK_DELAY_S)
         self._introductions: Counter[str] = Counter()  # how often each session was introduced
         self._closing = threading.Event()
         self._watch_pause_s: float | None = None  # set while this session is a linked client
-        listen = session.info.declare_transport_events_listener
-        without_interruption(listen, receiver(self._on_event), history=True)
         # The delays differ, so that not all sessions open an introducer at the same time.
         self._extra_delay = int(self._own()[:4], 16) / 0x10000
-        self._thread = threading.Thread(target=self._run, name="zbot meeting", daemon=True)
+        self._thread: threading.Thread | None = None
+        self._work = OnDemandThread(self._start_thread, self._turn)
 
     def start(self) -> None:
-        """Start the thread."""
-        without_interruption(self._thread.start)
+        """Begin to work."""
+        listen = self._session.info.declare_transport_events_listener
+        without_interruption(listen, self._receiver(self._on_event), history=True)
+        self._work.wake()
+
+    def _start_thread(self, run: Callable[[], None]) -> None:
+        thread = UnawaitedThread(run, "zbot meeting")
+        without_interruption(thread.start)
+        self._thread = thread
 
     def _on_event(self, event: Any) -> None:
-        self._events.put(event)
-        with self._changed:
-            self._changed.notify_all()
+        # Zenoh may hold a lock during this call. So the call must not wait for a thread that calls
+        # Zenoh.
+        self._events.append(event)
+        self._changed.set()
+        self._work.wake()
 
-    def _run(self) -> None:
-        timeout_s: float | None = _CHECK_DELAY_S
-        while True:
-            try:
-                event = self._events.get(timeout=timeout_s)
-            except queue.Empty:
-                pause_s = self._attempt(self._check)
-            else:
-                if event is None:
-                    return
-                self._watch_pause_s = None
-                pause_s = self._attempt(partial(self._react, event))
-            timeout_s = None if pause_s is None else pause_s * (1 + self._extra_delay)
+    def _turn(self) -> float | None:
+        """React to events, or check the links. Return the seconds until the next check, if any."""
+        if self._closing.is_set():
+            return None
+        if self._events:
+            self._watch_pause_s = None
+            pause_s = self._attempt(partial(self._react, self._events.popleft()))
+        elif not self._check_time.is_over:
+            return self._check_time.left_s
+        else:
+            pause_s = self._attempt(self._check)
+        if pause_s is None:
+            return None
+        self._check_time = Deadline(pause_s * (1 + self._extra_delay))
+        return 0.0 if self._events else self._check_time.left_s
 
     def _attempt(self, work: Callable[[], float | None]) -> float | None:
         """Do a part of the thread's work. If it fails, let the thread check everything later.
@@ -230,8 +243,7 @@ class Peering:
             answered |= {key.split("/")[1] for key, _ in answers}
             if missing <= answered:
                 break
-            with self._changed:
-                self._changed.wait(_LINK_PAUSE_S)
+            self._wait_for_change(_LINK_PAUSE_S)
             missing = self._mesh_at_router(deadline) - answered  # sessions may have ended
         return True
 
@@ -246,8 +258,7 @@ class Peering:
                 if found.get(self._own()) == "client":
                     return set()
                 return {zid for zid, kind in found.items() if kind == "peer"}
-            with self._changed:
-                self._changed.wait(_LINK_PAUSE_S)
+            self._wait_for_change(_LINK_PAUSE_S)
 
     def _listed(self, timeout_s: float) -> dict[str, str]:
         """Return the sessions that the router lists: `peer` or `client` for each session id."""
@@ -323,19 +334,21 @@ class Peering:
 
     def _wait(self, done: Callable[[], bool], timeout_s: float) -> bool:
         deadline = Deadline(timeout_s)
-        with self._changed:
-            while not done():
-                if deadline.is_over or self._session.is_closed():
-                    return False
-                self._changed.wait(min(deadline.left_s, _LINK_PAUSE_S))
+        while not done():
+            if deadline.is_over or self._session.is_closed():
+                return False
+            self._wait_for_change(min(deadline.left_s, _LINK_PAUSE_S))
         return True
+
+    def _wait_for_change(self, timeout_s: float) -> None:
+        self._changed.clear()
+        self._changed.wait(timeout_s)
 
     def join(self) -> None:
         """Wait for the thread to end. Call this after the session was closed."""
         self._closing.set()
-        self._events.put(None)
-        with self._changed:
-            self._changed.notify_all()
-        # A thread without an ident was not started, because a signal interrupted its start.
-        if self._thread is not threading.current_thread() and self._thread.ident is not None:
-            self._thread.join(_JOIN_TIMEOUT_S)
+        self._changed.set()
+        self._work.end()
+        thread = self._thread
+        if thread is not None and thread is not threading.current_thread():
+            thread.join(_JOIN_TIMEOUT_S)

@@ -1,4 +1,4 @@
-"""Facts about this process that other programs read in its session's admin space."""
+"""Facts about this process that other programs read in its session's admin space, and its space."""
 
 from __future__ import annotations
 
@@ -6,10 +6,29 @@ import os
 import socket
 import sys
 import time
+import zlib
 from pathlib import Path
 from typing import Any
 
-from zbot.transport.process_space import process_space
+_BOOT = Path("/proc/sys/kernel/random/boot_id")
+_NAMESPACES = Path("/proc/self/ns")
+
+
+def process_space() -> str:
+    """Return the name of the space: the name of the machine, and on Linux a number after it.
+
+    The number differs between two starts of a machine, and between two namespaces of process ids
+    or of the network.
+    """
+    host = socket.gethostname()
+    if sys.platform != "linux":
+        return host
+    try:
+        parts = [_BOOT.read_text(encoding="ascii").strip()]
+        parts += [str((_NAMESPACES / name).stat().st_ino) for name in ("net", "pid")]
+    except OSError:  # /proc belongs to other processes, so this process knows only itself
+        parts = [str(os.getpid())]
+    return f"{host}-{zlib.crc32(' '.join(parts).encode()):08x}"
 
 
 def process_facts(version: str) -> dict[str, Any]:

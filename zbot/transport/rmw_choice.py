@@ -36,7 +36,7 @@ def dialect_of_rmw(
 
     Raises:
         SettingError: The middleware in `given` or in the file is unknown.
-        ConfigError: The file is not a valid Zenoh configuration.
+        SettingError: The file is not a valid Zenoh configuration.
     """
     found = given or _of_variable() or (file and _of_file(file))
     name = known(found) if found else ZBOT_IDENTIFIER

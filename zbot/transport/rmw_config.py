@@ -14,7 +14,7 @@ import zenoh
 
 from zbot.transport import config
 from zbot.transport.config import DROP_WAIT_US, ONE_DIALS, OPEN_TIMEOUT_MS, SessionConfig
-from zbot.transport.errors import ConfigError, SettingError
+from zbot.transport.errors import SettingError, config_error
 
 ROUTER_ENDPOINT = "tcp/localhost:7447"
 _SESSION_FILE = "ZENOH_SESSION_CONFIG_URI"
@@ -24,8 +24,8 @@ _ATTEMPTS = "ZENOH_ROUTER_CHECK_ATTEMPTS"
 _MAX_DIGITS = 9
 
 # The values of rmw_zenoh's own configuration files. These files are equal in all distributions of
-# ROS 2. Only the timeouts of sessions are zbot's own. With rmw_zenoh's lease of 60 s, a program
-# with a suspended subscriber could need 60 s to end.
+# ROS 2. Only the timeouts of sessions are zbot's own, and the router's number of keep-alives. With
+# rmw_zenoh's lease of 60 s, a program with a suspended subscriber could need 60 s to end.
 _COMMON: dict[str, Any] = {
     "adminspace/enabled": True,
     "queries_default_timeout": 600_000,
@@ -58,7 +58,8 @@ _ROUTER: dict[str, Any] = {
     "listen/timeout_ms": 0,
     "routing/router/peers_failover_brokering": False,
     "transport/link/tx/lease": 60_000,
-    "transport/link/tx/keep_alive": 2,
+    # One every 2.5 s. A board with zenoh-pico closes its link if nothing arrives for 10 s.
+    "transport/link/tx/keep_alive": 24,
     "transport/link/tx/queue/congestion_control/block/wait_before_close": 5_000_000,
 }
 
@@ -67,7 +68,7 @@ class RmwConfig:
     """Configuration of ROS 2's sessions on this machine. The override variable overrides the files.
 
     Raises:
-        ConfigError: A file cannot be read, or an override is not valid.
+        SettingError: A file cannot be read, or an override is not valid.
     """
 
     def __init__(self) -> None:
@@ -86,7 +87,7 @@ class RmwConfig:
         """Return the configuration of a session. The arguments are those of `SessionConfig.build`.
 
         Raises:
-            ConfigError: The file or an override is not valid.
+            SettingError: The file or an override is not valid.
         """
         return self._overridden(self._session.build({"mode": "peer", **_SESSION, **fill}), force)
 
@@ -94,7 +95,7 @@ class RmwConfig:
         """Return the configuration of a router.
 
         Raises:
-            ConfigError: The file or an override is not valid.
+            SettingError: The file or an override is not valid.
         """
         return self._overridden(
             self._router.build({**_ROUTER, **fill}), {"mode": "router", **force}
@@ -105,7 +106,7 @@ class RmwConfig:
             try:
                 built.insert_json5(path, text)
             except zenoh.ZError as exc:
-                raise ConfigError(f"{_OVERRIDE} ({path}={text})", str(exc)) from exc
+                raise config_error(f"{_OVERRIDE} ({path}={text})", str(exc)) from exc
         for path, value in (force or {}).items():
             built.insert_json5(path, json.dumps(value))
         return built
@@ -119,7 +120,7 @@ def _overrides() -> dict[str, str]:
             continue
         if not equals or not path.strip():
             reason = f'{part!r} is not `path=value`, for example mode="client"'
-            raise ConfigError(_OVERRIDE, reason)
+            raise config_error(_OVERRIDE, reason)
         found[path.strip()] = text.strip()
     return found
 
@@ -145,7 +146,7 @@ def endpoints(built: zenoh.Config, path: str) -> list[str]:
     value = config.setting(built, path)
     if isinstance(value, dict):  # a list for each mode
         value = value.get(config.setting(built, "mode")) or []
-    return [str(one["endpoint"] if isinstance(one, dict) else one) for one in value]
+    return [str(item["endpoint"] if isinstance(item, dict) else item) for item in value]
 
 
 def is_local(endpoint: str) -> bool:

@@ -24,7 +24,7 @@ from zbot.transport.rmw_config import (
     is_local,
     router_attempts,
 )
-from zbot.transport.zenoh_session import open_session
+from zbot.transport.zenoh_session import open_session, shares_memory
 from zbot.version import __version__
 from zbot.wire.rmw_zenoh import ROS2, dialect_of
 
@@ -52,7 +52,7 @@ class RmwMeeting:
         domain: 0 to 232.
 
     Raises:
-        ConfigError: A configuration file or the override variable is not valid.
+        SettingError: A configuration file or the override variable is not valid.
     """
 
     uses_port = False
@@ -68,7 +68,7 @@ class RmwMeeting:
         self._connect = endpoints(built, "connect/endpoints")
         self._is_client_by_config: bool = setting(built, "mode") == "client"
         self._has_multicast = setting(built, "scouting/multicast/enabled") is True
-        self.shares_memory = setting(built, "transport/shared_memory/enabled") is True
+        self.shares_memory = shares_memory(built)
         self.is_client = (
             False  #: whether the session that was opened last is a client of the router
         )
@@ -235,7 +235,7 @@ class RmwRouter:
         connect: Zenoh endpoints of other routers, in addition to those of the configuration file.
 
     Raises:
-        ConfigError: A configuration file or the override variable is not valid.
+        SettingError: A configuration file or the override variable is not valid.
     """
 
     def __init__(self, listen: list[str], connect: list[str]) -> None:

@@ -15,8 +15,9 @@ import subprocess
 import sys
 import time
 from pathlib import Path
-from typing import IO
+from typing import IO, Any
 
+from zbot.package.user_folders import make_private
 from zbot.threads.deadline import poll
 from zbot.transport import background_process, membership
 
@@ -38,9 +39,9 @@ REPLACEMENT = "replacement"  #: argument of a router if the router before it was
 def start(domain: int) -> bool:
     """Start the domain's router process if it does not run. Return whether this call started it."""
     try:
-        membership.folder().mkdir(parents=True, exist_ok=True)
+        make_private(membership.folder())
         # `os.open` does not truncate the file. On a full disk, a truncated file would stay empty.
-        number = os.open(_path(domain), os.O_RDWR | os.O_CREAT, 0o666)
+        number = os.open(_path(domain), os.O_RDWR | os.O_CREAT, 0o600)
         with os.fdopen(number, "r+", encoding="utf-8") as file:
             return _start_locked(domain, file)
     except OSError:  # the folder is read-only: two routers may start, and one of them gets the port
@@ -58,7 +59,9 @@ def _start_locked(domain: int, file: IO[str]) -> bool:
 
 def _start(domain: int, *files: IO[str], is_replacement: bool = False) -> subprocess.Popen[str]:
     null = subprocess.DEVNULL
-    kept = {} if sys.platform == "win32" else {"pass_fds": [file.fileno() for file in files]}
+    kept: dict[str, Any] = (
+        {} if sys.platform == "win32" else {"pass_fds": [file.fileno() for file in files]}
+    )
     words = [str(domain), *([REPLACEMENT] if is_replacement else [])]
     process = background_process.start("zbot.transport", *words, stdout=null, stderr=null, **kept)
     background_process.forget(process)

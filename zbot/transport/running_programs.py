@@ -2,37 +2,30 @@
 
 A program reads the membership file when it starts. If the machine joins or leaves a class later,
 the program does not notice this, and the class does not see the program. The registry finds such
-programs. Each file is locked while its session is open. So a file without a lock belongs to a
-program that was killed.
+programs.
 """
 
 from __future__ import annotations
 
 import contextlib
-import json
 import os
-import time
+import subprocess
+import sys
 from dataclasses import asdict, dataclass, field, fields
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from zbot.json_reader import read_json_object
 from zbot.names import is_hidden
-from zbot.threads.deadline import poll
-from zbot.transport import background_process, environment, membership
-from zbot.transport.process_facts import command_line
-from zbot.transport.process_space import process_space
-from zbot.transport.process_state import is_stopped
+from zbot.transport import environment, membership
+from zbot.transport.other_version import other_versions_text
+from zbot.transport.process_facts import command_line, process_space
+from zbot.transport.program_file import ProgramFile, program_documents
+from zbot.version import __version__
 
 if TYPE_CHECKING:
-    from pathlib import Path
-    from typing import IO
-
     from zbot.transport.membership import Membership
 
 _FOLDER = "programs"
-_LOCK_TIMEOUT_S = 0.2  # another program may hold the lock for a moment to read the file
-_PAUSE_S = 0.005
-_YOUNG_S = 5.0  # a younger file may not be locked yet
 _MOST_LISTED = 5
 
 
@@ -50,6 +43,7 @@ class RunningProgram:
     login: str  #: see `membership.login`
     hidden_by: str  #: settings that hide the program's nodes from the class or hub, or `""`
     nodes: list[str] = field(default_factory=list)  #: full names
+    version: str = ""  #: of zbot; empty if the program does not say it
 
     @property
     def visible_nodes(self) -> list[str]:
@@ -81,7 +75,9 @@ class Registration:
 
     def __init__(self, domain: int, *, is_tool: bool) -> None:
         joined = membership.load()
-        hidden = [one.setting for one in environment.differences() if one.hides]
+        hidden = [
+            difference.setting for difference in environment.differences() if difference.hides
+        ]
         self._program = RunningProgram(
             pid=os.getpid(),
             space=process_space(),
@@ -92,12 +88,10 @@ class Registration:
             class_name=joined.class_name if joined is not None else "",
             login=membership.login(joined),
             hidden_by=", ".join(hidden),
+            version=__version__,
         )
-        self._path = _folder() / f"{os.getpid()}-{os.urandom(4).hex()}.json"
-        self._file: IO[str] | None = None
-        with contextlib.suppress(OSError):  # the folder is read-only
-            self._file = _locked_file(self._path)
-            self._write()
+        self._file = ProgramFile(_folder())
+        self._write()
 
     def add(self, node: str) -> None:
         """Add a node's full name."""
@@ -111,65 +105,38 @@ class Registration:
         self._write()
 
     def _write(self) -> None:
-        if self._file is not None:
-            with contextlib.suppress(OSError):  # the disk is full
-                self._file.seek(0)
-                self._file.truncate()
-                self._file.write(json.dumps(asdict(self._program)))
-                self._file.flush()
+        self._file.write(asdict(self._program))
 
     def leave_to_parent(self) -> None:
         """In a forked child, let go of the file. Otherwise the child would keep it locked."""
-        if self._file is not None:
-            os.close(self._file.fileno())
+        self._file.leave_to_parent()
 
     def close(self) -> None:
         """Remove the file."""
-        file, self._file = self._file, None
-        if file is not None:
-            with contextlib.suppress(OSError):
-                file.close()
-                self._path.unlink(missing_ok=True)
+        self._file.close()
 
 
 def _folder() -> Path:
     return membership.folder() / _FOLDER
 
 
-def _locked_file(path: Path) -> IO[str]:
-    # The import of `make_private_folder` would take 8 ms.
-    path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
-    descriptor = os.open(path, os.O_RDWR | os.O_CREAT | os.O_EXCL, 0o600)
-    file = os.fdopen(descriptor, "w+", encoding="utf-8")
-    poll(lambda: background_process.lock(file), _LOCK_TIMEOUT_S, _PAUSE_S)
-    return file
-
-
 def running() -> list[RunningProgram]:
     """Return this user's running programs on this machine, without this process."""
-    try:
-        paths = sorted(_folder().glob("*.json"))
-    except OSError:
-        return []
-    found = [_read(path) for path in paths]
+    found = [_program(document) for document in program_documents(_folder())]
     here = process_space()
-    return [one for one in found if one and one.space == here and one.pid != os.getpid()]
+    return [
+        program
+        for program in found
+        if program and program.space == here and program.pid != os.getpid()
+    ]
 
 
-def _read(path: Path) -> RunningProgram | None:
-    """Return the program of a file. If the program has ended, remove the file."""
+def _program(document: dict[str, Any]) -> RunningProgram | None:
+    known = {part.name for part in fields(RunningProgram)}
     try:
-        with path.open("r+", encoding="utf-8") as file:
-            is_over = background_process.lock(file)
-            document: dict[str, Any] = read_json_object(file.read()) if not is_over else {}
-        if is_over and time.time() - path.stat().st_mtime > _YOUNG_S:
-            path.unlink()
-        known = {one.name for one in fields(RunningProgram)}
-        return (
-            None if is_over else RunningProgram(**{k: document[k] for k in known & set(document)})
-        )
-    except (OSError, ValueError, TypeError):
-        return None  # the program ends or writes the file at this moment
+        return RunningProgram(**{name: document[name] for name in known & set(document)})
+    except TypeError:
+        return None  # another version of zbot wrote the file
 
 
 def outside() -> list[RunningProgram]:
@@ -178,7 +145,7 @@ def outside() -> list[RunningProgram]:
     If the machine has left a class, these are the programs that still use the class.
     """
     joined = membership.load()
-    return [one for one in running() if one.nodes and one.reason(joined)]
+    return [program for program in running() if program.nodes and program.reason(joined)]
 
 
 def outside_text() -> str:
@@ -186,9 +153,9 @@ def outside_text() -> str:
     programs, joined = outside(), membership.load()
     if not programs:
         return ""
-    count = sum(len(one.nodes) for one in programs)
+    count = sum(len(program.nodes) for program in programs)
     place = f"outside {environment.place(joined)}" if joined else "in a class that was left"
-    listed = [_described(one, joined) for one in programs]
+    listed = [_described(program, joined) for program in programs]
     more = f"; and {len(listed) - _MOST_LISTED} more" if len(listed) > _MOST_LISTED else ""
     return (
         f"{count} node{'' if count == 1 else 's'} of this machine run{'s' * (count == 1)} {place}: "
@@ -209,30 +176,63 @@ def stopped_text(domain: int, node: str = "") -> str:
         node: The full name of a node. If it is given, only programs with this node count.
     """
     found = [
-        one
-        for one in running()
-        if one.domain == domain
-        and (node in one.nodes if node else one.visible_nodes)
-        and is_stopped(one.pid)
+        program
+        for program in running()
+        if program.domain == domain
+        and (node in program.nodes if node else program.visible_nodes)
+        and is_stopped(program.pid)
     ]
     if not found:
         return ""
-    listed = (f"{', '.join(one.visible_nodes)} (process {one.pid})" for one in found)
+    listed = (f"{', '.join(program.visible_nodes)} (process {program.pid})" for program in found)
     return (
         f"{'; '.join(listed)} {'is' if len(found) == 1 else 'are'} stopped, e.g. by Ctrl-Z: type "
-        f"`fg` in the terminal, or `kill -9 {' '.join(str(one.pid) for one in found)}`"
+        f"`fg` in the terminal, or `kill -9 {' '.join(str(program.pid) for program in found)}`"
     )
+
+
+def versions_text(domain: int) -> str:
+    """Return a sentence about this machine's programs with another version of zbot, or `""`."""
+    versions = {}
+    for program in running():
+        if program.domain == domain and program.visible_nodes:
+            names = ", ".join(program.visible_nodes[:_MOST_LISTED])
+            versions[f"{names} (process {program.pid})"] = program.version
+    return other_versions_text(versions)
 
 
 def elsewhere_text(domain: int) -> str:
     """Return a sentence about this machine's nodes of other domains, or `""` if there are none."""
     found: dict[int, list[str]] = {}
-    for one in running():
-        if one.domain != domain:
-            found.setdefault(one.domain, []).extend(one.visible_nodes)
+    for program in running():
+        if program.domain != domain:
+            found.setdefault(program.domain, []).extend(program.visible_nodes)
+    joined = membership.load()
+    is_student = joined is not None and joined.role == "student"  # the number is the domain
     places = [
-        f"{', '.join(names[:_MOST_LISTED])} in domain {number}: set ZBOT_DOMAIN_ID={number}"
+        f"{', '.join(names[:_MOST_LISTED])} in domain {number}"
+        f"{'' if is_student else f': set ZBOT_DOMAIN_ID={number}'}"
         for number, names in sorted(found.items())
         if names
     ]
     return f"this machine runs {'; '.join(places[:_MOST_LISTED])}" if places else ""
+
+
+def is_stopped(pid: int) -> bool:
+    """Return whether a process is stopped, e.g. by Ctrl-Z. It is `False` on Windows."""
+    if sys.platform == "win32":
+        return False
+    try:
+        facts = Path(f"/proc/{pid}/stat").read_text(errors="replace")
+    except OSError:
+        return sys.platform == "darwin" and _state_by_ps(pid).startswith("T")
+    # The name of the program, in brackets, may contain blanks and brackets.
+    return facts.rpartition(")")[2].split()[:1] == ["T"]
+
+
+def _state_by_ps(pid: int) -> str:
+    ps = ["/bin/ps", "-o", "state=", "-p", str(pid)]
+    try:
+        return subprocess.run(ps, capture_output=True, text=True, check=False, timeout=2).stdout  # noqa: S603 - fixed words
+    except (OSError, subprocess.TimeoutExpired):
+        return ""

@@ -8,7 +8,7 @@ router.
 
 from __future__ import annotations
 
-import socket
+import os
 import time
 from typing import TYPE_CHECKING, Any
 
@@ -24,19 +24,18 @@ from zbot.transport.config import (
     hub_port,
 )
 from zbot.transport.errors import SessionError
+from zbot.transport.meeting_port import LOOPBACK, is_reserved, is_taken, meeting_port
 from zbot.transport.mesh import Mesh
 from zbot.transport.router_state import RouterState
-from zbot.transport.zenoh_session import open_session
+from zbot.transport.zenoh_session import open_session, shares_memory
 
 if TYPE_CHECKING:
     import zenoh
 
     from zbot.wire.dialect import Dialect
 
-LOOPBACK = "127.0.0.1"
 #: A router answers within 10 ms, or within seconds when 40 nodes start together on two cores.
 LINK_TIMEOUT_S = 5.0
-_TAKEN_TIMEOUT_S = 0.1
 _QUESTIONS = 3  # a router that has just started may not answer the first question
 _NEW_ROUTER_TIMEOUT_S = 2.0  # a router takes 0.1 s to start, and more on a busy machine
 _LINK_PAUSE_S = 0.01
@@ -104,23 +103,21 @@ def open_hub(
     return open_session("the hub", _NO_FILE.build(_common(facts), force))
 
 
+def _greatest_id() -> str:
+    """Return a Zenoh id that is greater than the ids of all former routers of zbot.
+
+    If a peer is linked to several routers, Zenoh lets only the router with the greatest id pass the
+    peer's tokens on to the hub. A peer may seem to be linked to a former router, which was killed a
+    moment ago (docs/design/zenoh-faults.md). In the comparison of ids, the last byte is the most
+    significant, and an id must not begin with 0.
+    """
+    return "f" + os.urandom(8).hex()[1:] + time.time_ns().to_bytes(8, "little").hex()
+
+
 def _warn(text: str, *, once: bool = False) -> None:
     from zbot.log import get_logger  # noqa: PLC0415 - seldom used
 
     get_logger("zbot").warning(text, once=once)
-
-
-def _is_taken(port: int) -> bool:
-    # `create_connection` takes 3 ms more, because it imports the codec for international names.
-    with socket.socket() as connection:
-        connection.settimeout(_TAKEN_TIMEOUT_S)
-        try:
-            connection.connect((LOOPBACK, port))
-        except TimeoutError:
-            return True  # the process on the port is too busy to answer
-        except OSError:
-            return False
-    return True
 
 
 def hub_endpoint() -> str:
@@ -174,7 +171,7 @@ class MeetingPoint:
         self._domain = domain
         self._mesh = Mesh(domain)
         self._login = membership.login(membership.load())
-        self.port = MEETING_PORT + domain
+        self.port = meeting_port(domain)
         self.dialect: Dialect | None = None  #: `None`: the context's own dialect
         self.is_client = True  #: whether the session of a command is a client of the router
         self.shares_memory = False  #: whether nodes may use shared memory for large messages
@@ -204,6 +201,7 @@ class MeetingPoint:
             listen.append("tcp/[::]:0")
         force = {
             "mode": "router",
+            "id": _greatest_id(),
             "listen/endpoints": listen,
             "listen/timeout_ms": 0,
             "listen/exit_on_failure": True,
@@ -221,7 +219,8 @@ class MeetingPoint:
     def start_router(self) -> bool:
         """Start the domain's router process if no process has the meeting port.
 
-        Nothing is started if the machine has joined or left a class since this process started.
+        Nothing is started if the system reserves the port, or if the machine has joined or left a
+        class since this process started.
 
         Returns:
             Whether this call started the process. The port is open about 0.1 s later.
@@ -230,7 +229,13 @@ class MeetingPoint:
         # A router with another user name would not accept this process's sessions.
         is_possible = self._login == membership.login(membership.load())
         is_needed = is_possible and self.uses_port and not self.is_taken()
-        return is_needed and router_process.start(self._domain)
+        is_useful = is_needed and not is_reserved(self.port)
+        is_started = is_useful and router_process.start(self._domain)
+        usual = MEETING_PORT + self._domain
+        if is_started and self.port != usual:
+            text = f"the system reserves port {usual}: programs meet on port {self.port}"
+            _warn(f"{text}; `zbot doctor` says more", once=True)
+        return is_started
 
     def end_stuck_router(self) -> bool:
         """Kill the domain's router process if it is suspended, or if it is idle without an answer.
@@ -294,7 +299,7 @@ class MeetingPoint:
 
     def is_taken(self) -> bool:
         """Return whether a process listens on the meeting port."""
-        return _is_taken(self.port)
+        return is_taken(self.port)
 
     @property
     def reaches_out(self) -> bool:
@@ -322,7 +327,7 @@ class MeetingPoint:
         elif not self._mesh.enter():
             fill |= {"mode": "client", "listen/endpoints": []}
         built = self._config.build(fill)
-        self.shares_memory = built.get_json("transport/shared_memory/enabled") == "true"
+        self.shares_memory = shares_memory(built)
         if built.get_json("mode") == '"client"':
             return self._open_linked_client(fill)
         return open_session("a Zenoh session", built)
@@ -385,7 +390,7 @@ class MeetingPoint:
         Do not ask the hub for its state, because a hub does not answer questions about itself.
         """
         session = self._open_client(hub_endpoint())
-        while session is None and membership.load() is not None and _is_taken(hub_port()):
+        while session is None and membership.load() is not None and is_taken(hub_port()):
             if deadline.is_over:
                 _warn("this machine's hub does not answer, so nodes of other machines are missing")
                 return None
@@ -458,9 +463,16 @@ class MeetingPoint:
 
     def warn_unanswered(self) -> None:
         """Log once that no router of zbot answers on the port."""
+        if is_reserved(self.port):
+            text = f"the system reserves port {self.port}, so other nodes are not found"
+            _warn(f"{text}; `zbot doctor` says more", once=True)
+            return
+        joined = membership.load()
+        is_given = joined is not None and joined.in_class  # the number in the class is the domain
+        advice = "" if is_given else ", or choose another domain, e.g. ZBOT_DOMAIN_ID=7"
         _warn(
-            f"nobody answers as zbot on {self.endpoint}: another program may use that port; "
-            "other nodes will not be found (choose another domain: ZBOT_DOMAIN_ID=7)",
+            f"nobody answers as zbot on {self.endpoint}, so other nodes are not found: stop the "
+            f"program that uses this port{advice}",
             once=True,
         )
 

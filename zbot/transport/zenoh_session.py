@@ -10,11 +10,17 @@ import zenoh
 
 from zbot.transport.errors import SessionError, TransportError
 
+_SHARED_MEMORY = "transport/shared_memory/enabled"
 _FILES = 40  # a session opens 19, and links and imported modules need more
+
+
+# A closed session that had a link with shared memory leaves an open file and 50 kB of memory.
+_MOST_WITH_SHARED_MEMORY = 50
 
 
 class _Library:
     user: int | None = None  #: id of the process that opens sessions with the loaded library
+    opened = 0  #: how many sessions the library has opened
 
 
 def prepare() -> None:
@@ -60,6 +66,15 @@ def _load_copy() -> None:
             importlib.reload(package)
 
 
+def shares_memory(config: zenoh.Config) -> bool:
+    """Return whether a session that is opened now will have shared memory."""
+    return _may_share_memory() and config.get_json(_SHARED_MEMORY) == "true"
+
+
+def _may_share_memory() -> bool:
+    return _Library.opened < _MOST_WITH_SHARED_MEMORY
+
+
 def open_session(what: str, config: zenoh.Config) -> zenoh.Session:
     """Open a session. `what` is the session's name in the error's text.
 
@@ -71,10 +86,14 @@ def open_session(what: str, config: zenoh.Config) -> zenoh.Session:
     if "RUST_LOG" in os.environ:
         zenoh.try_init_log_from_env()
     _check_file_limit()
+    if not _may_share_memory():  # large messages then take the way of small messages
+        config.insert_json5(_SHARED_MEMORY, "false")
     try:
-        return zenoh.open(config)
+        session = zenoh.open(config)
     except zenoh.ZError as exc:
         raise SessionError(what, str(exc)) from exc
+    _Library.opened += 1
+    return session
 
 
 def _check_file_limit() -> None:

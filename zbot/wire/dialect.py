@@ -15,7 +15,7 @@ from zbot.wire.payload import is_cdr
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from zbot.wire.tokens import EndpointToken, NodeToken
+    from zbot.wire.tokens import EndpointToken, EntityKind, NodeToken
 
 __all__ = ["CLASSROOM", "NATIVE", "RMW_ZENOH", "Dialect"]
 
@@ -108,6 +108,10 @@ class Dialect(Protocol):
         """Return the key expression of all tokens with the same node name or topic name."""
         ...
 
+    def type_selector(self, domain: int, kind: EntityKind, type_name: str) -> str:
+        """Return the key expression of the endpoints of one kind and type."""
+        ...
+
     def parse_token(self, key: str) -> NodeToken | EndpointToken:
         """Return the contents of a token. Raise `TokenError` if the token is not valid."""
         ...
@@ -189,6 +193,10 @@ class _NativeDialect:
     @staticmethod
     def namesake_selector(token: NodeToken | EndpointToken) -> str:
         return tokens.namesake_selector(token)
+
+    @staticmethod
+    def type_selector(domain: int, kind: EntityKind, type_name: str) -> str:
+        return tokens.type_selector(domain, kind, type_name)
 
     @staticmethod
     def parse_token(key: str) -> NodeToken | EndpointToken:

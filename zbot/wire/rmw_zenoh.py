@@ -140,6 +140,11 @@ class _RmwZenohDialect:
         return tokens.namesake_selector(token, tokens.ROS2_TOKEN_PREFIX)
 
     @staticmethod
+    def type_selector(domain: int, kind: EntityKind, type_name: str) -> str:
+        named = dds_type(type_name)
+        return tokens.type_selector(domain, kind, named, tokens.ROS2_TOKEN_PREFIX)
+
+    @staticmethod
     def parse_token(key: str) -> NodeToken | EndpointToken:
         token = tokens.parse_token(key, tokens.ROS2_TOKEN_PREFIX)
         if isinstance(token, NodeToken):

@@ -36,6 +36,7 @@ __all__ = [
     "namesake_selector",
     "parse_token",
     "token_selector",
+    "type_selector",
 ]
 
 TOKEN_PREFIX = "@zbot"  # noqa: S105 - a key's first chunk, not a secret
@@ -136,6 +137,11 @@ def namesake_selector(token: NodeToken | EndpointToken, prefix: str = TOKEN_PREF
         full = "/".join(map(mangle, (token.namespace, token.node)))
         return f"{domain}/*/*/*/{EntityKind.NODE.value}/*/{full}"
     return f"{domain}/*/*/*/*/*/*/*/{mangle(token.name)}/**"
+
+
+def type_selector(domain: int, kind: EntityKind, type_name: str, prefix: str = TOKEN_PREFIX) -> str:
+    """Return the key expression of the endpoints of one kind and type, whatever their names are."""
+    return f"{prefix}/{domain_text(domain)}/*/*/*/{kind.value}/*/*/*/*/{mangle(type_name)}/**"
 
 
 # Each access to a token's `gid` calls this function, and there are only a few different keys.

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 
 import typer
 
+from zbot.errors import counted
 from zbot.errors.suggestion import question, similar_names
 from zbot.package import packages
 from zbot.package.finder import BUNDLED_NAMES
@@ -27,14 +28,14 @@ from zbot_cli.errors import CommandError
 from zbot_cli.input.many_values import ManyValuesCommand
 from zbot_cli.output.exit_status import Status
 from zbot_cli.output.listing import new_app
-from zbot_cli.packages.check.package import check_package
+from zbot_cli.packages.check import check_package
 from zbot_cli.packages.known_workspaces import remember, workspace_folder
 from zbot_cli.packages.setup_scripts import source_line, write_setup_scripts
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from zbot_cli.packages.check.problem import Problem
+    from zbot_cli.packages.check.checked_package import Problem
 
 app = new_app("Check packages; nothing needs building", has_verbs=False)
 
@@ -194,8 +195,8 @@ def _in_order(needs: dict[str, list[str]], wanted: Iterable[str]) -> list[str]:
         if name in path:
             raise dependency_cycle_error([*path[path.index(name) :], name])
         if name not in done:
-            for one in needs[name]:
-                add(one, [*path, name])
+            for needed in needs[name]:
+                add(needed, [*path, name])
             done.append(name)
 
     for name in wanted:
@@ -219,14 +220,10 @@ def _check(name: str, folder: Path, known: set[str]) -> list[Problem]:
 
 
 def _summarize(count: int, failed: list[str], noisy: list[str], took_s: float) -> None:
-    print(f"\nSummary: {_packages(count - len(failed))} finished [{took_s:.2f}s]")
+    print(f"\nSummary: {counted(count - len(failed), 'package')} finished [{took_s:.2f}s]")
     if failed:
-        print(f"  {_packages(len(failed))} failed: {' '.join(failed)}")
+        print(f"  {counted(len(failed), 'package')} failed: {' '.join(failed)}")
     if noisy:
-        print(f"  {_packages(len(noisy))} had stderr output: {' '.join(noisy)}")
+        print(f"  {counted(len(noisy), 'package')} had stderr output: {' '.join(noisy)}")
     if count and not failed:
         print("\nNothing needs building: zbot runs packages as they are in their folders.")
-
-
-def _packages(count: int) -> str:
-    return f"{count} package" if count == 1 else f"{count} packages"

@@ -5,13 +5,18 @@ It takes options from the commands, names from the running nodes, and types from
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
 from zbot_cli.output.exit_status import Status
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
+    from zbot.graph.snapshot import Snapshot
+    from zbot_cli.domain.kinds import Kind
+
+#: Function that returns the candidates for a word, from the finished arguments and this word.
+_Source = Callable[[Sequence[str], str], Iterable[str]]
 
 # Old versions of PowerShell drop an empty word. So zbot's script sends two quotation marks instead.
 _EMPTY = ('""', "''")
@@ -32,7 +37,7 @@ def complete(words: list[str], nouns: Iterable[str]) -> int:
         found = _candidates(words[:-1], unfinished, nouns)
     except ZbotError:
         found = []  # a shell cannot show an error message while the user types
-    for candidate in sorted({one for one in found if one.startswith(unfinished)}):
+    for candidate in sorted({text for text in found if text.startswith(unfinished)}):
         print(candidate)
     return Status.OK
 
@@ -77,7 +82,10 @@ def _split(verb: Any, words: Sequence[str]) -> tuple[list[str], str]:
     not an option that needs a value.
     """
     with_value = {
-        name for one in verb.params if not getattr(one, "is_flag", True) for name in one.opts
+        name
+        for parameter in verb.params
+        if not getattr(parameter, "is_flag", True)
+        for name in parameter.opts
     }
     positions: list[str] = []
     option = ""
@@ -92,8 +100,8 @@ def _split(verb: Any, words: Sequence[str]) -> tuple[list[str], str]:
 
 
 def _options(command: Any) -> list[str]:
-    shown = [one for one in command.params if not getattr(one, "hidden", False)]
-    return [name for one in shown for name in one.opts if name.startswith("--")]
+    shown = [parameter for parameter in command.params if not getattr(parameter, "hidden", False)]
+    return [name for parameter in shown for name in parameter.opts if name.startswith("--")]
 
 
 def _executables(done: Sequence[str]) -> Iterable[str]:
@@ -101,10 +109,10 @@ def _executables(done: Sequence[str]) -> Iterable[str]:
 
     packages = [package for package in all_packages() if package.executables]
     if not done:
-        names = {one.name for package in packages for one in package.executables}
+        names = {executable.name for package in packages for executable in package.executables}
         return names | {package.name for package in packages}
     inside = [package.executables for package in packages if package.name == done[0]]
-    return {one.name for group in inside for one in group} if len(done) == 1 else []
+    return {executable.name for group in inside for executable in group} if len(done) == 1 else []
 
 
 def _launch_files(done: Sequence[str], unfinished: str) -> Iterable[str]:
@@ -115,31 +123,80 @@ def _launch_files(done: Sequence[str], unfinished: str) -> Iterable[str]:
     return [*candidates(words), *(() if words else paths(unfinished))]
 
 
-def _topics(_: Sequence[str], unfinished: str) -> Iterable[str]:
-    from zbot_cli.domain.client import snapshot  # noqa: PLC0415 - needed only for live names
+def _live_names(read: Callable[[Snapshot, str], Iterable[str]]) -> _Source:
+    """Return the source of the names that a function reads from the graph.
 
-    names = [name for name, _ in snapshot().topics()]
-    return names if unfinished.startswith("/") or not unfinished else [name[1:] for name in names]
+    The function also gets the unfinished word. If this word does not begin with a slash, the names
+    do not either.
+    """
+
+    def source(_: Sequence[str], unfinished: str) -> Iterable[str]:
+        from zbot_cli.domain.client import snapshot  # noqa: PLC0415 - needed only for live names
+
+        names = read(snapshot(), unfinished)
+        is_full = unfinished.startswith("/") or not unfinished
+        return names if is_full else [name[1:] for name in names]
+
+    return source
 
 
-def _nodes(_: Sequence[str], unfinished: str) -> Iterable[str]:
+def _node_names(graph: Snapshot, _: str) -> Iterable[str]:
     from zbot.graph.snapshot import full_names  # noqa: PLC0415 - needed only for live names
-    from zbot_cli.domain.client import snapshot  # noqa: PLC0415 - as above
 
-    names = full_names(snapshot().nodes)
-    return names if unfinished.startswith("/") or not unfinished else [name[1:] for name in names]
+    return full_names(graph.nodes)
 
 
-def _managed_nodes(_: Sequence[str], unfinished: str) -> Iterable[str]:
+def _managed_node_names(graph: Snapshot, unfinished: str) -> Iterable[str]:
     from zbot.remote.managed_nodes import managed_nodes  # noqa: PLC0415 - needed only for live names
-    from zbot_cli.domain.client import snapshot  # noqa: PLC0415 - as above
 
-    names = managed_nodes(snapshot(), include_hidden=unfinished.lstrip("/").startswith("_"))
-    return names if unfinished.startswith("/") or not unfinished else [name[1:] for name in names]
+    return managed_nodes(graph, include_hidden=unfinished.lstrip("/").startswith("_"))
 
 
-def _transitions(_: Sequence[str], __: str) -> Iterable[str]:
-    return ("configure", "cleanup", "activate", "deactivate", "shutdown")
+def _kind(word: str) -> Kind:
+    from zbot_cli.domain.kinds import KINDS  # noqa: PLC0415 - needed only for these nouns
+
+    return KINDS[word]
+
+
+def _names(word: str) -> _Source:
+    """Return the source of the names of a kind, e.g. of all topics."""
+    return _live_names(lambda graph, _: [name for name, _ in _kind(word).listed(graph)])
+
+
+def _types(word: str) -> _Source:
+    """Return the source of the types of a kind, e.g. of all message types."""
+    return lambda _, __: _kind(word).all_types()
+
+
+def _type_of_name(word: str) -> _Source:
+    """Return the source of the types of the name on the command line. Or else, of all types."""
+
+    def source(done: Sequence[str], _: str) -> Iterable[str]:
+        from zbot_cli.domain.client import full_name, snapshot  # noqa: PLC0415 - only for live names
+
+        kind = _kind(word)
+        found = dict(kind.listed(snapshot())).get(full_name(done[0])) if done else None
+        return found or kind.all_types()
+
+    return source
+
+
+def _default_values(word: str) -> _Source:
+    """Return the source of the default values of the type on the command line, as JSON."""
+
+    def source(done: Sequence[str], _: str) -> Iterable[str]:
+        import json  # noqa: PLC0415 - needed only for values
+
+        from zbot.interfaces.plain_value import json_value  # noqa: PLC0415 - as above
+
+        kind = _kind(word)
+        try:
+            values = kind.values_of(kind.load(done[1]))()
+        except (ZbotError, IndexError):
+            return []
+        return [f"'{json.dumps(json_value(values))}'"]
+
+    return source
 
 
 def _parameters(done: Sequence[str], _: str) -> Iterable[str]:
@@ -159,53 +216,6 @@ def _is_plain_word(name: str) -> bool:
 def _parameter_to_set(done: Sequence[str], unfinished: str) -> Iterable[str]:
     # The words are NODE PARAM VALUE PARAM VALUE. Values cannot be completed.
     return _parameters(done, unfinished) if len(done) % 2 else []
-
-
-def _topic_type(done: Sequence[str], unfinished: str) -> Iterable[str]:
-    from zbot_cli.domain.client import full_name, snapshot  # noqa: PLC0415 - only for live names
-
-    found = dict(snapshot().topics()).get(full_name(done[0])) if done else None
-    return found or _message_types(done, unfinished)
-
-
-def _actions(_: Sequence[str], unfinished: str) -> Iterable[str]:
-    from zbot_cli.domain.client import snapshot  # noqa: PLC0415 - needed only for live names
-
-    names = [name for name, _ in snapshot().actions()]
-    return names if unfinished.startswith("/") or not unfinished else [name[1:] for name in names]
-
-
-def _action_type(done: Sequence[str], _: str) -> Iterable[str]:
-    from zbot_cli.domain.client import full_name, snapshot  # noqa: PLC0415 - only for live names
-
-    found = dict(snapshot().actions()).get(full_name(done[0])) if done else None
-    return found or _action_types(done, "")
-
-
-def _action_types(_: Sequence[str], __: str) -> Iterable[str]:
-    from zbot_cli.domain.types import all_types  # noqa: PLC0415 - needed only for types
-
-    return (name for name in all_types() if "/action/" in name)
-
-
-def _goal(done: Sequence[str], _: str) -> Iterable[str]:
-    from zbot.interfaces import get_action  # noqa: PLC0415 - needed only for `send_goal`
-    from zbot.interfaces.plain_value import json_value  # noqa: PLC0415 - as above
-
-    try:
-        action: Any = get_action(done[1])
-        goal = action.Goal()
-    except (ZbotError, IndexError):
-        return []
-    import json  # noqa: PLC0415 - needed only for `send_goal`
-
-    return [f"'{json.dumps(json_value(goal))}'"]
-
-
-def _message_types(_: Sequence[str], __: str) -> Iterable[str]:
-    from zbot_cli.domain.types import all_messages  # noqa: PLC0415 - needed only for types
-
-    return all_messages()
 
 
 def _all_types(_: Sequence[str], __: str) -> Iterable[str]:
@@ -238,63 +248,14 @@ def _packages(_: Sequence[str], __: str) -> Iterable[str]:
     return packages()
 
 
-def _prototype(done: Sequence[str], _: str) -> Iterable[str]:
-    from zbot.interfaces import get_message  # noqa: PLC0415 - needed only for `pub`
-    from zbot.interfaces.plain_value import json_value  # noqa: PLC0415 - needed only for `pub`
-
-    try:
-        message = get_message(done[1])()
-    except (ZbotError, IndexError):
-        return []
-    import json  # noqa: PLC0415 - needed only for `pub`
-
-    return [f"'{json.dumps(json_value(message))}'"]
-
-
-def _services(_: Sequence[str], unfinished: str) -> Iterable[str]:
-    from zbot_cli.domain.client import snapshot  # noqa: PLC0415 - needed only for live names
-
-    names = [name for name, _ in snapshot().services()]
-    return names if unfinished.startswith("/") or not unfinished else [name[1:] for name in names]
-
-
-def _service_type(done: Sequence[str], _: str) -> Iterable[str]:
-    from zbot_cli.domain.client import full_name, snapshot  # noqa: PLC0415 - only for live names
-
-    found = dict(snapshot().services()).get(full_name(done[0])) if done else None
-    return found or _service_types(done, "")
-
-
-def _service_types(_: Sequence[str], __: str) -> Iterable[str]:
-    from zbot_cli.domain.types import all_types  # noqa: PLC0415 - needed only for types
-
-    return (name for name in all_types() if "/srv/" in name)
-
-
-def _request(done: Sequence[str], _: str) -> Iterable[str]:
-    from zbot.interfaces import get_service  # noqa: PLC0415 - needed only for `call`
-    from zbot.interfaces.plain_value import json_value  # noqa: PLC0415 - as above
-
-    try:
-        service: Any = get_service(done[1])
-        request = service.Request()
-    except (ZbotError, IndexError):
-        return []
-    import json  # noqa: PLC0415 - needed only for `call`
-
-    return [f"'{json.dumps(json_value(request))}'"]
-
-
 def _nothing(_: Sequence[str], __: str) -> Iterable[str]:
     return ()
 
 
 def _fields(done: Sequence[str], _: str) -> Iterable[str]:
     """Return the fields of a topic's messages, e.g. `pose.position.x`."""
-    from zbot_cli.domain.topic_types import message_class  # noqa: PLC0415 - needed only for `--field`
-
-    types = done[1:2] or list(_topic_type(done, "") if done else [])
-    return _field_paths(message_class(types[0]), "") if len(types) == 1 else []
+    types = done[1:2] or list(_type_of_name("topic")(done, "") if done else [])
+    return _field_paths(_kind("topic").class_of(types[0]), "") if len(types) == 1 else []
 
 
 def _field_paths(message_type: Any, prefix: str) -> Iterable[str]:
@@ -312,7 +273,7 @@ def _profiles(_: Sequence[str], __: str) -> Iterable[str]:
     return QoSPresetProfiles.short_keys()
 
 
-def _choices(*words: str) -> Any:
+def _choices(*words: str) -> _Source:
     return lambda _, __: words
 
 
@@ -332,52 +293,52 @@ _OPTION_VALUES: dict[str, Any] = {
 }
 
 
-def _shells(_: Sequence[str], __: str) -> Iterable[str]:
-    return ("bash", "zsh", "fish", "powershell")
-
-
+_NODES = _live_names(_node_names)
+_MANAGED = _live_names(_managed_node_names)
+_TRANSITIONS = _choices("configure", "cleanup", "activate", "deactivate", "shutdown")
+_SHELLS = _choices("bash", "zsh", "fish", "powershell")
 #: For each verb, the functions that return candidates for its first argument, its second argument
 #: and so on. The last function also returns the candidates for all later arguments.
-_VALUES: dict[tuple[str, str], tuple[Any, ...]] = {
-    ("action", "echo"): (_actions, _action_type),
-    ("action", "find"): (_action_types,),
-    ("action", "info"): (_actions,),
-    ("action", "send_goal"): (_actions, _action_type, _goal),
-    ("action", "type"): (_actions,),
-    ("bag", "record"): (_topics,),
-    ("lifecycle", "get"): (_managed_nodes,),
-    ("lifecycle", "list"): (_managed_nodes,),
-    ("lifecycle", "set"): (_managed_nodes, _transitions),
-    ("param", "delete"): (_nodes, _parameters),
-    ("param", "describe"): (_nodes, _parameters),
-    ("param", "dump"): (_nodes,),
-    ("param", "get"): (_nodes, _parameters),
-    ("param", "list"): (_nodes,),
-    ("param", "load"): (_nodes, None),
-    ("param", "set"): (_nodes, _parameter_to_set),
+_VALUES: dict[tuple[str, str], tuple[_Source | None, ...]] = {
+    ("action", "echo"): (_names("action"), _type_of_name("action")),
+    ("action", "find"): (_types("action"),),
+    ("action", "info"): (_names("action"),),
+    ("action", "send_goal"): (_names("action"), _type_of_name("action"), _default_values("action")),
+    ("action", "type"): (_names("action"),),
+    ("bag", "record"): (_names("topic"),),
+    ("lifecycle", "get"): (_MANAGED,),
+    ("lifecycle", "list"): (_MANAGED,),
+    ("lifecycle", "set"): (_MANAGED, _TRANSITIONS),
+    ("param", "delete"): (_NODES, _parameters),
+    ("param", "describe"): (_NODES, _parameters),
+    ("param", "dump"): (_NODES,),
+    ("param", "get"): (_NODES, _parameters),
+    ("param", "list"): (_NODES,),
+    ("param", "load"): (_NODES, None),
+    ("param", "set"): (_NODES, _parameter_to_set),
     ("pkg", "deps"): (_all_packages,),
     ("pkg", "executables"): (_all_packages,),
     ("pkg", "prefix"): (_all_packages,),
     ("pkg", "xml"): (_all_packages,),
-    ("service", "call"): (_services, _service_type, _request),
-    ("service", "echo"): (_services, _service_type),
-    ("service", "find"): (_service_types,),
-    ("service", "info"): (_services,),
-    ("service", "type"): (_services,),
-    ("topic", "echo"): (_topics, _topic_type),
-    ("topic", "pub"): (_topics, _topic_type, _prototype),
-    ("topic", "info"): (_topics,),
-    ("topic", "type"): (_topics,),
-    ("topic", "hz"): (_topics,),
-    ("topic", "bw"): (_topics,),
-    ("topic", "delay"): (_topics,),
-    ("topic", "find"): (_message_types,),
-    ("node", "info"): (_nodes,),
-    ("node", "kill"): (_nodes,),
+    ("service", "call"): (_names("service"), _type_of_name("service"), _default_values("service")),
+    ("service", "echo"): (_names("service"), _type_of_name("service")),
+    ("service", "find"): (_types("service"),),
+    ("service", "info"): (_names("service"),),
+    ("service", "type"): (_names("service"),),
+    ("topic", "echo"): (_names("topic"), _type_of_name("topic")),
+    ("topic", "pub"): (_names("topic"), _type_of_name("topic"), _default_values("topic")),
+    ("topic", "info"): (_names("topic"),),
+    ("topic", "type"): (_names("topic"),),
+    ("topic", "hz"): (_names("topic"),),
+    ("topic", "bw"): (_names("topic"),),
+    ("topic", "delay"): (_names("topic"),),
+    ("topic", "find"): (_types("topic"),),
+    ("node", "info"): (_NODES,),
+    ("node", "kill"): (_NODES,),
     ("interface", "show"): (_all_types,),
     ("interface", "proto"): (_all_types,),
     ("interface", "package"): (_packages,),
     ("interface", "remove"): (_added_packages,),
-    ("completion", ""): (_shells,),
-    ("setup-shell", ""): (_shells,),
+    ("completion", ""): (_SHELLS,),
+    ("setup-shell", ""): (_SHELLS,),
 }

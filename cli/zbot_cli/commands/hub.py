@@ -26,11 +26,28 @@ def hub(
     keystore: Annotated[
         Path | None, typer.Option("--keystore", help="Folder of this machine's certificate")
     ] = None,
+    boards: Annotated[
+        bool,
+        typer.Option("--boards", help="Link microcontrollers (zenoh-pico) with this domain"),
+    ] = False,
+    ros_domain: Annotated[
+        int | None,
+        typer.Option(
+            "--ros-domain",
+            min=0,
+            max=232,
+            help="With --boards: domain of the boards; default: ROS_DOMAIN_ID",
+        ),
+    ] = None,
 ) -> None:
     """Link the machines that join this one, until Ctrl-C.
 
-    With --rmw, run the router of ROS 2's nodes, like rmw_zenohd.
+    With --rmw, run the router of ROS 2's nodes, like rmw_zenohd. With --boards, run this router and
+    `zbot bridge rmw_zenoh`: boards with Pico-ROS are nodes of this domain.
     """
+    if boards:
+        _serve_boards(listen, connect, keystore, ros_domain)
+        return
     from zbot.transport.rmw_choice import RMW_VARIABLE, RMW_ZENOH  # noqa: PLC0415 - not for --help
 
     if os.environ.get(RMW_VARIABLE) == RMW_ZENOH:
@@ -49,16 +66,16 @@ def hub(
     dialled = [parse_address(word) for word in connect or []]
     link = Link.named(keystore)
     if not keystore:
-        listening = [one.endpoint for one in addresses]
+        listening = [address.endpoint for address in addresses]
     else:
         for host in own_addresses()[:1]:
             link.check_listening(host)
-        for one in dialled:
-            link.check_dialling(one)
-        listening = [endpoint for one in addresses for endpoint in link.listening(one)]
+        for address in dialled:
+            link.check_dialling(address)
+        listening = [endpoint for address in addresses for endpoint in link.listening(address)]
     settings = HubSettings(
         tuple(dict.fromkeys(listening)),
-        tuple(link.endpoint(one) for one in dialled),
+        tuple(link.endpoint(address) for address in dialled),
         link.settings,
     )
 
@@ -90,4 +107,35 @@ def _serve_ros2(listen: list[str] | None, connect: list[str] | None, keystore: P
     serve_session(
         router.open,
         lambda: print(f"the router of ROS 2 listens on {known}; Ctrl-C ends it", flush=True),
+    )
+
+
+def _serve_boards(
+    listen: list[str] | None,
+    connect: list[str] | None,
+    keystore: Path | None,
+    ros_domain: int | None,
+) -> None:
+    from zbot.bridge.boards import run_boards  # noqa: PLC0415 - not needed by `--help`
+    from zbot.classroom.hub.address import (  # noqa: PLC0415 - as above
+        EVERYWHERE,
+        Address,
+        own_addresses,
+        parse_address,
+    )
+    from zbot_cli.commands.bridge import RouteOptions  # noqa: PLC0415 - as above
+
+    if connect or keystore is not None:
+        raise CommandError("`zbot hub --boards` has only the options --listen and --ros-domain")
+
+    given = [parse_address(word) for word in listen or []]
+    hosts = [address.host for address in given if address.host not in {EVERYWHERE, "::"}]
+
+    def print_address(port: int) -> None:
+        shown = Address((hosts or own_addresses() or ["127.0.0.1"])[0], port)
+        print(f"on the board: {shown.endpoint}", flush=True)
+
+    endpoints = [address.endpoint for address in given]
+    run_boards(
+        RouteOptions(ros_domain=ros_domain, parameters=True).for_bridge(), endpoints, print_address
     )

@@ -5,12 +5,15 @@ from __future__ import annotations
 import os
 import sys
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from zbot_cli.output.exit_status import Status
 from zbot_cli.output.listing import new_app
+
+if TYPE_CHECKING:
+    from zbot.transport.membership import Membership
 
 app = new_app("Join a class or another machine", has_verbs=False)
 
@@ -64,8 +67,19 @@ def join(
         print(f"joined {joined.host}:{joined.port}; `zbot leave` leaves it")
     if namesakes:
         print(namesakes_text(joined.name, namesakes), file=sys.stderr)
+    _print_version(joined)
     _print_differences()
     print_programs_outside()
+
+
+def _print_version(joined: Membership) -> None:
+    """Print a line if the class or hub has another version of zbot than this machine."""
+    from zbot.transport.other_version import other_versions_text  # noqa: PLC0415 - not needed by `--help`
+
+    who = f'the class "{joined.class_name}"' if joined.in_class else joined.host
+    text = other_versions_text({who: joined.version})
+    if text:
+        print(text, file=sys.stderr)
 
 
 def _resume() -> None:
@@ -87,8 +101,8 @@ def _print_differences() -> None:
     from zbot.transport import environment  # noqa: PLC0415 - as above
 
     try:
-        for one in environment.differences():
-            print(one.text, file=sys.stderr)
+        for difference in environment.differences():
+            print(difference.text, file=sys.stderr)
     except ZbotError as error:  # an environment variable or a configuration file is not valid
         print(error, file=sys.stderr)
 

@@ -14,24 +14,24 @@ from zbot.errors import ZbotError
 from zbot.errors.suggestion import did_you_mean
 from zbot.launch.actions.executable import PREFIX, PREFIX_FILTER
 from zbot.launch.actions.include import IncludeLaunchDescription
+from zbot.launch.actions.opaque import OpaqueFunction
 from zbot.launch.arguments import declared_arguments, parse_arguments
-from zbot.launch.description import LaunchDescription
-from zbot.launch.introspector import LaunchIntrospector
-from zbot.launch.left_out import leave_out
+from zbot.launch.description import LaunchDescription, LaunchIntrospector
+from zbot.launch.event_handler import OnShutdown
 from zbot.launch.service import LaunchService
 from zbot.launch.source import AnyLaunchDescriptionSource
 from zbot.launch.substitution import TextSubstitution, describe
-from zbot.package.absent import absent_packages_reported
+from zbot.package.rclpy_choice import choose_rclpy
 from zbot.package.ros_variables import set_ros_variables
 from zbot.package.workspace import set_workspace_variable
-from zbot_cli.commands.run import find as find_executable
+from zbot_cli.commands.run.executable_search import find_in_package
 from zbot_cli.errors import CommandError
 from zbot_cli.output.listing import new_app
 from zbot_cli.packages import launch_file
 from zbot_cli.packages.executables import NOTED_VARIABLE, note_of_others
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Sequence
     from pathlib import Path
 
     from zbot.launch.actions.declare_argument import DeclareLaunchArgument
@@ -86,6 +86,9 @@ def launch(
             "--launch-prefix-filter", help="Regular expression of executables that get the prefix"
         ),
     ] = "",
+    genuine: Annotated[
+        bool, typer.Option("--genuine", help="Let the nodes use an installed ROS 2 instead of zbot")
+    ] = False,
 ) -> int:
     """Run a launch file."""
     if prefix_filter and not prefix:
@@ -95,8 +98,10 @@ def launch(
     # Launch files get zbot's `launch` even if ROS 2's `launch` is installed, because zbot can run
     # only its own objects.
     zbot.compat.install_names({"launch", "launch_ros", "launch_xml", "launch_yaml"})
-    path, rest = launch_file.find(words)
+    path, rest = _find_file(words)
     set_ros_variables()
+    if note := choose_rclpy(is_genuine=genuine):
+        print(f"note: {note}", file=sys.stderr)
     set_workspace_variable(path.parent)  # launch files and processes import the packages
     arguments = parse_arguments(rest)
     if print_description and arguments:
@@ -113,41 +118,68 @@ def launch(
         find_program=lambda package, executable: _find(service.context, package, executable),
     )
     options = {PREFIX: prefix, PREFIX_FILTER: prefix_filter}
-    service.context.launch_configurations |= {key: one for key, one in options.items() if one}
+    service.context.launch_configurations |= {key: value for key, value in options.items() if value}
     source = AnyLaunchDescriptionSource(str(path))
-    with absent_packages_reported(partial(leave_out, service.context)):
-        for text in _likely_typos(source, path, arguments):
-            service.context.writer.warning("launch", text)
     include = IncludeLaunchDescription(source, launch_arguments=arguments.items())
     include.origin = None  # the command line includes it, not a line of a launch file
-    service.include_launch_description(LaunchDescription([include]))
+    check = partial(_warn_of_typos, service.context, set(arguments))
+    service.context.register_event_handler(OnShutdown(on_shutdown=check))  # the launch may fail
+    control = OpaqueFunction(function=_let_page_control, args=(path, rest))
+    empty = OpaqueFunction(function=_warn_of_nothing, args=(path, source))
+    description = LaunchDescription([include, control, empty, OpaqueFunction(function=check)])
+    service.include_launch_description(description)
     return service.run() or int(service.context.program_failed)
 
 
+def _let_page_control(context: LaunchContext, path: Path, arguments: Sequence[str]) -> None:
+    from zbot.launch.control.control_server import ControlServer  # noqa: PLC0415 - after the file is read
+
+    ControlServer(context, path, arguments).start()
+
+
+def _warn_of_nothing(
+    context: LaunchContext, path: Path, source: AnyLaunchDescriptionSource
+) -> None:
+    """Warn if the file returns an empty description, e.g. because it adds no action to it."""
+    loaded = source.try_get_launch_description_without_context()
+    if loaded is not None and not loaded.entities:
+        advice = "put its actions into LaunchDescription([...])"
+        context.writer.warning("launch", f"{path} launches nothing: {advice}")
+
+
+def _find_file(words: Sequence[str]) -> tuple[Path, list[str]]:
+    """Find the launch file. The error for a node or for words of a command says what to type."""
+    try:
+        return launch_file.find(words)
+    except ZbotError as error:
+        from zbot_cli.commands.wrong_command import advice_for_launch  # noqa: PLC0415 - only for mistakes
+
+        if advice := advice_for_launch(words):
+            has_files = error.hint.startswith("it has") and error.hint != "it has none"
+            error.hint = f"{error.hint}; to run its node, {advice}" if has_files else advice
+        raise
+
+
 def _find(context: LaunchContext, package: str, executable: str) -> None:
-    found, _ = find_executable([package, executable])
-    note = note_of_others(found)
+    note = note_of_others(find_in_package(package, executable))
     if note and NOTED_VARIABLE not in context.environment:
         context.writer.warning("launch", note)
         context.environment[NOTED_VARIABLE] = "1"  # the node does not show it again
 
 
-def _likely_typos(
-    source: AnyLaunchDescriptionSource, path: Path, arguments: Iterable[str]
-) -> Iterable[str]:
-    """Yield a warning for each undeclared argument that is similar to a declared argument."""
-    if not arguments:
-        return
-    try:
-        description = source.try_get_launch_description_without_context()
-    except ZbotError:
-        return  # the launch reports the error
-    found = () if description is None else declared_arguments(description, path=str(path))
-    known = {one.action.name for one in found}
-    for name in set(arguments) - known:
-        hint = did_you_mean(name, known)
-        if hint:
-            yield f"no launch argument '{name}' is declared; {hint}"
+def _warn_of_typos(context: LaunchContext, arguments: set[str], *_: object) -> None:
+    """Log a warning for each undeclared argument that is similar to a declared argument.
+
+    The launch has read its files by now. They are not read before, because a file may need what
+    the actions before its include set.
+    """
+    if context.is_shutdown and not context.failed:
+        return  # the user has ended the launch, which may know only some of its arguments
+    for name in sorted(arguments - context.declared):
+        if hint := did_you_mean(name, context.declared):
+            text = f"no launch argument '{name}' is declared; {hint}"
+            context.writer.warning("launch", text)
+    arguments.clear()
 
 
 def _show(path: Path, *, arguments_only: bool) -> int:
@@ -160,20 +192,27 @@ def _show(path: Path, *, arguments_only: bool) -> int:
     return 0
 
 
+def _say_unread(include: IncludeLaunchDescription, error: ZbotError) -> None:
+    """Say that the arguments of an included file are not shown, and why."""
+    origin = include.origin
+    where = f"{origin.path}:{origin.line}: " if origin is not None else ""
+    print(f"{where}the arguments of the included file are not shown: {error}", file=sys.stderr)
+
+
 def _argument_lines(description: LaunchDescription, path: str) -> Iterable[str]:
-    found = declared_arguments(description, path=path)
+    found = declared_arguments(description, path=path, report=_say_unread)
     yield "Arguments (pass arguments as '<name>:=<value>'):"
     if not found:
         yield "\n  No arguments."
-    for one in found:
-        mark = "*" if one.conditional else ""
-        yield f"\n    '{one.action.name}'{mark}:\n        {one.action.description}"
-        if one.action.choices is not None:
-            choices = ", ".join(f"'{choice}'" for choice in one.action.choices)
+    for argument in found:
+        mark = "*" if argument.conditional else ""
+        yield f"\n    '{argument.action.name}'{mark}:\n        {argument.action.description}"
+        if argument.action.choices is not None:
+            choices = ", ".join(f"'{choice}'" for choice in argument.action.choices)
             yield f"        one of: {choices}"
-        if one.action.default_value is not None:
-            yield f"        (default: {_default(one.action)})"
-    if any(one.conditional for one in found):
+        if argument.action.default_value is not None:
+            yield f"        (default: {_default(argument.action)})"
+    if any(argument.conditional for argument in found):
         yield "\n* argument(s) which are only used if specific conditions occur"
 
 

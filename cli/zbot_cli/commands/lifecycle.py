@@ -8,9 +8,11 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from zbot.graph.snapshot import full_names
 from zbot.remote.managed_nodes import ManagedNodes, NodeSilentError, managed_nodes
-from zbot_cli.domain.client import hidden_node, note_if_nobody_runs, snapshot
-from zbot_cli.domain.managed_nodes import find_managed_node
+from zbot_cli.domain.client import full_name, hidden_node, note_if_nobody_runs, snapshot
+from zbot_cli.errors import CommandError
+from zbot_cli.input.domain_names import as_typed, did_you_mean
 from zbot_cli.input.option_groups import with_option_groups
 from zbot_cli.output.exit_status import Status
 from zbot_cli.output.listing import (
@@ -27,6 +29,9 @@ from zbot_cli.output.listing import (
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
+    from zbot.graph.snapshot import Snapshot
+    from zbot.node.node import Node
+
     from lifecycle_msgs.msg import State, TransitionDescription
 
 app = new_app("Look at managed nodes and change their states")
@@ -38,7 +43,7 @@ NodeName = Annotated[str, typer.Argument(help="Name of the node, e.g. /lc_talker
 def _managed(name: str, timeout: float) -> Iterator[tuple[ManagedNodes, str]]:
     """Yield a client of managed nodes, and the full name of a node as soon as it is running."""
     with hidden_node("lifecycle") as node:
-        yield ManagedNodes(node), find_managed_node(node, name, timeout)
+        yield ManagedNodes(node), _find_managed_node(node, name, timeout)
 
 
 @app.command("nodes")
@@ -81,8 +86,10 @@ def get(
     with hidden_node("lifecycle") as node:
         found = managed_nodes(node.context.graph.snapshot(), include_hidden=search.include_hidden)
         answers = ManagedNodes(node).states(found)
-    silent = [one for one in answers.values() if isinstance(one, NodeSilentError)]
-    states = {name: one for name, one in answers.items() if not isinstance(one, NodeSilentError)}
+    silent = [answer for answer in answers.values() if isinstance(answer, NodeSilentError)]
+    states = {
+        name: answer for name, answer in answers.items() if not isinstance(answer, NodeSilentError)
+    }
     if as_json:
         print_json({name: _plain(state) for name, state in states.items()})
     else:
@@ -112,19 +119,19 @@ def list_transitions(
     with _managed(node_name, search.timeout) as (remote, name):
         found = remote.transitions(name, show_all=show_all)
     if as_json:
-        print_json([_plain_transition(one) for one in found])
+        print_json([_plain_transition(description) for description in found])
         return
-    for one in found:
-        print(f"- {one.transition.label} [{one.transition.id}]")
-        print(f"\tStart: {one.start_state.label}\n\tGoal: {one.goal_state.label}")
+    for description in found:
+        print(f"- {description.transition.label} [{description.transition.id}]")
+        print(f"\tStart: {description.start_state.label}\n\tGoal: {description.goal_state.label}")
 
 
-def _plain_transition(one: TransitionDescription) -> dict[str, Any]:
+def _plain_transition(description: TransitionDescription) -> dict[str, Any]:
     return {
-        "id": one.transition.id,
-        "label": one.transition.label,
-        "start": one.start_state.label,
-        "goal": one.goal_state.label,
+        "id": description.transition.id,
+        "label": description.transition.label,
+        "start": description.start_state.label,
+        "goal": description.goal_state.label,
     }
 
 
@@ -139,3 +146,32 @@ def set_state(
     with _managed(node_name, search.timeout) as (remote, name):
         remote.change(name, transition)
     print("Transitioning successful")
+
+
+def _node_not_found_error(name: str, graph: Snapshot) -> CommandError:
+    """Return the error that no managed node of that name appeared in time."""
+    if name in (names := full_names(graph.nodes)):
+        return CommandError(
+            "Node not found", hint=f"{name} is running, but it is not a managed node"
+        )
+    known = managed_nodes(graph, include_hidden=True)
+    others = f"managed nodes are {', '.join(known)}" if known else "no managed node is running"
+    reason = did_you_mean(name, known) or did_you_mean(name, names) or others
+    return CommandError("Node not found", hint=f"no node {as_typed(name)} is running; {reason}")
+
+
+def _find_managed_node(node: Node, name: str, timeout_s: float) -> str:
+    """Return a managed node's full name as soon as it is running.
+
+    Args:
+        node: The node of the command.
+        name: The name on the command line.
+        timeout_s: Seconds to wait for a node that is not running yet.
+
+    Raises:
+        CommandError: The node does not appear in time.
+    """
+    full, graph = full_name(name), node.context.graph
+    if not graph.wait_for(lambda now: full in managed_nodes(now, include_hidden=True), timeout_s):
+        raise _node_not_found_error(full, graph.snapshot())
+    return full

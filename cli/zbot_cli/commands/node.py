@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from zbot.errors.suggestion import did_you_mean
 from zbot.graph.snapshot import full_names
 from zbot.names import fully_qualified, is_hidden
 from zbot.wire.tokens import EntityKind
@@ -21,11 +20,13 @@ from zbot_cli.domain.client import (
     snapshot_of,
 )
 from zbot_cli.errors import CommandError
+from zbot_cli.input.domain_names import as_typed, did_you_mean
 from zbot_cli.input.option_groups import with_option_groups
 from zbot_cli.output.listing import NO_DAEMON, AsJson, DaemonOptions, new_app, print_json
 
 if TYPE_CHECKING:
-    from zbot.graph.snapshot import NamesAndTypes, Process, Snapshot
+    from zbot.graph.snapshot import NamesAndTypes, Snapshot
+    from zbot.transport.admin_query import Process
     from zbot.wire.tokens import NodeToken
 
 app = new_app("Look at nodes")
@@ -47,7 +48,7 @@ _KEYS = {
 def unknown_node_name_error(name: str, known: list[str]) -> CommandError:
     """Return the error that no node of that name is running. The hint contains a similar name."""
     hint = did_you_mean(name, known)
-    return CommandError(f"Unable to find node '{name}'", hint=hint)
+    return CommandError(f"Unable to find node '{as_typed(name)}'", hint=hint)
 
 
 @app.command("list")
@@ -167,7 +168,7 @@ def kill(
 
 
 def _processes(context: object) -> dict[str, Process]:
-    from zbot.graph.snapshot import processes  # noqa: PLC0415 - needed only for this verb
+    from zbot.transport.admin_query import processes  # noqa: PLC0415 - needed only for this verb
 
     return processes(context.session)  # type: ignore[attr-defined]
 

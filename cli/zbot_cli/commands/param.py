@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import re
+import shlex
 import sys
 from contextlib import contextmanager
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 
 import typer
@@ -12,9 +14,9 @@ import typer
 from zbot.errors import ZbotError
 from zbot.parameters.file import sections
 from zbot.parameters.parameter import Parameter, no_parameters_error
-from zbot.remote.parameters import ParameterNotSetError
+from zbot.remote.parameters import ParameterNotSetError, visible_nodes
 from zbot.remote.service_calls import ANSWER_TIMEOUT_S
-from zbot_cli.domain.client import hidden_node, note_if_nobody_runs
+from zbot_cli.domain.client import full_name, hidden_node, nobody_runs, note_if_nobody_runs
 from zbot_cli.domain.parameters import CommandParameters, in_words_of_ros2
 from zbot_cli.errors import CommandError
 from zbot_cli.input.many_values import ManyValuesCommand
@@ -98,8 +100,12 @@ def list_parameters(
     """List the parameters of nodes."""
     wanted = _compiled(pattern)
     with _remote(search.timeout, service_timeout) as remote:
-        one = None if node_name is None else remote.find(node_name)
-        nodes = remote.nodes(include_hidden=search.include_hidden) if one is None else [one]
+        wanted_node = None if node_name is None else remote.find(node_name)
+        nodes = (
+            remote.nodes(include_hidden=search.include_hidden)
+            if wanted_node is None
+            else [wanted_node]
+        )
         if not nodes:
             note_if_nobody_runs(remote.graph())
         answers = remote.all_names(nodes, prefixes or [])
@@ -109,10 +115,10 @@ def list_parameters(
             for node, names in found.items()
         }
     for error in answers.errors.values():
-        if one is not None:
+        if wanted_node is not None:
             raise in_words_of_ros2(error)
         _fail(error)
-    _print_names(typed, as_json=as_json, is_one=one is not None)
+    _print_names(typed, as_json=as_json, is_one=wanted_node is not None)
     _end(len(answers.errors))
 
 
@@ -151,7 +157,7 @@ def get(
 ) -> None:
     """Print the values of parameters."""
     with _remote(search.timeout) as remote:
-        nodes, names = _targets(remote, words, include_hidden=search.include_hidden)
+        nodes, names = _targets(remote, "get", words, include_hidden=search.include_hidden)
         values = {node: remote.values(node, names) for node in nodes}
     if as_json:
         print_json({node: plain_values(found) for node, found in values.items()})
@@ -174,18 +180,33 @@ def _heading(node: str, *, is_shown: bool) -> Iterator[str]:
 
 
 def _targets(
-    remote: CommandParameters, words: Sequence[str], *, include_hidden: bool
+    remote: CommandParameters, verb: str, words: Sequence[str], *, include_hidden: bool
 ) -> tuple[list[str], list[str]]:
     """Return nodes and parameters of `NODE PARAM...`. Without NODE, use all nodes with PARAM."""
     if len(words) > 1:
         return [remote.find(words[0])], list(words[1:])
-    return _nodes_with(remote, words, include_hidden=include_hidden), list(words)
+    advice = _forgotten_word(remote, verb, words, "PARAM")
+    return _nodes_with(remote, words, advice, include_hidden=include_hidden), list(words)
+
+
+def _forgotten_word(
+    remote: CommandParameters, verb: str, words: Sequence[str], missing: str
+) -> str:
+    """Return what to type if the first word is a node, and a word is missing at the end."""
+    node = full_name(words[0])
+    if node not in visible_nodes(remote.graph()):
+        return ""
+    return f"{node} is a node: type: zbot param {verb} {shlex.join(words)} {missing}"
 
 
 def _nodes_with(
-    remote: CommandParameters, names: Sequence[str], *, include_hidden: bool
+    remote: CommandParameters, names: Sequence[str], advice: str, *, include_hidden: bool
 ) -> list[str]:
-    """Return the nodes that have all of these parameters."""
+    """Return the nodes that have all of these parameters.
+
+    Raises:
+        ParameterNotSetError: There is no such node. The hint is `advice`, if it is not empty.
+    """
     nodes = remote.nodes(include_hidden=include_hidden)
     answers = remote.all_names(nodes)
     for error in answers.errors.values():
@@ -193,7 +214,9 @@ def _nodes_with(
     found = [node for node, known in answers.found.items() if set(names) <= set(known)]
     if not found:
         known = sorted(set().union(*answers.found.values()))
-        raise ParameterNotSetError(None, " and ".join(names), known)
+        error = ParameterNotSetError(None, " and ".join(names), known)
+        error.hint = advice or (error.hint if nodes else nobody_runs())
+        raise error
     return found
 
 
@@ -216,9 +239,19 @@ def set_parameters(
     _reject_options(words)
     has_node = len(words) % 2 == 1
     if len(words) < 2:
-        raise typer.BadParameter("needs the name of a parameter and its value")
+        raise typer.BadParameter(
+            "needs the name of a parameter and its value, e.g. zbot param set /turtlesim "
+            "background_r 150"
+        )
+    name, equals, value = words[-1].partition("=")
+    if equals and not has_node and name.isidentifier():
+        typed = [*words[:-1], name, value or "VALUE"]
+        raise typer.BadParameter(f"write a blank, not '=': zbot param set {shlex.join(typed)}")
     if words[0].startswith("/") and not has_node:  # no name of a parameter begins with a slash
-        raise typer.BadParameter(f"give each name a value: {words[-1]} has none")
+        raise typer.BadParameter(
+            f"give each name a value: {words[-1]} has none; "
+            f"type: zbot param set {shlex.join(words)} VALUE"
+        )
     pairs = words[1:] if has_node else words
     values = dict(zip(pairs[::2], pairs[1::2], strict=True))
     messages = [message_of(name, text) for name, text in values.items()]
@@ -227,7 +260,12 @@ def set_parameters(
         nodes = (
             [remote.find(words[0])]
             if has_node
-            else _nodes_with(remote, list(values), include_hidden=search.include_hidden)
+            else _nodes_with(
+                remote,
+                list(values),
+                _forgotten_word(remote, "set", words, "VALUE"),
+                include_hidden=search.include_hidden,
+            )
         )
         for node in nodes:
             results = remote.set(node, messages, atomic=atomic)
@@ -268,7 +306,7 @@ def delete(
     """Delete parameters."""
     failures = 0
     with _remote(search.timeout) as remote:
-        nodes, names = _targets(remote, words, include_hidden=search.include_hidden)
+        nodes, names = _targets(remote, "delete", words, include_hidden=search.include_hidden)
         for node in nodes:
             results = remote.set(node, [Parameter(name) for name in names])
             with _heading(node, is_shown=len(words) == 1) as indent:
@@ -290,7 +328,7 @@ def describe(
 ) -> None:
     """Show types, descriptions and limits of parameters."""
     with _remote(search.timeout) as remote:
-        nodes, names = _targets(remote, words, include_hidden=search.include_hidden)
+        nodes, names = _targets(remote, "describe", words, include_hidden=search.include_hidden)
         found = {node: remote.descriptors(node, names) for node in nodes}
     if as_json:
         print_json({node: list(map(description, many)) for node, many in found.items()})
@@ -313,8 +351,12 @@ def dump(
 ) -> None:
     """Print parameters as a parameter file."""
     with _remote(search.timeout) as remote:
-        one = None if node_name is None else [remote.find(node_name)]
-        nodes = remote.nodes(include_hidden=search.include_hidden) if one is None else one
+        wanted_nodes = None if node_name is None else [remote.find(node_name)]
+        nodes = (
+            remote.nodes(include_hidden=search.include_hidden)
+            if wanted_nodes is None
+            else wanted_nodes
+        )
         values = {node: remote.values(node, remote.names(node)) for node in nodes}
     if as_json:
         print_json({node: plain_values(found) for node, found in values.items()})
@@ -338,6 +380,10 @@ def load(
     if len(words) > 2:
         raise typer.BadParameter("takes a node and a file, or a file alone")
     path = words[-1]
+    if len(words) == 1 and not Path(path).suffix and not Path(path).exists():
+        raise CommandError(
+            f"there is no file {path}", hint=f"name a file: zbot param load {path} FILE.yaml"
+        )
     content = sections(path)
     failures = 0
     with _remote(search.timeout) as remote:
@@ -372,5 +418,8 @@ def _load(remote: CommandParameters, node: str, values: dict[str, Any], indent: 
             refused.append(parameter)
     # A dump contains read-only parameters too, which the node refuses to set. A refusal counts as a
     # failure only if the node's value differs from the file's value.
-    present = remote.known_values(node, [one.name for one in refused])
-    return sum(one.name not in present or present[one.name].value != one.value for one in refused)
+    present = remote.known_values(node, [parameter.name for parameter in refused])
+    return sum(
+        parameter.name not in present or present[parameter.name].value != parameter.value
+        for parameter in refused
+    )

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Annotated, ClassVar
 
 import typer
 
-from zbot.errors import ZbotError
 from zbot.errors.suggestion import did_you_mean
 from zbot.package import PackageNotFoundError, package_prefix, package_share, packages
 from zbot.package.finder import BUNDLED_NAMES, find_package
@@ -20,36 +19,32 @@ from zbot.package.workspace import (
     package_name,
     packages_by_name,
 )
-from zbot_cli.commands.run import PackageNotFoundError as UnknownPackageError
+from zbot_cli.commands.run.executable_search import package_not_found_error
 from zbot_cli.errors import CommandError
 from zbot_cli.input.many_values import ManyValuesCommand
 from zbot_cli.output.exit_status import Status
 from zbot_cli.output.listing import AsJson, new_app, print_json
 from zbot_cli.packages import executables
-from zbot_cli.packages.author import email_address, full_name
-from zbot_cli.packages.check.package import check_package
-from zbot_cli.packages.check.problem import shown_path
-from zbot_cli.packages.creation import Plan, create, known_licenses
+from zbot_cli.packages.check import check_package
+from zbot_cli.packages.check.checked_package import shown_path
+from zbot_cli.packages.creation import Plan, create, known_licenses, user_email, user_name
 from zbot_cli.packages.executables import Executable, all_packages, program_file
 from zbot_cli.packages.known_workspaces import remember
 
 if TYPE_CHECKING:
     from xml.etree.ElementTree import Element
 
-    from zbot_cli.packages.check.problem import Problem
-    from zbot_cli.packages.lacking import Lacking
+    from zbot_cli.packages.check.checked_package import Problem
+    from zbot_cli.packages.missing_dependencies import MissingDependency
 
 app = new_app("Find and create packages")
 
 PackageName = Annotated[str, typer.Argument(help="Name of the package")]
 
 
-class NoPackageError(ZbotError):
-    """There is no package of that name."""
-
-    def __init__(self, name: str, hint: str) -> None:
-        self.package, self.hint = name, hint
-        super().__init__("Package not found")
+def no_package_error(name: str, hint: str) -> CommandError:
+    """Return the error that there is no package of that name."""
+    return CommandError("Package not found", hint=hint, package=name)
 
 
 def tag_not_found_error(tag: str, known: list[str]) -> CommandError:
@@ -109,14 +104,19 @@ def create_package(
     library_name: Annotated[
         str, typer.Option("--library-name", help="Add a library with this name")
     ] = "",
+    has_vscode: Annotated[
+        bool, typer.Option("--vscode", help="Add a folder .vscode: tasks, and ways to start nodes")
+    ] = False,
 ) -> None:
     """Create a new package."""
     if license_name == "?":
         print("Supported licenses:", *known_licenses(), sep="\n")
         return
     if not package_name:
-        raise typer.BadParameter("name the new package", param_hint="'PACKAGE_NAME'")
-    maintainer = maintainer_name or full_name()
+        raise typer.BadParameter(
+            "name the new package, e.g. zbot pkg create my_package", param_hint="'PACKAGE_NAME'"
+        )
+    maintainer = maintainer_name or user_name()
     plan = Plan(
         name=package_name,
         destination=destination_directory,
@@ -125,10 +125,11 @@ def create_package(
         description=description,
         license=license_name,
         maintainer=maintainer,
-        email=maintainer_email or email_address(maintainer),
+        email=maintainer_email or user_email(maintainer),
         dependencies=tuple(dependencies or ()),
         node=_distinct(node_name, library_name),
         library=library_name,
+        has_vscode=has_vscode,
     )
     create(plan)
     remember(current_workspace())
@@ -163,7 +164,9 @@ def list_packages(as_json: AsJson = False) -> None:
     bundled = [package.name for package in executables.bundled_packages()]
     if as_json:
         keys = ("name", "origin", "folder")
-        rows = [(one.name, one.origin.value, str(one.folder)) for one in found.values()]
+        rows = [
+            (package.name, package.origin.value, str(package.folder)) for package in found.values()
+        ]
         print_json([dict(zip(keys, row, strict=True)) for row in rows])
         return
     print(*sorted({*found, *bundled}), sep="\n")
@@ -181,10 +184,10 @@ def check(
     problems: list[Problem] = []
     for name in package_names or sorted(folders):
         if name not in folders:
-            raise UnknownPackageError(name, sorted(folders))
+            raise package_not_found_error(name, sorted(folders))
         problems += check_package(folders[name], known - {name})
     print(*problems, sep="\n", end="\n" if problems else "", file=sys.stderr)
-    return Status.ERROR if any(one.is_error for one in problems) else Status.OK
+    return Status.ERROR if any(problem.is_error for problem in problems) else Status.OK
 
 
 @app.command("executables")
@@ -196,12 +199,14 @@ def list_executables(
     """List the executables of packages."""
     found = _executables(package_name)
     if as_json:
-        rows = [(one.package, one.name, program_file(one)) for one in found]
+        rows = [
+            (executable.package, executable.name, program_file(executable)) for executable in found
+        ]
         keys = ("package", "executable", "file")
         print_json([dict(zip(keys, row, strict=True)) for row in rows])
         return
-    for one in found:
-        print(program_file(one) if full_path else f"{one.package} {one.name}")
+    for executable in found:
+        print(program_file(executable) if full_path else f"{executable.package} {executable.name}")
 
 
 def _executables(name: str) -> list[Executable]:
@@ -210,10 +215,10 @@ def _executables(name: str) -> list[Executable]:
     if not inside and not find_package(name):
         inside = executables.installed_package(name)
         if not inside:
-            raise UnknownPackageError(name, sorted({one.name for one in everywhere}))
+            raise package_not_found_error(name, sorted({package.name for package in everywhere}))
     # If several packages have the same name, the first package is used.
     first = {package.name: package for package in reversed(inside)}
-    return sorted(one for package in first.values() for one in package.executables)
+    return sorted(executable for package in first.values() for executable in package.executables)
 
 
 @app.command("deps")
@@ -226,40 +231,50 @@ def dependencies(
 ) -> int:
     """Show which packages are missing."""
     import zbot.compat  # noqa: F401, PLC0415 - its packages, such as rclpy, are here
-    from zbot_cli.packages.lacking import OTHER, lacking_packages  # noqa: PLC0415 - slow to import
+    from zbot_cli.packages.missing_dependencies import OTHER, missing_dependencies  # noqa: PLC0415 - slow to import
 
     folders = {name: places[0] for name, places in packages_by_name().items()}
     unknown = [name for name in package_names or () if name not in folders]
     if unknown:
-        raise UnknownPackageError(unknown[0], sorted(folders))
+        raise package_not_found_error(unknown[0], sorted(folders))
     chosen = [folders[name] for name in package_names or folders]
-    lacking = lacking_packages(chosen, folders)
+    missing = missing_dependencies(chosen, folders)
     if as_json:
         keys = ("name", "kind", "file", "line", "get")
-        rows = [(one.name, one.kind, str(one.path), one.line, one.get) for one in lacking]
+        rows = [
+            (
+                dependency.name,
+                dependency.kind,
+                str(dependency.path),
+                dependency.line,
+                dependency.get,
+            )
+            for dependency in missing
+        ]
         print_json([dict(zip(keys, row, strict=True)) for row in rows])
     else:
-        _print_lacking(lacking, len(chosen))
-    return Status.ERROR if any(one.kind != OTHER for one in lacking) else Status.OK
+        _print_missing(missing, len(chosen))
+    return Status.ERROR if any(dependency.kind != OTHER for dependency in missing) else Status.OK
 
 
-def _print_lacking(lacking: list[Lacking], count: int) -> None:
+def _print_missing(missing: list[MissingDependency], count: int) -> None:
     titles = {
         "message": "Missing message packages and types:",
         "python": "Missing Python packages:",
     }
     for kind, title in titles.items():
-        listed = [one for one in lacking if one.kind == kind]
+        listed = [dependency for dependency in missing if dependency.kind == kind]
         if listed:
             print(title)
-        for one in listed:
-            print(f"  {one.name}  ({shown_path(one.path)}:{one.line})\n      {one.get}")
-    if not any(one.kind in titles for one in lacking):
+        for dependency in listed:
+            place = f"{shown_path(dependency.path)}:{dependency.line}"
+            print(f"  {dependency.name}  ({place})\n      {dependency.get}")
+    if not any(dependency.kind in titles for dependency in missing):
         print(f"No message or Python package is missing in {count} package{'s' * (count != 1)}.")
     others: dict[str, list[str]] = {}
-    for one in lacking:
-        if one.kind not in titles:
-            others.setdefault(one.get, []).append(one.name)
+    for dependency in missing:
+        if dependency.kind not in titles:
+            others.setdefault(dependency.get, []).append(dependency.name)
     if others:
         print("Other packages that package.xml names and that are not here:")
     for reason, names in sorted(others.items()):
@@ -276,7 +291,7 @@ def prefix(
     try:
         print(find(package_name))
     except PackageNotFoundError as error:
-        raise NoPackageError(package_name, error.hint) from error
+        raise no_package_error(package_name, error.hint) from error
 
 
 @app.command("xml")
@@ -289,7 +304,7 @@ def xml(
 
     package = find_package(package_name)
     if package is None:
-        raise NoPackageError(package_name, did_you_mean(package_name, packages()))
+        raise no_package_error(package_name, did_you_mean(package_name, packages()))
     path = package.folder / MANIFEST
     if not path.is_file():
         raise CommandError("Package XML manifest not found")
@@ -297,9 +312,9 @@ def xml(
     if not tag:
         print(_text(path, root).rstrip("\n"))
         return
-    texts = ["".join(one.itertext()).strip() for one in root.iter(tag)]
+    texts = ["".join(element.itertext()).strip() for element in root.iter(tag)]
     if not texts:
-        raise tag_not_found_error(tag, sorted({one.tag for one in root.iter()}))
+        raise tag_not_found_error(tag, sorted({element.tag for element in root.iter()}))
     print(*texts, sep="\n")
 
 

@@ -22,7 +22,6 @@ COMMANDS = {
     "colcon": "zbot",
     "rqt_graph": "zbot web graph",
     "rqt": "zbot web",
-    "rviz2": "zbot rviz2",
     # These are commands of ROS 1. Some lessons show them beside the commands of ROS 2.
     "rosnode": "zbot node",
     "rostopic": "zbot topic",

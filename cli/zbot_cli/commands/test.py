@@ -13,18 +13,25 @@ import typer
 
 import zbot.compat
 from zbot.errors import ZbotError
+from zbot.errors.installation import pip_install
+from zbot.package.cmake_file import read_cmake
+from zbot.package.rclpy_choice import choose_rclpy
 from zbot.package.ros_variables import set_ros_variables
-from zbot.package.workspace import packages_by_name, set_workspace_variable
+from zbot.package.workspace import (
+    MANIFEST,
+    package_folders,
+    packages_by_name,
+    set_workspace_variable,
+)
 from zbot_cli.commands.build import unknown_packages_error
 from zbot_cli.errors import CommandError
 from zbot_cli.input.many_values import ManyValuesCommand
 from zbot_cli.output.exit_status import Status
 from zbot_cli.output.listing import new_app
-from zbot_cli.output.report import report
-from zbot_cli.packages.test_groups import groups_below, groups_of, is_package, test_folder
+from zbot_cli.output.standard_streams import report
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Iterable, Iterator, Sequence
 
 app = new_app("Run tests, also those of launch files", has_verbs=False)
 
@@ -50,6 +57,9 @@ def run_tests(
         list[str] | None,
         typer.Option("--packages-select", help="Run the tests of these packages of the workspace"),
     ] = None,
+    genuine: Annotated[
+        bool, typer.Option("--genuine", help="Let the tests use an installed ROS 2 instead of zbot")
+    ] = False,
 ) -> int:
     """Run tests.
 
@@ -62,6 +72,8 @@ def run_tests(
     given, options = given[:end], given[end:]
     groups = list(_groups([Path(word) for word in given if ":=" not in word], select or []))
     set_ros_variables()
+    if note := choose_rclpy(is_genuine=genuine):
+        print(f"note: {note}", file=sys.stderr)
     set_workspace_variable(groups[0][0])
     arguments = [word for word in given if ":=" in word]
     codes = []
@@ -92,11 +104,11 @@ def _groups(paths: list[Path], names: list[str]) -> Iterator[list[Path]]:
                 f"there is no {path}", hint="name a file, or a folder with test_*.py in it"
             )
     for folder in _folders(names):
-        yield from groups_of(folder)
+        yield from _groups_of(folder)
     if not (paths or names):
         here = Path()
-        yield from groups_of(here) if is_package(here) else groups_below(test_folder(here))
-    folders = {path: list(groups_below(path)) for path in paths if path.is_dir()}
+        yield from _groups_of(here) if _is_package(here) else _groups_below(_test_folder(here))
+    folders = {path: list(_groups_below(path)) for path in paths if path.is_dir()}
     plain = [path for path in paths if folders.get(path, [[path]]) == [[path]]]
     if plain:
         yield plain
@@ -141,18 +153,18 @@ def _top_names(text: str) -> set[str]:
     except (SyntaxError, ValueError):
         return set()  # pytest reports the file's mistake
     names = set()
-    for one in statements:
-        if isinstance(one, (ast.FunctionDef, ast.AsyncFunctionDef)):
-            names.add(one.name)
-        elif isinstance(one, (ast.Import, ast.ImportFrom)):
-            names.update(alias.asname or alias.name for alias in one.names)
+    for statement in statements:
+        if isinstance(statement, (ast.FunctionDef, ast.AsyncFunctionDef)):
+            names.add(statement.name)
+        elif isinstance(statement, (ast.Import, ast.ImportFrom)):
+            names.update(alias.asname or alias.name for alias in statement.names)
         else:
-            names.update(each.id for each in ast.walk(one) if _is_assigned(each))
+            names.update(each.id for each in ast.walk(statement) if _is_assigned(each))
     return names
 
 
-def _is_assigned(one: ast.AST) -> TypeGuard[ast.Name]:
-    return isinstance(one, ast.Name) and isinstance(one.ctx, ast.Store)
+def _is_assigned(node: ast.AST) -> TypeGuard[ast.Name]:
+    return isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)
 
 
 def _run_launch(path: Path, words: Sequence[str]) -> bool:
@@ -175,7 +187,49 @@ def _run_pytest(paths: Sequence[Path], options: Sequence[str]) -> int:
     if importlib.util.find_spec("pytest") is None:
         raise CommandError(
             "without pytest, zbot can run only launch files with test cases",
-            hint="pip install pytest",
+            hint=pip_install("pytest"),
         )
     command = [sys.executable, "-m", "pytest", "-p", _PLUGIN, *map(str, paths), *options]
     return subprocess.run(command, check=False).returncode  # noqa: S603 - the user's own tests
+
+
+def _groups_below(folder: Path) -> Iterator[list[Path]]:
+    """Yield the groups of all packages in a folder, or the folder itself if it has no packages.
+
+    Raises:
+        SetupFileError: The CMakeLists.txt of a package is too large.
+    """
+    packages = sorted(package_folders([folder]))
+    for package in packages:
+        yield from _groups_of(package)
+    if not packages:
+        yield [folder]
+
+
+def _groups_of(package: Path) -> Iterator[list[Path]]:
+    """Yield the groups of a package: each test that its CMakeLists.txt adds, or its test folder.
+
+    Raises:
+        SetupFileError: The CMakeLists.txt is too large.
+    """
+    added = read_cmake(package).tests
+    for name in _known(added):
+        yield [package / name]
+    # A test of a CMake loop, e.g. `ament_add_pytest_test(${name} ${path})`, has no known path.
+    if not added or any("${" in name for name in added):
+        yield [_test_folder(package)]
+
+
+def _test_folder(folder: Path) -> Path:
+    """Return the folder `test` of a folder, or the folder itself."""
+    return folder / "test" if (folder / "test").is_dir() else folder
+
+
+def _known(names: Iterable[str]) -> dict[str, None]:
+    """Return the names without variables in their order, each name once."""
+    return dict.fromkeys(name for name in names if "${" not in name)
+
+
+def _is_package(folder: Path) -> bool:
+    """Return whether a folder has a package.xml."""
+    return (folder / MANIFEST).is_file()

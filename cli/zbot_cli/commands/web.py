@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from pathlib import Path
 from typing import Annotated
 
 import typer
@@ -10,13 +11,20 @@ import typer
 from zbot_cli.errors import CommandError
 from zbot_cli.output.listing import new_app
 
+_ALL_ADDRESSES = "0.0.0.0"  # noqa: S104 - other machines need the token
+
 app = new_app("Show the running system in a browser", has_verbs=False)
 
 
 @app.command()
 def web(
     panel: Annotated[str, typer.Argument(help="Panel to open first, e.g. topics")] = "",
-    host: Annotated[str, typer.Option("--host", help="Address to listen on")] = "127.0.0.1",
+    host: Annotated[
+        str | None,
+        typer.Option(
+            "--host", help="Address to listen on; default: 127.0.0.1, or with --https all"
+        ),
+    ] = None,
     port: Annotated[
         int, typer.Option("--port", help="Port to listen on; if it is taken, the next free port")
     ] = 8080,
@@ -32,16 +40,26 @@ def web(
         list[str] | None,
         typer.Option("--origin", help="Web server whose pages may use rosbridge too; repeatable"),
     ] = None,
+    layout: Annotated[
+        Path | None,
+        typer.Option("--layout", help="File with panels that the page shows side by side"),
+    ] = None,
+    https: Annotated[
+        bool,
+        typer.Option("--https", help="Serve the network with https, e.g. for a phone's sensors"),
+    ] = False,
 ) -> None:
     """Show the running system in a browser."""
     serve_page(
-        f"/{panel.lstrip('/')}",
-        host=host,
+        f"/{panel.lstrip('/')}" if panel or layout is None else "/layout",
+        host=host or (_ALL_ADDRESSES if https else "127.0.0.1"),
         port=port,
         open_browser=not no_browser,
         read_only=read_only,
         rosbridge=rosbridge or bool(origin),
         guests=origin or (),
+        layout=layout,
+        https=https,
     )
 
 
@@ -54,6 +72,8 @@ def serve_page(
     read_only: bool = False,
     rosbridge: bool = False,
     guests: Sequence[str] = (),
+    layout: Path | None = None,
+    https: bool = False,
 ) -> None:
     """Serve the page until Ctrl-C, and open it in a browser at a path. See `zbot.web.server`.
 
@@ -63,7 +83,7 @@ def serve_page(
     from zbot.process.signals import SignalHandlerOptions, install  # noqa: PLC0415 - not needed by `--help`
 
     check_extra()
-    from zbot.web.server.browser import has_desktop  # noqa: PLC0415 - as above
+    from zbot.serving.browser import has_desktop  # noqa: PLC0415 - as above
     from zbot.web.server.server import serve  # noqa: PLC0415 - as above
 
     install(SignalHandlerOptions.ALL)
@@ -75,6 +95,8 @@ def serve_page(
         start_path=path,
         rosbridge=rosbridge,
         guests=guests,
+        layout=layout,
+        https=https,
     )
 
 
@@ -88,4 +110,6 @@ def check_extra() -> None:
 
     for module, name in (("nicegui", "nicegui"), ("psutil", "psutil"), ("PIL", "pillow")):
         if find_spec(module) is None:
-            raise CommandError(f'the page needs {name}: install it with pip install "zbot[web]"')
+            from zbot.errors.installation import pip_install  # noqa: PLC0415 - as above
+
+            raise CommandError(f"the page needs {name}: install it with {pip_install('zbot[web]')}")

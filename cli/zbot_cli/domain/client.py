@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import contextlib
+import functools
 import os
+import re
 import signal
 import sys
 from typing import TYPE_CHECKING
@@ -15,12 +17,15 @@ from zbot.names import is_hidden
 from zbot.terminal.text import escape_control_characters
 from zbot.transport import running_programs
 from zbot.transport.config import DiscoveryRange, discovery_range, domain_id
+from zbot_cli.errors import CommandError
 from zbot_cli.output.exit_status import Status
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from zbot.node.node import Node
+# The name of a topic may look so too. Such a topic is named with its leading slash.
+_TYPE = re.compile(r"\w+/(msg|srv|action)/[A-Z]\w*", re.ASCII)
 
 
 @contextlib.contextmanager
@@ -36,6 +41,7 @@ def client(*, wait: bool = False) -> Iterator[Context]:
             file=sys.stderr,
         )
     print_programs_outside()
+    _print_other_versions()
     context = Context(mode="client")
     context.init([])
     try:
@@ -48,6 +54,14 @@ def client(*, wait: bool = False) -> Iterator[Context]:
 def print_programs_outside() -> None:
     """Print the nodes of this machine that are not in the class or hub that it has joined."""
     text = running_programs.outside_text()
+    if text:
+        print(escape_control_characters(text), file=sys.stderr)
+
+
+@functools.cache
+def _print_other_versions() -> None:
+    """Print once the programs of this machine and domain that have another version of zbot."""
+    text = running_programs.versions_text(domain_id())
     if text:
         print(escape_control_characters(text), file=sys.stderr)
 
@@ -65,8 +79,13 @@ def snapshot() -> Snapshot:
 
 def note_if_nobody_runs(graph: Snapshot) -> None:
     """If no node is running, print this on stderr. Print nothing if stderr is not a terminal."""
-    if sys.stderr.isatty() and all(is_hidden(node.node) for node in graph.nodes):
+    if sys.stderr.isatty() and has_nobody(graph):
         print(f"no node is running in domain {domain_id()}; {_where_to_look()}", file=sys.stderr)
+
+
+def has_nobody(graph: Snapshot) -> bool:
+    """Return whether no node is running, except for the nodes of commands."""
+    return all(is_hidden(node.node) for node in graph.nodes)
 
 
 def nobody_runs() -> str:
@@ -124,5 +143,13 @@ def hidden_node(
 
 
 def full_name(name: str) -> str:
-    """Return a topic, service or node name with its leading slash."""
+    """Return a topic, service or node name with its leading slash.
+
+    Raises:
+        CommandError: The name is the name of a type.
+    """
+    if _TYPE.fullmatch(name):
+        raise CommandError(
+            f"{name} is a type, not a name", hint=f"write the name before it: /NAME {name}"
+        )
     return name if name.startswith("/") else f"/{name}"

@@ -4,39 +4,27 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from zbot.errors import ZbotError
-from zbot.errors.suggestion import did_you_mean
 from zbot.remote.parameters import RemoteParameters, nodes_with_parameters, visible_nodes
 from zbot.remote.service_calls import ANSWER_TIMEOUT_S, NoAnswerError, NoServiceError, ServiceCalls
 from zbot_cli.domain.client import full_name, nobody_runs
+from zbot_cli.errors import CommandError
+from zbot_cli.input.domain_names import as_typed, did_you_mean
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from zbot.errors import ZbotError
     from zbot.graph.snapshot import Snapshot
     from zbot.node.node import Node
 
 
-class NodeNotFoundError(ZbotError):
-    """No node of that name appeared in time. The hint has a similar name or the running nodes."""
+def node_not_found_error(name: str, known: Sequence[str]) -> CommandError:
+    """Return the error that no node of that name appeared in time.
 
-    def __init__(self, name: str, known: Sequence[str]) -> None:
-        self.name = name
-        self.hint = f"no node {name} is running; {did_you_mean(name, known) or _others(known)}"
-        super().__init__("Node not found")
-
-
-class NoParameterServicesError(ZbotError):
-    """A node has no parameter services, or they do not answer. The words are those of ros2."""
-
-    def __init__(self, error: NoServiceError | NoAnswerError) -> None:
-        self.node = error.name.rpartition("/")[0]
-        is_missing = isinstance(error, NoServiceError)
-        reason = f"has no {error.name}" if is_missing else "does not answer: does it spin?"
-        self.hint = f"{self.node} {reason}"
-        super().__init__(
-            f"Wait for service timed out waiting for parameter services for node {self.node}"
-        )
+    The hint has a similar name or the running nodes.
+    """
+    reason = did_you_mean(name, known) or _others(list(map(as_typed, known)))
+    return CommandError("Node not found", hint=f"no node {as_typed(name)} is running; {reason}")
 
 
 def _others(known: Sequence[str]) -> str:
@@ -62,11 +50,11 @@ class CommandParameters(RemoteParameters):
         """Return a node's full name as soon as it is running.
 
         Raises:
-            NodeNotFoundError: The node does not appear in time.
+            CommandError: The node does not appear in time.
         """
         full = full_name(name)
         if not self._node.wait_for_node(full, self._timeout_s):
-            raise NodeNotFoundError(full, visible_nodes(self.graph()))
+            raise node_not_found_error(full, visible_nodes(self.graph()))
         return full
 
     def nodes(self, *, include_hidden: bool) -> list[str]:
@@ -80,6 +68,12 @@ class CommandParameters(RemoteParameters):
 
 def in_words_of_ros2(error: ZbotError) -> ZbotError:
     """Return an error of a node's parameter services as ros2 says it. Other errors stay."""
-    if isinstance(error, (NoServiceError, NoAnswerError)):
-        return NoParameterServicesError(error)
-    return error
+    if not isinstance(error, (NoServiceError, NoAnswerError)):
+        return error
+    node = error.name.rpartition("/")[0]
+    is_missing = isinstance(error, NoServiceError)
+    reason = f"has no {error.name}" if is_missing else "does not answer: does it spin?"
+    return CommandError(
+        f"Wait for service timed out waiting for parameter services for node {node}",
+        hint=f"{node} {reason}",
+    )

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from zbot import interfaces  # this package imports its modules when one of its names is used
 from zbot.errors.suggestion import nearest, question
 from zbot.interfaces.errors import UnknownInterfaceError, UnknownPackageError
-from zbot.interfaces.kinds import KINDS
+from zbot.names import KINDS
 from zbot_cli.errors import CommandError
 
 if TYPE_CHECKING:
@@ -27,7 +27,7 @@ def check_known(word: str, kind: str, used: Container[str]) -> str:
     """
     name = word if word.count("/") == 2 else word.replace("/", f"/{kind}/", 1)
     if name not in used and not _exists(name):
-        known = (one for one in all_types() if f"/{kind}/" in one)
+        known = (type_name for type_name in all_types() if f"/{kind}/" in type_name)
         raise CommandError(f"Unknown type '{word}'", hint=type_hint(word, [], known))
     return name
 
@@ -39,20 +39,6 @@ def looks_like_type(word: str) -> bool:
         and all(part.isidentifier() for part in word.replace("/", ".").split("."))
         and ("/" in word or word.count(".") == 2 or word[0].isupper())
     )
-
-
-def resolve_message_type(word: str) -> str:
-    """Return the full name of a message type.
-
-    Raises:
-        CommandError: No type has this name, or several types have this short name.
-    """
-    found = [name for name in find_types(word) if "/msg/" in name]
-    if len(found) != 1:
-        raise CommandError(
-            "The passed message type is invalid", hint=type_hint(word, found, all_messages())
-        )
-    return found[0]
 
 
 def find_types(word: str) -> list[str]:
@@ -108,11 +94,6 @@ def all_types() -> Iterator[str]:
     """Yield the full names of all types on this machine."""
     for package in interfaces.packages():
         yield from interfaces.interface_names(package)
-
-
-def all_messages() -> Iterator[str]:
-    """Yield the full names of all message types on this machine."""
-    return (name for name in all_types() if "/msg/" in name)
 
 
 def type_hint(word: str, found: list[str], known: Iterator[str]) -> str:

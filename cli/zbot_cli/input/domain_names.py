@@ -8,9 +8,15 @@ from __future__ import annotations
 
 import os
 import re
+from typing import TYPE_CHECKING
 
+from zbot.errors.suggestion import question, similar_names
+from zbot.transport import membership
 from zbot.transport.config import COMMAND_DOMAIN
 from zbot_cli.errors import CommandError
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
 
 NOUNS = frozenset({"action", "graph", "lifecycle", "node", "param", "service", "topic"})
 
@@ -50,3 +56,31 @@ def select_domain(words: list[str]) -> list[str]:
     if domain is not None:
         os.environ[COMMAND_DOMAIN] = domain
     return kept
+
+
+def as_typed(name: str) -> str:
+    """Return a name with the domain of the command before it, if the command names a domain."""
+    domain = os.environ.get(COMMAND_DOMAIN)
+    return f"/{domain}{name}" if domain else name
+
+
+def did_you_mean(name: str, known: Iterable[str], *, before: str = "") -> str:
+    """Return a question with the most similar name of the command's domain, or an empty string."""
+    return question(map(as_typed, similar_names(name, known)[:1]), before)
+
+
+def where_to_look(noun: str) -> str:
+    """Return which command lists the topics, services or actions of the command's domain.
+
+    For a student and another domain, return instead who can show the names.
+    """
+    domain = os.environ.get(COMMAND_DOMAIN)
+    if not domain:
+        return f"`zbot {noun} list` shows the {noun}s"
+    joined = membership.load()
+    if joined is not None and joined.role == "student" and str(joined.number) != domain:
+        return (
+            f"this laptop has number {joined.number}, and sees the names of number {domain} only "
+            f"after the teacher typed: zbot share {domain} {joined.number}"
+        )
+    return f"`zbot {noun} list /{domain}` shows the {noun}s"

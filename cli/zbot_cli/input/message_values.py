@@ -2,30 +2,29 @@
 
 from __future__ import annotations
 
-import base64
-import binascii
 import itertools
 import re
 import sys
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Union
+from functools import partial
+from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
-from zbot.errors.suggestion import did_you_mean
-from zbot.interfaces import get_message, spec_of, yaml_text
+from zbot.interfaces import yaml_text
+from zbot.interfaces.message_reader import FieldMisfitError
+from zbot.interfaces.yaml_message import Key, Word, YamlReader, tree_of
 from zbot.terminal.typographic import is_quoted
 from zbot_cli.input import yaml_mistakes
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
 
-    from zbot.interfaces import FieldType
+    from zbot.interfaces.slot import Slot
+    from zbot.interfaces.yaml_message import Tree
 
 _ASSIGNMENT = re.compile(r"(?P<path>[A-Za-z_]\w*(\.\w+)*)=(?P<value>.*)\Z", re.DOTALL)
 _SEPARATOR = re.compile(r"^---[ \t]*$", re.MULTILINE)
 _HEADER = "std_msgs/msg/Header"
 _TIME = "builtin_interfaces/msg/Time"
-_OCTETS = {"byte", "char", "uint8"}
 _LONGEST_SHOWN_LINE = 200
 
 
@@ -41,28 +40,6 @@ class PopulateError(ZbotError):
 
     def __init__(self, reason: str, hint: str | None = None) -> None:
         super().__init__(f"Failed to populate field: {reason}", hint=hint)
-
-
-@dataclass(frozen=True)
-class Word:
-    """Scalar: a single value, not a list or a dictionary."""
-
-    text: str  #: as the user wrote it: `yes`, `1.0`
-    value: Any  #: as YAML reads it: True, 1.0
-
-    def __str__(self) -> str:
-        return self.text
-
-
-class _Key(str):
-    """Name of a field, with its line and column in the text."""
-
-    __slots__ = ("place",)
-    place: str
-
-
-#: Values as they were read from text, before they are fitted to a message type.
-Tree = Union[Word, "list[Tree]", "dict[str, Tree]"]
 
 
 class Template:
@@ -95,9 +72,10 @@ class Template:
             now_ns: Function that gives the time for `header: auto` and `stamp: now`, in nanoseconds
                 since the epoch.
         """
-        message = self._type()
-        _fill(message, self._values, now_ns, "")
-        return message
+        try:
+            return _Reader(now_ns).message(self._type, self._values)
+        except FieldMisfitError as error:
+            raise PopulateError(str(error), error.hint) from None
 
     def _note_time_use(self) -> int:
         self.is_stamped = True
@@ -172,26 +150,20 @@ def _is_empty(node: yaml_text.Node) -> bool:
 
 
 def _tree(node: yaml_text.Node, text: str) -> Tree:
-    if isinstance(node, yaml_text.SequenceNode):
-        return [_tree(item, text) for item in node.value]
-    if isinstance(node, yaml_text.MappingNode):
-        return _mapping(node, text)
-    assert isinstance(node, yaml_text.ScalarNode)
-    return Word(node.value, yaml_text.scalar(node))
+    return tree_of(node, text, partial(_check_mapping, text))
 
 
-def _mapping(node: yaml_text.MappingNode, text: str) -> dict[str, Tree]:
-    tree: dict[str, Tree] = {}
+def _check_mapping(text: str, node: yaml_text.MappingNode) -> None:
     for before, (key_node, _) in itertools.pairwise(node.value):
         if mistake := yaml_mistakes.stray_comma(before, key_node, text):
             raise ValuesError(mistake[0] + _place(text, key_node.start_mark), mistake[1])
-    for key_node, value_node in node.value:
-        key = _Key(key_node.value)
-        key.place = _place(text, key_node.start_mark)
-        if key in tree:
-            raise ValuesError(f"{key} has two values{key.place}", "leave one of them out")
-        tree[key] = _tree(value_node, text)
-    return tree
+    names: set[str] = set()
+    for key_node, _ in node.value:
+        name = str(key_node.value)
+        if name in names:
+            place = _place(text, key_node.start_mark)
+            raise ValuesError(f"{name} has two values{place}", "leave one of them out")
+        names.add(name)
 
 
 def _assignments(matches: list[re.Match[str]]) -> dict[str, Tree]:
@@ -247,127 +219,30 @@ def _place(text: str, mark: Any) -> str:
 # -- from a tree to a message ------------------------------------------------------------------
 
 
-def _fill(message: Any, values: dict[str, Tree], now_ns: Callable[[], int], path: str) -> None:
-    kinds: dict[str, FieldType] = {
-        field.name: field.type
-        for field in spec_of(type(message)).fields  # type: ignore[union-attr]
-    }
-    for name, value in values.items():
-        if name not in kinds:
-            raise _unknown_field(message, name, value, list(kinds))
-        try:
-            setattr(message, name, _value(kinds[name], value, now_ns, f"{path}{name}"))
-        except (TypeError, ValueError, OverflowError) as exc:
-            raise PopulateError(str(exc), _example(kinds[name], f"{path}{name}")) from None
+class _Reader(YamlReader):
+    """Reader of a command line's values, with `header: auto` and `stamp: now`.
 
+    Args:
+        now_ns: Function that gives the current time in nanoseconds since the epoch.
+    """
 
-def _unknown_field(message: Any, name: str, value: Tree, known: list[str]) -> PopulateError:
-    reason = f"'{type(message).__name__}' object has no attribute '{name}'"
-    has_no_value = isinstance(value, Word) and value.value is None
-    if has_no_value and (hint := yaml_mistakes.wrong_colon(name)):
-        return PopulateError(reason + getattr(name, "place", ""), hint)
-    fields = f"its fields are {', '.join(known)}" if known else "it has no fields"
-    return PopulateError(reason, did_you_mean(name, known) or fields)
+    def __init__(self, now_ns: Callable[[], int]) -> None:
+        super().__init__()
+        self._now_ns = now_ns
 
+    def nested(self, slot: Slot, value: Any, path: str) -> Any:
+        word = value.text if isinstance(value, Word) else None
+        if (slot.type.base, word) == (_HEADER, "auto"):
+            value = {"stamp": Word("now", "now")}
+        if (slot.type.base, word) != (_TIME, "now"):
+            return super().nested(slot, value, path)
+        sec, nanosec = divmod(self._now_ns(), 10**9)
+        return slot.message_type(sec=sec, nanosec=nanosec)
 
-def _example(kind: FieldType, path: str) -> str | None:
-    name = path.rpartition(".")[2]
-    if kind.kind != "scalar":
-        return f"{path} is {kind.text}: write {name}: [...]"
-    number = "1.5" if kind.base.startswith("float") else "2"
-    if not kind.typecode:
-        return None
-    article = "an" if kind.base.startswith("i") else "a"
-    return f"{path} is {article} {kind.base}: write {name}: {number}"
-
-
-def _value(kind: FieldType, value: Tree, now_ns: Callable[[], int], path: str) -> Any:
-    if kind.kind != "scalar":
-        return _list(kind, value, now_ns, path)
-    if kind.is_message:
-        return _nested(kind, value, now_ns, path)
-    if not isinstance(value, Word):
-        many = "a dictionary" if isinstance(value, dict) else "a list"
-        hint = f"put the text of {path} in quotes" if kind.is_string else _example(kind, path)
-        raise PopulateError(f"{path} is a {kind.base}, not {many}", hint)
-    return _scalar(kind, value, path)
-
-
-def _list(kind: FieldType, value: Tree, now_ns: Callable[[], int], path: str) -> list[Any] | bytes:
-    one = type(kind)(kind.base, "scalar", 0, kind.string_bound)
-    if isinstance(value, list):
-        return [_value(one, item, now_ns, f"{path}[{index}]") for index, item in enumerate(value)]
-    if isinstance(value, Word) and value.value is None:
-        return []
-    if isinstance(value, Word) and kind.base in _OCTETS:
-        return _octets(kind, value, path)
-    hint = (
-        f"write {path.rpartition('.')[2]}: [{_shown(value)}]" if isinstance(value, Word) else None
-    )
-    raise PopulateError(f"{path} is {kind.text}: give it a list, not {_shown(value)}", hint)
-
-
-def _octets(kind: FieldType, value: Word, path: str) -> list[Any] | bytes:
-    """Return the bytes of a base64 string. `zbot topic echo --json` prints bytes in this form."""
-    try:
-        octets = base64.b64decode(value.text, validate=True)
-    except (binascii.Error, ValueError):
-        raise PopulateError(
-            f"{path} is {kind.text}: give it a list or base64, not {_shown(value)}"
-        ) from None
-    return [bytes([octet]) for octet in octets] if kind.base == "byte" else octets
-
-
-def _nested(kind: FieldType, value: Tree, now_ns: Callable[[], int], path: str) -> Any:
-    message: Any = get_message(kind.base)()
-    word = value.text if isinstance(value, Word) else None
-    if (kind.base, word) == (_HEADER, "auto"):
-        value = {"stamp": Word("now", "now")}
-    if (kind.base, word) == (_TIME, "now"):
-        message.sec, message.nanosec = divmod(now_ns(), 10**9)
-        return message
-    if not isinstance(value, dict):
-        name = "list" if isinstance(value, list) else type(value.value).__name__
-        raise PopulateError(
-            f"Value '{_shown(value)}' is expected to be a dictionary but is a {name}",
-            f"{path} is a {kind.base}: write {path.rpartition('.')[2]}: {{...}}",
-        )
-    _fill(message, value, now_ns, f"{path}.")
-    return message
-
-
-def _shown(value: Tree) -> str:
-    if isinstance(value, Word):
-        return value.text
-    if isinstance(value, dict):
-        return "{...}"
-    return f"[{', '.join(map(_shown, value))}]"
-
-
-def _scalar(kind: FieldType, word: Word, path: str) -> Any:
-    if kind.is_string:
-        # Use the text itself, because YAML reads 12:30 as the number 750, and `no` as False.
-        return "" if word.value is None else word.text
-    if kind.base == "bool":
-        if isinstance(word.value, (bool, int)) and word.value in {0, 1}:
-            return bool(word.value)
-        raise PopulateError(f"{path} is a bool: give it true or false, not {word.text!r}")
-    if word.value is None or isinstance(word.value, bool):
-        found = "nothing" if word.value is None else word.text
-        raise PopulateError(f"{path} is a number, not {found}", _example(kind, path))
-    try:
-        number: Any = (
-            float(word.value) if kind.base.startswith("float") else _integer(kind, word.value, path)
-        )
-    except (ValueError, OverflowError):
-        text = f"{path} is a number ({kind.base}), not {word.text!r}"
-        name = path.rpartition(".")[2]
-        hint = yaml_mistakes.number_with_comma(name, word.text) or _example(kind, path)
-        raise PopulateError(text, hint) from None
-    return bytes([number]) if kind.base == "byte" else number
-
-
-def _integer(kind: FieldType, value: Any, path: str) -> int:
-    if isinstance(value, float) and not value.is_integer():
-        raise PopulateError(f"{path} is a whole number, not {value!r}", _example(kind, path))
-    return int(value)
+    def unknown_field(self, message: Any, name: str, value: Any, path: str) -> Exception:
+        error = super().unknown_field(message, name, value, path)
+        has_no_value = isinstance(value, Word) and value.value is None
+        if has_no_value and (hint := yaml_mistakes.wrong_colon(name)):
+            place = _place(name.text, name.mark) if isinstance(name, Key) else ""
+            return FieldMisfitError(path, f"{error}{place}", hint)
+        return error

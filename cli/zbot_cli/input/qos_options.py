@@ -1,4 +1,4 @@
-"""Options for quality of service, and QoS profiles as text."""
+"""Options for quality of service."""
 
 from __future__ import annotations
 
@@ -101,22 +101,3 @@ def _policy(name: str, policy: Any, word: str) -> Any:
         known = ", ".join(policy.short_keys())
         raise typer.BadParameter(f"--qos-{name} cannot be {word!r}; choose from {known}")
     return policy(policy.get_from_short_key(word))
-
-
-def profile_lines(qos: QoSProfile) -> list[str]:
-    """Return the lines of a profile in `zbot topic info -v`, indented by two spaces."""
-    depth = f" ({qos.depth})" if qos.history is HistoryPolicy.KEEP_LAST else ""
-    return [
-        f"  Reliability: {qos.reliability.name}",
-        f"  History (Depth): {qos.history.name}{depth}",
-        f"  Durability: {qos.durability.name}",
-        f"  Lifespan: {_duration(qos.lifespan)}",
-        f"  Deadline: {_duration(qos.deadline)}",
-        f"  Liveliness: {qos.liveliness.name}",
-        f"  Liveliness lease duration: {_duration(qos.liveliness_lease_duration)}",
-    ]
-
-
-def _duration(duration: Duration) -> str:
-    infinite = duration.nanoseconds in {0, 2**63 - 1}
-    return "Infinite" if infinite else f"{duration.nanoseconds} nanoseconds"

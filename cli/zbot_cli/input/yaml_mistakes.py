@@ -5,25 +5,17 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
+from zbot.interfaces.message_reader import number_with_comma
+
 if TYPE_CHECKING:
     from zbot.interfaces import yaml_text
 
-_DECIMAL_COMMA = re.compile(r"[-+]?[0-9]+,[0-9]+([eE][-+]?[0-9]+)?\Z")
-_THOUSANDS = re.compile(r"[-+]?[0-9]{1,3}(,[0-9]{3})+\Z")
 _NUMBER = re.compile(r"[-+]?[0-9.]+([eE][-+]?[0-9]+)?\Z")
 _PAIRS = {"{": "}", "[": "]"}
 _WRONG_COLON = re.compile(r"([\w.]+)\s*([:=])\s*(.+)\Z")
 #: The end of a value, and the name of the next field without a comma in front of it.
+_TYPE_AT_END = re.compile(r"(.*\})\s+(\w+/(?:\w+/)?\w+)\Z")
 _TWO_WORDS = re.compile(r"[^\s:,{\[]\s+\w+\Z")
-
-
-def number_with_comma(name: str, text: str) -> str:
-    """Return what to type for `2,0`, or an empty string if the text is not such a number."""
-    if _THOUSANDS.match(text):
-        return f"write {name}: {text.replace(',', '')} or {name}: {text.replace(',', '.')}"
-    if _DECIMAL_COMMA.match(text):
-        return f"write a point, not a comma: {name}: {text.replace(',', '.')}"
-    return ""
 
 
 def stray_comma(
@@ -70,6 +62,8 @@ def wrong_colon(name: str) -> str:
 
 def syntax_hint(text: str, error: yaml_text.YamlError) -> str:
     """Return what to type in place of a text that is not YAML."""
+    if match := _TYPE_AT_END.match(text):
+        return f'write the type before the values: {match[2]} "{match[1]}"'
     for opening, closing in _PAIRS.items():
         missing = text.count(opening) - text.count(closing)
         if missing > 0:

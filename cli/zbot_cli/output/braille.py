@@ -115,7 +115,7 @@ def draw(
         to_s: Time at the right edge.
         coloured: Whether each curve has its own colour.
     """
-    inside = [[one for one in curve.points if from_s <= one[0] <= to_s] for curve in curves]
+    inside = [[point for point in curve.points if from_s <= point[0] <= to_s] for curve in curves]
     low, high = span(value for points in inside for _, value in points)
     rows = max(height - 2 - len(curves), _SMALLEST_HEIGHT)
     labels = _labels(low, high, rows)

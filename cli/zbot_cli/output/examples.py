@@ -22,6 +22,7 @@ EXAMPLES = {
     "bridge dds": "zbot bridge dds --prefix robot1 --rate /camera/image=5",
     "bridge rmw_zenoh": "zbot bridge rmw_zenoh --connect robot.local --ros-domain 5",
     "build": "zbot build --packages-select my_package",
+    "class bundle": "zbot class bundle --out usb --systems windows --python 3.13",
     "class check": 'zbot class check "publishes std_msgs/String on /student_id at >= 1 Hz"',
     "class free": "zbot class free 7",
     "class give": "zbot class give 17 robot",
@@ -41,6 +42,7 @@ EXAMPLES = {
     "graph": "zbot graph --svg graph.svg",
     "hub": "zbot hub",
     "interface add": "zbot interface add Downloads/px4_msgs-main.zip",
+    "interface header": "zbot interface header --c sensor_msgs/msg/Temperature",
     "interface list": "zbot interface list --only-msgs",
     "interface package": "zbot interface package geometry_msgs",
     "interface packages": "zbot interface packages",
@@ -54,6 +56,7 @@ EXAMPLES = {
     "lifecycle list": "zbot lifecycle list /lc_talker",
     "lifecycle nodes": "zbot lifecycle nodes",
     "lifecycle set": "zbot lifecycle set /lc_talker configure",
+    "mqtt": "zbot mqtt --from 'home/#' --to /led:std_msgs/msg/Bool=home/led/set",
     "node info": "zbot node info /talker",
     "node kill": "zbot node kill /talker",
     "node list": "zbot node list",
@@ -77,6 +80,7 @@ EXAMPLES = {
     "security create_keystore": "zbot security create_keystore keys",
     "security generate_artifacts": "zbot security generate_artifacts -k keys -e /ana /ben",
     "security list_enclaves": "zbot security list_enclaves keys",
+    "serial": "zbot serial --to /led:std_msgs/msg/Bool",
     "service call": 'zbot service call /spawn turtlesim/srv/Spawn "{x: 2, y: 2, theta: 0.2}"',
     "service echo": "zbot service echo /add_two_ints",
     "service find": "zbot service find std_srvs/srv/Empty",
@@ -85,6 +89,7 @@ EXAMPLES = {
     "service type": "zbot service type /clear",
     "setup-shell": "zbot setup-shell bash",
     "share": "zbot share 17 4",
+    "sim": "zbot sim maze --robots 3",
     "status": "zbot status",
     "test": "zbot test src/my_package -- -k talker",
     "topic bw": "zbot topic bw /image",
@@ -98,6 +103,7 @@ EXAMPLES = {
         'zbot topic pub --once /turtle1/cmd_vel geometry_msgs/msg/Twist "{linear: {x: 2.0}}"'
     ),
     "topic type": "zbot topic type /turtle1/cmd_vel",
+    "view": "zbot view",
     "web": "zbot web topics\n  zbot web --rosbridge --origin http://localhost:8000",
 }
 

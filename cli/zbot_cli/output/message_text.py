@@ -1,4 +1,4 @@
-"""Formatter of messages: YAML as `ros2 topic echo` prints it, CSV, JSON, or one field."""
+"""Formatter of messages and service events: YAML as ros2 prints it, CSV, JSON, or one field."""
 
 from __future__ import annotations
 
@@ -16,11 +16,13 @@ from zbot.interfaces.plain_value import (
     shown_item,
 )
 from zbot.interfaces.yaml_text import Flow, dump
+from zbot.node.service_introspection import Step
 
 if TYPE_CHECKING:
     from zbot.node.message_info import MessageInfo
 
 SEPARATOR = "---\n"
+_EVENT_NAMES = {step.value: step.name for step in Step}
 
 
 @dataclass(frozen=True)
@@ -137,3 +139,19 @@ def _csv_line(form: Form, value: Any, info: MessageInfo) -> str:
             info["reception_sequence_number"],
         )
     return ",".join((*map(str, head), *csv_values(value, form))) + "\n"
+
+
+def event_json(event: Any) -> dict[str, Any]:
+    """Return an event as a value for JSON."""
+    return _named(json_value(event))
+
+
+def event_text(event: Any, form: Form) -> str:
+    """Return an event as YAML, as `ros2 service echo` and `ros2 action echo` print it."""
+    return dump(_named(plain(event, form))) + SEPARATOR
+
+
+def _named(event: dict[str, Any]) -> dict[str, Any]:
+    number = event["info"]["event_type"]
+    event["info"]["event_type"] = _EVENT_NAMES.get(number, number)
+    return event

@@ -38,7 +38,7 @@ def plain_values(found: Mapping[str, Parameter[Any]]) -> dict[str, Any]:
 
 def _plain(parameter: Parameter[Any]) -> Any:
     if parameter.type_ is Parameter.Type.BYTE_ARRAY:
-        return [one[0] for one in parameter.value]
+        return [item[0] for item in parameter.value]
     return parameter.value
 
 
@@ -56,8 +56,12 @@ def description(descriptor: Any) -> dict[str, Any]:
         "read_only": descriptor.read_only,
         "dynamic_typing": descriptor.dynamic_typing,
     }
-    for one in limits[:1]:
-        facts |= {"min": one.from_value, "max": one.to_value, "step": one.step}
+    for value_range in limits[:1]:
+        facts |= {
+            "min": value_range.from_value,
+            "max": value_range.to_value,
+            "step": value_range.step,
+        }
     return {key: value for key, value in facts.items() if value != ""}
 
 
@@ -89,9 +93,9 @@ def file_text(values: Mapping[str, Mapping[str, Parameter[Any]]]) -> str:
             node: {
                 "ros__parameters": _tree(
                     {
-                        name: with_quotes(_plain(one))
-                        for name, one in sorted(found.items())
-                        if one.type_ is not Parameter.Type.NOT_SET
+                        name: with_quotes(_plain(parameter))
+                        for name, parameter in sorted(found.items())
+                        if parameter.type_ is not Parameter.Type.NOT_SET
                     }
                 )
             }

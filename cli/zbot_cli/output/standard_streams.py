@@ -1,14 +1,16 @@
-"""Standard streams of the command: how they are set up, and what happens if they cannot be used."""
+"""Standard streams of the command: how they are set up, and what errors are printed."""
 
 from __future__ import annotations
 
-import contextlib
 import errno
 import os
 import sys
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from zbot_cli.output.exit_status import Status
+
+if TYPE_CHECKING:
+    from zbot.errors import ZbotError
 
 #: Errors of a write to a stream, and other words for the system's words.
 _WRITE_FAULTS = {
@@ -62,7 +64,9 @@ def _for_terminal(stream: Any) -> Any:
 def restore() -> None:
     """Let the user's own programs use the streams as Python made them."""
     # `stream` is the original of a `TerminalStream`.
-    sys.stdout, sys.stderr = (getattr(one, "stream", one) for one in (sys.stdout, sys.stderr))
+    sys.stdout, sys.stderr = (
+        getattr(stream, "stream", stream) for stream in (sys.stdout, sys.stderr)
+    )
     if sys.__stdout__ is None:
         silence_stdout()  # programs may print
 
@@ -83,7 +87,11 @@ def silence_stdout() -> None:
 
     Python writes the rest of the output once more at its exit.
     """
-    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    _silence(sys.stdout)
+
+
+def _silence(stream: Any) -> None:
+    os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
 
 
 def report_fault(error: OSError) -> Status:
@@ -98,10 +106,17 @@ def report_fault(error: OSError) -> Status:
         text = f"cannot use {error.filename}: {reason}{_advice(error.filename)}"
     else:
         text = f"the system refused an operation: {reason}"
-    # If stderr cannot be written either, the exit code still says that something failed.
-    with contextlib.suppress(OSError):
-        print(text, file=sys.stderr)
+    print_error(text)
     return Status.ERROR
+
+
+def print_error(text: str) -> None:
+    """Print on stderr. If this is not possible, the exit code still says that something failed."""
+    try:
+        print(text, file=sys.stderr)
+    except OSError:
+        # Python writes the rest once more at its exit, and from 3.14 on, it then exits with 120.
+        _silence(sys.stderr)
 
 
 def _advice(file: object) -> str:
@@ -115,3 +130,18 @@ def _advice(file: object) -> str:
     if settings not in (path, *path.parents) and path not in settings.parents:
         return ""
     return "\n\nhint: set XDG_CONFIG_HOME to a folder in which you can write"
+
+
+def report(error: ZbotError) -> Status:
+    """Print an error's message without a prefix, as ros2 does. Print the hint below it.
+
+    If the user typed a character of a word processor, a hint is about this character.
+    """
+    from zbot.errors.installation import with_typed_command  # noqa: PLC0415 - only for errors
+    from zbot.terminal.typographic import advice, advice_for_words  # noqa: PLC0415 - as above
+
+    print_error(with_typed_command(str(error)))
+    hints = [advice(str(error)) or getattr(error, "hint", None), advice_for_words(sys.argv[1:])]
+    for hint in dict.fromkeys(filter(None, hints)):
+        print_error(f"\nhint: {with_typed_command(hint)}")
+    return Status.ERROR

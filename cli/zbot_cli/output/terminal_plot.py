@@ -102,9 +102,9 @@ class TerminalPlot:
         now_s = time.time() - self._began_s
         to_s = max(now_s, self._window_s)
         curves = [
-            Curve(one.name, [(time_s - self._began_s, value) for time_s, value in points])
-            for one in self._curves.curves
-            for points in (self._points.get(one.name, ()),)
+            Curve(curve.name, [(time_s - self._began_s, value) for time_s, value in points])
+            for curve in self._curves.curves
+            for points in (self._points.get(curve.name, ()),)
         ]
         curves += [Curve(topic, ()) for topic in self._curves.waiting]
         lines = draw(

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import re
+import shutil
+import subprocess
 from dataclasses import dataclass
 from importlib.resources import files
 from pathlib import Path
 from string import Template
 from typing import TYPE_CHECKING
 
-from zbot.errors import ZbotError
 from zbot_cli.errors import CommandError
-from zbot_cli.packages import templates
+from zbot_cli.packages import templates, vscode
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
@@ -23,16 +24,13 @@ _COPYRIGHT_SKIP = """
 _NAME = re.compile(r"[a-zA-Z][a-zA-Z0-9_]*\Z")
 
 
-class PackageNameError(ZbotError):
-    """A package, node or library cannot have this name."""
-
-    def __init__(self, what: str, name: str) -> None:
-        self.name = name
-        good = re.sub(r"\W+", "_", name.removesuffix(".py").lower()).strip("_0123456789")
-        self.hint = f"try '{good}'" if good else ""
-        super().__init__(
-            f"'{name}' cannot be a {what}'s name: use letters, digits and '_'; begin with a letter"
-        )
+def invalid_name_error(what: str, name: str) -> CommandError:
+    """Return the error that a package, node or library cannot have a name."""
+    good = re.sub(r"\W+", "_", name.removesuffix(".py").lower()).strip("_0123456789")
+    return CommandError(
+        f"'{name}' cannot be a {what}'s name: use letters, digits and '_'; begin with a letter",
+        hint=f"try '{good}'" if good else "",
+    )
 
 
 @dataclass(frozen=True)
@@ -50,6 +48,7 @@ class Plan:
     dependencies: tuple[str, ...]
     node: str
     library: str
+    has_vscode: bool = False  #: whether to write a folder `.vscode`
 
     def lines(self) -> Iterator[str]:
         """Yield the lines that are printed before files are written."""
@@ -79,23 +78,25 @@ def create(plan: Plan) -> None:
     """Write a package.
 
     Raises:
-        PackageNameError: The name of the package, node or library is invalid.
-        CommandError: The package is named `test`, or the folder of the package already exists, or a
-            file cannot be written.
+        CommandError: The name of the package, node or library is invalid or is `test`, or the
+            folder of the package already exists, or a file cannot be written.
     """
     _check(plan)
-    print(*plan.lines(), sep="\n")
+    writer = _Writer(plan)
     try:
-        _Writer(plan).write()
+        writer.write()
     except OSError as exc:
         raise CommandError(f"unable to create folder: {plan.destination}: {exc.strerror}") from exc
+    finally:
+        # The lines are printed last, so that the package is whole also if nobody reads them.
+        print(*plan.lines(), *writer.lines, sep="\n")
 
 
 def _check(plan: Plan) -> None:
     names = {"package": plan.name, "node": plan.node, "library": plan.library}
     for what, name in names.items():
         if (name or what == "package") and not _NAME.match(name):
-            raise PackageNameError(what, name)
+            raise invalid_name_error(what, name)
     if plan.build_type == "ament_python" and plan.name == "test":
         raise CommandError(
             "Aborted since 'ament_python' packages can't be named 'test'. "
@@ -118,6 +119,7 @@ def _shown(folder: str, *names: str) -> str:
 class _Writer:
     def __init__(self, plan: Plan) -> None:
         self._plan = plan
+        self.lines: list[str] = []  #: what was written
 
     def write(self) -> None:
         plan = self._plan
@@ -127,12 +129,16 @@ class _Writer:
             self._write_python()
         else:
             self._write_cpp()
+        if plan.has_vscode:
+            self._folder(".vscode")
+            for name, text in vscode.files(plan.name, plan.node).items():
+                self._file(f".vscode/{name}", text)
         if plan.license in known_licenses():
             self._path("LICENSE").write_text(_license(plan), encoding="utf-8")
 
     def _write_python(self) -> None:
         plan = self._plan
-        print("creating source folder")
+        self.lines.append("creating source folder")
         self._folder(plan.name)
         self._file("setup.py", _setup_py(plan))
         self._file("setup.cfg", templates.SETUP_CFG.substitute(name=plan.name))
@@ -153,7 +159,7 @@ class _Writer:
 
     def _write_cpp(self) -> None:
         plan = self._plan
-        print("creating source and include folder")
+        self.lines.append("creating source and include folder")
         self._folder("src")
         self._folder(f"include/{plan.name}")
         self._file("CMakeLists.txt", _cmake_lists(plan))
@@ -174,11 +180,12 @@ class _Writer:
         return Path(self._plan.destination, self._plan.name, *names)
 
     def _folder(self, *names: str) -> None:
-        print("creating folder", _shown(self._plan.destination, self._plan.name, *names))
+        shown = _shown(self._plan.destination, self._plan.name, *names)
+        self.lines.append(f"creating folder {shown}")
         self._path(*names).mkdir(parents=True)
 
     def _file(self, name: str, text: str) -> None:
-        print("creating", _shown(self._plan.destination, self._plan.name, name))
+        self.lines.append(f"creating {_shown(self._plan.destination, self._plan.name, name)}")
         self._path(name).write_text(text, encoding="utf-8", newline="\n")
 
 
@@ -250,3 +257,32 @@ def _license(plan: Plan) -> str:
     )
     year = datetime.now(tz=timezone.utc).year
     return Template(text).safe_substitute(year=year, holder=plan.maintainer)
+
+
+def user_name() -> str:
+    """Return the name from git's configuration, or the login name if git has no name."""
+    return _git("user.name") or _login_name()
+
+
+def user_email(name: str) -> str:
+    """Return the address from git's configuration, or a placeholder such as `ana@todo.todo`."""
+    return _git("user.email") or f"{re.sub(r'[^a-z0-9]+', '.', name.lower()).strip('.')}@todo.todo"
+
+
+def _login_name() -> str:
+    import getpass  # noqa: PLC0415 - needed only without a name in git
+
+    try:
+        return getpass.getuser()
+    except (ImportError, KeyError, OSError):  # a container's user may not be in /etc/passwd
+        return "user"
+
+
+def _git(key: str) -> str:
+    program = shutil.which("git")
+    if program is None:
+        return ""
+    done = subprocess.run(  # noqa: S603 - git itself, with words of ours
+        [program, "config", key], capture_output=True, encoding="utf-8", check=False
+    )
+    return done.stdout.strip()

@@ -6,6 +6,7 @@ import importlib.util
 import os
 import sys
 from dataclasses import dataclass, field
+from functools import cache, cached_property, partial
 from importlib.machinery import PathFinder
 from pathlib import Path, PurePosixPath
 from typing import TYPE_CHECKING
@@ -15,10 +16,11 @@ from zbot.package.cmake_file import read_cmake
 from zbot.package.errors import SetupFileError
 from zbot.package.python_finder import import_paths
 from zbot.package.setup_file import data_files, declared_scripts, setup_arguments
+from zbot.package.unavailable import unavailable_package
 from zbot.package.workspace import package_name, packages_by_name, read_text
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Callable, Mapping, Sequence
 
 #: Group of the entry points with which an installed package declares its nodes.
 GROUP = "zbot.nodes"
@@ -52,14 +54,53 @@ def is_file(target: str) -> bool:
 
 
 @dataclass(frozen=True)
-class Package:
-    """Package and its executables. It may have no executables."""
+class Contents:
+    """Programs of a package, or the reason why they are unknown."""
 
-    name: str
     executables: tuple[Executable, ...] = ()
-    folder: Path | None = None  #: folder of the sources, or `None` for an installed package
     fault: str = ""  #: reason why its executables are unknown
     compiled: frozenset[str] = frozenset()  #: its C++ programs, which zbot cannot run
+
+
+class Package:
+    """Package and its executables. It may have no executables.
+
+    The build files of a package in a workspace are read at the first use of its contents. A
+    workspace may have hundreds of packages, and a caller usually wants one of them.
+
+    Args:
+        name: Its name.
+        contents: Its contents, or a function that reads them.
+        folder: The folder of its sources, or None for an installed package.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        contents: Contents | Callable[[], Contents],
+        folder: Path | None = None,
+    ) -> None:
+        self.name, self.folder = name, folder
+        self._given = contents
+
+    @cached_property
+    def _contents(self) -> Contents:
+        return self._given if isinstance(self._given, Contents) else self._given()
+
+    @property
+    def executables(self) -> tuple[Executable, ...]:
+        """Its Python programs."""
+        return self._contents.executables
+
+    @property
+    def fault(self) -> str:
+        """The reason why its executables are unknown, or an empty string."""
+        return self._contents.fault
+
+    @property
+    def compiled(self) -> frozenset[str]:
+        """Its C++ programs, which zbot cannot run."""
+        return self._contents.compiled
 
     def has_module(self, name: str) -> bool:
         """Return whether the sources have a module of that name. setup.py need not declare it."""
@@ -74,26 +115,35 @@ def all_packages() -> list[Package]:
 def workspace_packages() -> list[Package]:
     """Return the packages of the current folder's workspace and of `$ZBOT_WORKSPACE`."""
     copies = packages_by_name()
-    folders = [places[0] for places in copies.values()]
-    paths = tuple(dict.fromkeys(path for folder in folders for path in import_paths(folder)))
-    return [_of_sources(name, places, paths) for name, places in copies.items()]
+
+    @cache
+    def paths() -> tuple[str, ...]:
+        folders = (places[0] for places in copies.values())
+        return tuple(dict.fromkeys(path for folder in folders for path in import_paths(folder)))
+
+    return [
+        Package(name, partial(_contents, name, places, paths), places[0])
+        for name, places in copies.items()
+    ]
 
 
-def _of_sources(name: str, places: Sequence[Path], paths: tuple[str, ...]) -> Package:
+def _contents(
+    name: str, places: Sequence[Path], all_paths: Callable[[], tuple[str, ...]]
+) -> Contents:
     folder, hidden = places[0], tuple(map(str, places[1:]))
-    own = import_paths(folder)
-    # As in a ROS 2 workspace that is sourced, every package can import all other packages.
-    folders = (*own, *(path for path in paths if path not in own))
     try:
         programs = _programs(folder)
         compiled = frozenset(read_cmake(folder).compiled)
     except SetupFileError as error:
-        return Package(name, (), folder, str(error))
+        return Contents(fault=str(error))
+    own = import_paths(folder)
+    # As in a ROS 2 workspace that is sourced, every package can import all other packages.
+    folders = (*own, *(path for path in all_paths() if path not in own)) if programs else ()
     found: dict[str, Executable] = {}
-    for one, target in programs:
-        replaced = found[one].target if one in found else ""
-        found[one] = Executable(name, one, target, folders, str(folder), hidden, replaced)
-    return Package(name, tuple(found.values()), folder, "", compiled)
+    for program, target in programs:
+        replaced = found[program].target if program in found else ""
+        found[program] = Executable(name, program, target, folders, str(folder), hidden, replaced)
+    return Contents(tuple(found.values()), "", compiled)
 
 
 def _programs(folder: Path) -> list[tuple[str, str]]:
@@ -106,7 +156,11 @@ def _programs(folder: Path) -> list[tuple[str, str]]:
     return [
         *((name, str(path)) for name, path in _scripts(folder, installed).items()),
         # The `zbot` command itself is in zbot's own sources.
-        *(one for one in declared_scripts(folder).items() if not one[1].startswith(_COMMAND)),
+        *(
+            script
+            for script in declared_scripts(folder).items()
+            if not script[1].startswith(_COMMAND)
+        ),
         *((name, str(path)) for name, path in installed.items()),
     ]
 
@@ -136,7 +190,7 @@ def _scripts(folder: Path, installed: Mapping[str, Path]) -> dict[str, Path]:
     known = {path.resolve() for path in installed.values()}
     # Every setup.py contains "console_scripts". To parse them all here would take too long.
     given = setup_arguments(folder / "setup.py", "scripts=").get("scripts")
-    names = [one for one in given if isinstance(one, str)] if isinstance(given, list) else []
+    names = [name for name in given if isinstance(name, str)] if isinstance(given, list) else []
     listed = [folder / name for name in names if _is_present(folder / name)]
     paths = [*sorted((folder / "scripts").glob("*.py")), *listed]
     found = {path.name: path for path in paths if path.resolve() not in known}
@@ -205,6 +259,12 @@ def module_file(module: str, folders: tuple[str, ...]) -> Path | None:
     return Path(origin) if origin is not None and Path(origin).is_file() else None
 
 
+def is_bundled(name: str) -> bool:
+    """Return whether zbot has a package of this name with nodes."""
+    has_nodes = bool(BUNDLED_NODES.get(name)) and unavailable_package(name) is None
+    return name in {_PROJECT, BUNDLED} or has_nodes
+
+
 def bundled_packages() -> list[Package]:
     """Return the packages of the bundled nodes, under zbot's own name and under ROS 2's names."""
     spec = importlib.util.find_spec(BUNDLED)
@@ -212,17 +272,16 @@ def bundled_packages() -> list[Package]:
     modules = sorted(path.stem for folder in folders for path in Path(folder).glob("[a-z]*.py"))
     names = {module: module for module in modules} | _NICKNAMES
     nodes = [Executable(BUNDLED, name, f"{BUNDLED}.{names[name]}:main") for name in sorted(names)]
-    replaced = (_replacing(name) for name, programs in BUNDLED_NODES.items() if programs)
-    return [Package(BUNDLED, tuple(nodes)), *replaced]
+    names_of_ros2 = (name for name, programs in BUNDLED_NODES.items() if programs)
+    replaced = (_replacing(name) for name in names_of_ros2 if unavailable_package(name) is None)
+    return [Package(BUNDLED, Contents(tuple(nodes))), *replaced]
 
 
 def _replacing(package: str) -> Package:
     """Return a ROS 2 package with the bundled nodes that replace its programs."""
     modules = sorted(BUNDLED_NODES[package].items())
-    return Package(
-        package,
-        tuple(Executable(package, name, f"{BUNDLED}.{one}:main") for name, one in modules),
-    )
+    nodes = (Executable(package, name, f"{BUNDLED}.{module}:main") for name, module in modules)
+    return Package(package, Contents(tuple(nodes)))
 
 
 def installed_packages() -> list[Package]:
@@ -235,7 +294,7 @@ def installed_packages() -> list[Package]:
         if distribution not in {"", _PROJECT}:
             name = distribution.replace("-", "_")
             found.setdefault(name, []).append(Executable(name, point.name, point.value))
-    return [Package(name, tuple(executables)) for name, executables in sorted(found.items())]
+    return [Package(name, Contents(tuple(nodes))) for name, nodes in sorted(found.items())]
 
 
 def installed_package(name: str) -> list[Package]:
@@ -251,4 +310,4 @@ def installed_package(name: str) -> list[Package]:
         for point in points
         if point.group in {"console_scripts", GROUP} and not point.value.startswith(_COMMAND)
     }
-    return [Package(name, tuple(found.values()))]
+    return [Package(name, Contents(tuple(found.values())))]

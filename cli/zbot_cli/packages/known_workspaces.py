@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from zbot.json_reader import read_json
+from zbot.package.user_folders import make_private
 from zbot.package.workspace import package_folders, package_name
 from zbot.transport.membership import folder as settings_folder
 
@@ -32,12 +33,12 @@ def remember(roots: Roots) -> None:
         return
     known = _known()
     workspace = str(workspace_folder(roots))
-    changed = [workspace, *(one for one in known if one != workspace)][:_MAX]
+    changed = [workspace, *(folder for folder in known if folder != workspace)][:_MAX]
     if changed == known:
         return
     file = settings_folder() / _FILE
     try:
-        file.parent.mkdir(parents=True, exist_ok=True)
+        make_private(file.parent)
         file.write_text(json.dumps(changed), encoding="utf-8")
     except OSError:
         return  # the list only makes errors more helpful
@@ -58,4 +59,6 @@ def _known() -> list[str]:
         found = read_json((settings_folder() / _FILE).read_text(encoding="utf-8"))
     except (OSError, ValueError):
         return []
-    return [one for one in found if isinstance(one, str)] if isinstance(found, list) else []
+    return (
+        [folder for folder in found if isinstance(folder, str)] if isinstance(found, list) else []
+    )

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from zbot.errors.suggestion import did_you_mean
 from zbot.launch.errors import LaunchFileNotFoundError
+from zbot.launch.source import AnyLaunchDescriptionSource, check_template
 from zbot.package import PackageNotFoundError, package_share, packages
 from zbot.package.symlink_install import files_below
 
@@ -27,9 +28,11 @@ def find(words: Sequence[str]) -> tuple[Path, list[str]]:
 
     Raises:
         LaunchFileNotFoundError: There is no such file, or there are several.
+        TemplateError: There is only the template of the file.
         PackageNotFoundError: There is no such package.
     """
     first, rest = words[0], list(words[1:])
+    check_template(Path(first).absolute())
     if Path(first).is_file():
         return Path(first).absolute(), rest
     if rest and ":=" not in rest[0]:
@@ -45,10 +48,14 @@ def in_package(package: str, name: str) -> Path:
 
     Raises:
         LaunchFileNotFoundError: The package has no file or several files of that name.
+        TemplateError: The package has only the template of the file.
         PackageNotFoundError: There is no such package.
     """
     share = package_share(package)
-    found = sorted(path for path in files_below(share) if path.name == name)
+    files = list(files_below(share))
+    found = sorted(path for path in files if path.name == name)
+    for path in found or (path for path in files if path.name == f"{name}.in"):
+        check_template(path)
     if len(found) > 1:
         listed = ", ".join(f"'{path}'" for path in found)
         raise LaunchFileNotFoundError(
@@ -74,6 +81,16 @@ def launch_files(package: str) -> list[Path]:
     return sorted(path for path in files_below(package_share(package)) if _is_launch_file(path))
 
 
+def _command_for(name: str) -> str:
+    """Return how to launch a file of a package that was named without its package."""
+    if any(path.name == name for path in launch_files(_BUNDLED)):
+        return f"type: zbot launch zbot_nodes {name}"
+    for package in packages():
+        if any(path.name == name for path in launch_files(package)):
+            return f"type: zbot launch {package} {name}"
+    return ""
+
+
 def stem(path: Path) -> str:
     """Return the name of a launch file without its suffixes, e.g. `temperature`."""
     name = path.name.removesuffix(path.suffix)
@@ -93,13 +110,14 @@ def candidates(done: Sequence[str]) -> Iterable[str]:
     except LaunchFileNotFoundError:
         return [path.name for path in launch_files(done[0])] if len(done) == 1 else []
     from zbot.launch.arguments import declared_arguments  # noqa: PLC0415 - reads launch files
-    from zbot.launch.source import AnyLaunchDescriptionSource  # noqa: PLC0415 - as above
 
     source = AnyLaunchDescriptionSource(str(path))
     description = source.try_get_launch_description_without_context()
     if description is None:
         return []
-    return [f"{one.action.name}:=" for one in declared_arguments(description, path=str(path))]
+    return [
+        f"{argument.action.name}:=" for argument in declared_arguments(description, path=str(path))
+    ]
 
 
 def paths(unfinished: str) -> Iterable[str]:
@@ -122,7 +140,7 @@ def _is_launch_file(path: Path) -> bool:
 def _not_found(word: str) -> LaunchFileNotFoundError:
     if os.sep in word or word.endswith(_ENDINGS):
         folder, slash, _ = word.rpartition("/")
-        hint = did_you_mean(word, paths(f"{folder}{slash}"))
+        hint = _command_for(word) or did_you_mean(word, paths(f"{folder}{slash}"))
         return LaunchFileNotFoundError(f"launch file '{word}' not found", hint=hint)
     try:
         inside = [path.name for path in launch_files(word)]

@@ -49,7 +49,9 @@ def downloaded(name: str) -> Iterator[Path]:
         )
         wheels = sorted(Path(folder).glob("*.whl"))
         if result.returncode:
-            lines = [one for one in result.stderr.splitlines() if one.strip()] or ["no such wheel"]
+            lines = [line for line in result.stderr.splitlines() if line.strip()] or [
+                "no such wheel"
+            ]
             raise download_error(name, _PREFIX.sub("", lines[-1]))
         yield wheels[0] if wheels else Path(folder)
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from zbot.errors.installation import pip_install
+
 #: Modules whose package has another name on PyPI.
 _PYPI = {
     "Crypto": "pycryptodome", "OpenSSL": "pyopenssl", "PIL": "pillow", "PyQt5": "pyqt5",
@@ -68,7 +70,7 @@ def how_to_get(module: str) -> str:
         return f"{module} is a part of ROS 1: use its successor in ROS 2"
     name = name_on_pypi(module)
     if name:
-        return f"pip install {name}"
+        return pip_install(name)
     return f"download https://github.com/{_REPOSITORIES[module]} into src"
 
 
@@ -81,5 +83,5 @@ def module_of_key(key: str) -> str:
     name = key.removeprefix(_KEY).removesuffix("-pip")
     if name in _TOOLS:
         return ""
-    modules = {one.lower(): module for module, one in _PYPI.items()}
+    modules = {package.lower(): module for module, package in _PYPI.items()}
     return _MODULES.get(name) or modules.get(name.lower()) or name.replace("-", "_")

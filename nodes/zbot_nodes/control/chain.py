@@ -45,13 +45,13 @@ class Link:
 
 def links(controllers: Collection[Controller]) -> list[Link]:
     """Return the links between controllers. Controllers that are not configured have none."""
-    ready = [one for one in controllers if one.state is not State.UNCONFIGURED]
+    ready = [controller for controller in controllers if controller.state is not State.UNCONFIGURED]
     found = []
     for user in ready:
         used = dict.fromkeys([*user.command_interfaces(), *user.state_interfaces()])
         for provider in ready:
             own = {*provider.reference_interfaces(), *provider.exported_interfaces()}
-            shared = tuple(one for one in used if one in own)
+            shared = tuple(interface for interface in used if interface in own)
             if shared:
                 found.append(Link(user, provider, shared))
     return found
@@ -60,7 +60,9 @@ def links(controllers: Collection[Controller]) -> list[Link]:
 def broken_link(controllers: Collection[Controller], active: Collection[Controller]) -> Link | None:
     """Return a link whose user is to be active, but whose provider is not."""
     found = links(controllers)
-    return next((one for one in found if one.user in active and one.provider not in active), None)
+    return next(
+        (link for link in found if link.user in active and link.provider not in active), None
+    )
 
 
 def in_order(active: Collection[Controller]) -> list[Controller]:
@@ -69,14 +71,14 @@ def in_order(active: Collection[Controller]) -> list[Controller]:
     seen: set[Controller] = set()
     existing = links(active)
 
-    def add(one: Controller) -> None:
-        if one not in seen:
-            seen.add(one)
+    def add(controller: Controller) -> None:
+        if controller not in seen:
+            seen.add(controller)
             for link in existing:
-                if link.provider is one:
+                if link.provider is controller:
                     add(link.user)
-            found.append(one)
+            found.append(controller)
 
-    for one in active:
-        add(one)
+    for controller in active:
+        add(controller)
     return found

@@ -80,7 +80,7 @@ class Controller(zbot.Node):
         Raises:
             ControllerError: The list is empty.
         """
-        found = [str(one) for one in self.setting(name, [])]
+        found = [str(item) for item in self.setting(name, [])]
         if not found:
             raise ControllerError(f"the parameter {name} of {self.get_name()} is empty")
         return found

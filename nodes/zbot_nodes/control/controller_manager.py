@@ -12,24 +12,33 @@ Parameters: update_rate (100 Hz), robot_description (""), NAME.type: the class o
 
 from __future__ import annotations
 
-import math
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import zbot
+from zbot.description.urdf import read_urdf
+from zbot.description.xml_text import DescriptionError
+from zbot.executor.clock import Clock
 from zbot.qos import DurabilityPolicy, QoSProfile
+from zbot.time import ClockType
 from zbot_nodes.control import chain
 from zbot_nodes.control.controller import Controller, ControllerError, State
 from zbot_nodes.control.controller_types import TYPES
 from zbot_nodes.control.hardware import SimulatedHardware, read_components
 from zbot_nodes.control.hardware_services import HardwareServices
-from zbot_nodes.description.urdf import read_urdf
-from zbot_nodes.description.xml_text import DescriptionError
+from zbot_nodes.control.loaded_controllers import LoadedControllers
 from zbot_nodes.startup.program import ParameterError, run_node
 
 from controller_manager_msgs import srv
 from controller_manager_msgs.msg import ControllerState
 from std_msgs.msg import String
 
+if TYPE_CHECKING:
+    from zbot.description.urdf import Mimic
+    from zbot_nodes.control.hardware import Component
+
+#: Topic that each simulator has.
+_SIMULATED_WORLD = "/simulation/world"
+_LOOK_S = 2.0
 _KEPT = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 
 
@@ -52,10 +61,8 @@ class ControllerManager(zbot.Node):
         if not isinstance(rate_hz, int) or rate_hz <= 0:
             raise ParameterError("the parameter update_rate must be a whole number above 0")
         self.rate_hz = rate_hz
-        self.controllers: dict[str, Controller] = {}
-        self.active: list[Controller] = []  # in the order of their updates
-        self.hardware: SimulatedHardware | None = None
         self.description = ""
+        self.use(SimulatedHardware([], {}))  # until there is a description
         self.updated_ns = 0
         text = str(self.setting("robot_description", ""))
         if text:
@@ -72,32 +79,78 @@ class ControllerManager(zbot.Node):
 
     def accept(self, message: String) -> None:
         """Use the first valid description of the topic."""
-        if self.hardware is not None:
+        if self.description:
             return
         try:
             self.begin(message.data)
         except DescriptionError as error:
             self.get_logger().error(str(error))
 
+    def use(self, hardware: SimulatedHardware) -> None:
+        """Let controllers that will be loaded read and command a hardware."""
+        self.hardware = hardware
+        self.controllers = LoadedControllers(hardware, self.get_logger())
+
     def begin(self, description: str) -> None:
         """Build the hardware, and start the loop and the services."""
         components = read_components(description)
         joints = read_urdf(description).joints
-        mimics = {name: one.mimic for name, one in joints.items() if one.mimic is not None}
-        self.hardware, self.description = SimulatedHardware(components, mimics), description
+        mimics = {name: joint.mimic for name, joint in joints.items() if joint.mimic is not None}
+        self.description = description
+        self.use(self.new_hardware(components, mimics))
         if not components:
             self.get_logger().warn("The robot description has no <ros2_control>: nothing moves")
-        for one in components:
-            if not one.is_mock:
-                self.get_logger().warn(
-                    f"{one.plugin} is a compiled driver, which does not run here: the hardware "
-                    f"'{one.name}' is simulated"
-                )
-        services = HardwareServices(self, self.hardware)
-        services.set_first_states()
+        self.warn_of_drivers()
+        self.set_first_states()
         self.create_services()
-        services.create_services()
+        HardwareServices(self, self.hardware, self.controllers, self.rate_hz).create_services()
+        self.start_loop()
+
+    def new_hardware(
+        self, components: list[Component], mimics: dict[str, Mimic]
+    ) -> SimulatedHardware:
+        """Return the hardware that controllers read and command."""
+        return SimulatedHardware(components, mimics)
+
+    def warn_of_drivers(self) -> None:
+        """Say which drivers of the description do not run here."""
+        for component in self.hardware.components:
+            if not component.is_mock:
+                self.get_logger().warn(
+                    f"{component.plugin} is a compiled driver, which does not run here: the "
+                    f"hardware '{component.name}' is simulated"
+                )
+
+    def start_loop(self) -> None:
+        """Call `update` at the rate of the manager."""
         self.create_timer(1 / self.rate_hz, self.update)
+        real = Clock(clock_type=ClockType.STEADY_TIME)
+        self._look = self.create_timer(_LOOK_S, self.notice_a_simulator, clock=real)
+
+    def notice_a_simulator(self) -> None:
+        """Say once that the bodies of a simulator are not the hardware of this manager."""
+        if not self.count_publishers(_SIMULATED_WORLD):
+            return
+        self._look.cancel()
+        self.get_logger().warn(
+            "A simulator runs in this domain, but this manager moves no bodies in it: a manager in "
+            "the simulator does, which <plugin filename='gz_ros2_control-system' "
+            "name='gz_ros2_control::GazeboSimROS2ControlPlugin'/> in the <gazebo> tag of the robot "
+            "description starts"
+        )
+
+    def set_first_states(self) -> None:
+        """Bring the hardware components to the states in the parameters. The default is active."""
+        states = self.hardware.component_states
+        for state in ("unconfigured", "inactive"):
+            names = self.setting(f"hardware_components_initial_state.{state}", [])
+            for name in [names] if isinstance(names, str) else names:
+                if name in states:
+                    self.hardware.set_component_state(name, state)
+                elif name:
+                    self.get_logger().warn(f"There is no hardware component '{name}'")
+        for name, state in states.items():
+            self.get_logger().info(f"The hardware '{name}' is {state}")
 
     def create_services(self) -> None:
         """Offer the services of ROS 2's controller manager."""
@@ -117,19 +170,14 @@ class ControllerManager(zbot.Node):
 
     def update(self) -> None:
         """Run one period of the loop."""
-        assert self.hardware is not None
         now_ns = self.get_clock().now().nanoseconds
         before_ns, self.updated_ns = self.updated_ns, now_ns
         period_s = (now_ns - before_ns) / 1e9
         if not before_ns or period_s <= 0:
             return  # the first period, or a jump back of simulated time
         self.hardware.read(period_s)
-        for one in self.active:
-            one.update(period_s)
-
-    def claimed(self) -> set[str]:
-        """Return the command interfaces of the active controllers."""
-        return {name for one in self.active for name in one.command_interfaces()}
+        for controller in self.controllers.active:
+            controller.update(period_s)
 
     # -- controllers ---------------------------------------------------------------------------
 
@@ -139,7 +187,7 @@ class ControllerManager(zbot.Node):
         Raises:
             ControllerError: The controller has no type, or its type is unknown.
         """
-        if name in self.controllers:
+        if name in self.controllers.by_name:
             raise ControllerError(f"A controller named '{name}' was already loaded")
         kind = str(self.setting(f"{name}.type", ""))
         if not kind:
@@ -147,7 +195,6 @@ class ControllerManager(zbot.Node):
         if kind not in TYPES:
             known = ", ".join(sorted(TYPES))
             raise ControllerError(f"There is no controller type '{kind}': there are {known}")
-        assert self.hardware is not None
         node = TYPES[kind](
             name,
             self.hardware,
@@ -156,7 +203,7 @@ class ControllerManager(zbot.Node):
             cli_args=self.arguments_of(name),
             **self.options,
         )
-        self.controllers[name] = node
+        self.controllers.by_name[name] = node
         if self.executor is not None:
             self.executor.add_node(node)
         self.get_logger().info(f"Loading controller '{name}'")
@@ -169,7 +216,7 @@ class ControllerManager(zbot.Node):
             words += ["--params-file", path] if path else []
         extra = self.setting(f"{name}.node_options_args", "")
         more = [extra] if isinstance(extra, str) else list(extra)
-        return words + [one for one in " ".join(more).split() if one != "--ros-args"]
+        return words + [word for word in " ".join(more).split() if word != "--ros-args"]
 
     def configure(self, name: str) -> None:
         """Configure a controller that is loaded.
@@ -177,30 +224,30 @@ class ControllerManager(zbot.Node):
         Raises:
             ControllerError: There is no such controller, it is active, or it cannot be configured.
         """
-        one = self.known(name)
-        if one.state is State.ACTIVE:
+        controller = self.controllers.known(name)
+        if controller.state is State.ACTIVE:
             raise ControllerError(f"Controller '{name}' can not be configured from 'active' state")
-        if one.state is State.INACTIVE:
+        if controller.state is State.INACTIVE:
             self.cleanup(name)
-            one = self.known(name)
+            controller = self.controllers.known(name)
         try:
-            one.configure()
+            controller.configure()
         except Exception:
             self.cleanup(name)  # removes the topics that the node has already created
             raise
-        assert self.hardware is not None
-        self.hardware.add(one.reference_interfaces(), one.exported_interfaces())
-        one.state = State.INACTIVE
+        self.hardware.add(controller.reference_interfaces(), controller.exported_interfaces())
+        controller.state = State.INACTIVE
         self.get_logger().info(f"Configuring controller '{name}'")
-        self.name_unknown(one)
+        self.name_unknown(controller)
 
-    def name_unknown(self, one: Controller) -> None:
+    def name_unknown(self, controller: Controller) -> None:
         """Warn of values for parameters that a controller does not have. They have no effect."""
         # A value for all nodes of the process, e.g. `/**` in a file, is also one of the manager.
-        unknown = [name for name in one.unknown_parameters() if not self.has_parameter(name)]
+        unknown = [name for name in controller.unknown_parameters() if not self.has_parameter(name)]
         if unknown:
             self.get_logger().warn(
-                f"Controller '{one.get_name()}' does not use the parameters {', '.join(unknown)}"
+                f"Controller '{controller.get_name()}' does not use the parameters "
+                f"{', '.join(unknown)}"
             )
 
     def cleanup(self, name: str) -> None:
@@ -218,138 +265,17 @@ class ControllerManager(zbot.Node):
         Raises:
             ControllerError: There is no such controller, or it is active.
         """
-        one = self.known(name)
-        if one.state is State.ACTIVE:
+        controller = self.controllers.known(name)
+        if controller.state is State.ACTIVE:
             raise ControllerError(f"Could not unload controller '{name}' because it is active")
-        if one.state is State.INACTIVE and self.hardware is not None:
-            self.hardware.remove(one.reference_interfaces(), one.exported_interfaces())
-        del self.controllers[name]
+        if controller.state is State.INACTIVE:
+            self.hardware.remove(
+                controller.reference_interfaces(), controller.exported_interfaces()
+            )
+        del self.controllers.by_name[name]
         if self.executor is not None:
-            self.executor.remove_node(one)
-        one.destroy_node()
-
-    def known(self, name: str) -> Controller:
-        """Return a controller that is loaded."""
-        if name not in self.controllers:
-            raise ControllerError(f"Could not find controller with name '{name}'")
-        return self.controllers[name]
-
-    def switch(self, begin: list[str], end: list[str], *, is_strict: bool) -> None:
-        """Activate and deactivate controllers.
-
-        Raises:
-            ControllerError: The switch is strict, and a controller cannot be activated or
-                deactivated. Then nothing changes.
-        """
-        starting: list[Controller] = []
-        stopping: list[Controller] = []
-        for names, found, check in ((end, stopping, self.stops), (begin, starting, self.starts)):
-            for name in names:
-                try:
-                    check(name, stopping, starting)
-                except ControllerError as error:
-                    self.refuse(str(error), is_strict=is_strict)
-                else:
-                    found.append(self.controllers[name])
-        self.keep_chains(starting, stopping, is_strict=is_strict)
-        for one in stopping:
-            one.deactivate()
-            one.state = State.INACTIVE
-            self.get_logger().info(f"Deactivated controller '{one.get_name()}'")
-        for one in starting:
-            self.activate(one)
-            one.state = State.ACTIVE
-            self.get_logger().info(f"Activated controller '{one.get_name()}'")
-        active = [one for one in self.controllers.values() if one.state is State.ACTIVE]
-        self.active = chain.in_order(active)
-        self.connect_chains()
-
-    def refuse(self, reason: str, *, is_strict: bool) -> None:
-        """Refuse the whole switch if it is strict. Otherwise only warn."""
-        if is_strict:
-            raise ControllerError(reason)
-        self.get_logger().warn(reason)
-
-    def stops(self, name: str, _stopping: list[Controller], _starting: list[Controller]) -> None:
-        """Check that a controller can be deactivated."""
-        if self.known(name).state is not State.ACTIVE:
-            raise ControllerError(f"Controller '{name}' can not be deactivated: it is not active")
-
-    def starts(self, name: str, stopping: list[Controller], starting: list[Controller]) -> None:
-        """Check that a controller can be activated with others, after some have stopped."""
-        one = self.known(name)
-        if one.state is not State.INACTIVE and one not in stopping:
-            raise ControllerError(
-                f"Controller '{name}' can not be activated from its state {one.state.value}"
-            )
-        assert self.hardware is not None
-        missing = [
-            *(set(one.command_interfaces()) - set(self.hardware.commands)),
-            *(set(one.state_interfaces()) - set(self.hardware.states)),
-        ]
-        if missing:
-            raise ControllerError(
-                f"Controller '{name}' needs the interface '{min(missing)}', which neither the "
-                "hardware nor another configured controller has"
-            )
-        needed = {*one.command_interfaces(), *one.state_interfaces()}
-        closed = {name: owner for name, owner in self.hardware.closed().items() if name in needed}
-        if closed:
-            raise ControllerError(
-                f"Controller '{name}' needs the interface '{min(closed)}', but the hardware "
-                f"'{closed[min(closed)]}' is not configured"
-            )
-        others = [other for other in self.active if other not in stopping] + starting
-        taken = {name for other in others for name in other.command_interfaces()}
-        taken &= set(one.command_interfaces())
-        if taken:
-            raise ControllerError(
-                f"Controller '{name}' can not be activated: another controller commands "
-                f"'{min(taken)}'"
-            )
-
-    # -- chains --------------------------------------------------------------------------------
-
-    def keep_chains(
-        self, starting: list[Controller], stopping: list[Controller], *, is_strict: bool
-    ) -> None:
-        """Leave out controllers that would break a chain.
-
-        Raises:
-            ControllerError: The switch is strict, and would break a chain.
-        """
-        while True:
-            active = [one for one in self.active if one not in stopping] + starting
-            broken = chain.broken_link(self.controllers.values(), active)
-            if broken is None:
-                return
-            self.refuse(broken.reason(starting), is_strict=is_strict)
-            if broken.user in starting:
-                starting.remove(broken.user)
-            else:
-                stopping.remove(broken.provider)
-
-    def connect_chains(self) -> None:
-        """Tell controllers whether another controller commands them from now on."""
-        claimed = self.claimed()
-        for one in self.controllers.values():
-            is_chained = one in self.active and not claimed.isdisjoint(one.reference_interfaces())
-            if is_chained != one.is_chained:
-                one.is_chained = is_chained
-                if one in self.active:
-                    self.activate(one)
-
-    def activate(self, one: Controller) -> None:
-        """Forget a controller's references, and prepare its first update."""
-        assert self.hardware is not None
-        references = one.reference_interfaces()
-        self.hardware.commands.update(dict.fromkeys(references, math.nan))
-        one.activate()
-
-    def unused_references(self) -> set[str]:
-        """Return the references that no controller commands now."""
-        ready = (one for one in self.controllers.values() if one.state is not State.UNCONFIGURED)
-        return {name for one in ready if not one.is_chained for name in one.reference_interfaces()}
+            self.executor.remove_node(controller)
+        controller.destroy_node()
 
     # -- services ------------------------------------------------------------------------------
 
@@ -387,36 +313,40 @@ class ControllerManager(zbot.Node):
         """Activate and deactivate controllers."""
         is_strict = request.strictness != srv.SwitchController.Request.BEST_EFFORT
         begin, end = list(request.activate_controllers), list(request.deactivate_controllers)
-        return self.attempt(response, lambda: self.switch(begin, end, is_strict=is_strict))
+        return self.attempt(
+            response, lambda: self.controllers.switch(begin, end, is_strict=is_strict)
+        )
 
     def on_list(self, _request: Any, response: Any) -> Any:
         """List the controllers."""
-        links = chain.links(self.controllers.values())
-        response.controller = [self.described(one, links) for one in self.controllers.values()]
+        links = chain.links(self.controllers.by_name.values())
+        response.controller = [
+            self.described(controller, links) for controller in self.controllers.by_name.values()
+        ]
         return response
 
-    def described(self, one: Controller, links: list[chain.Link]) -> ControllerState:
+    def described(self, controller: Controller, links: list[chain.Link]) -> ControllerState:
         """Return the message about a controller."""
         message = ControllerState(
-            name=one.get_name(),
-            state=one.state.value,
-            type=one.kind,
+            name=controller.get_name(),
+            state=controller.state.value,
+            type=controller.kind,
             update_rate=self.rate_hz,
-            is_chainable=one.is_chainable,
-            is_chained=one.is_chained,
+            is_chainable=controller.is_chainable,
+            is_chained=controller.is_chained,
         )
-        if one.state is not State.UNCONFIGURED:
-            message.required_command_interfaces = one.command_interfaces()
-            message.required_state_interfaces = one.state_interfaces()
-            start = f"{one.get_name()}/"
+        if controller.state is not State.UNCONFIGURED:
+            message.required_command_interfaces = controller.command_interfaces()
+            message.required_state_interfaces = controller.state_interfaces()
+            start = f"{controller.get_name()}/"
             for field, names in (
-                ("reference_interfaces", one.reference_interfaces()),
-                ("exported_state_interfaces", one.exported_interfaces()),
+                ("reference_interfaces", controller.reference_interfaces()),
+                ("exported_state_interfaces", controller.exported_interfaces()),
             ):
                 setattr(message, field, [name.removeprefix(start) for name in names])
-        if one.state is State.ACTIVE:
-            message.claimed_interfaces = one.command_interfaces()
-        message.chain_connections = [link.message() for link in links if link.user is one]
+        if controller.state is State.ACTIVE:
+            message.claimed_interfaces = controller.command_interfaces()
+        message.chain_connections = [link.message() for link in links if link.user is controller]
         return message
 
     def on_list_types(self, _request: Any, response: Any) -> Any:

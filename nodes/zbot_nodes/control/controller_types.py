@@ -37,8 +37,8 @@ if TYPE_CHECKING:
 
 #: The classes of controllers by the names of ROS 2's plugins.
 TYPES: dict[str, type[Controller]] = {
-    one.kind: one
-    for one in (
+    controller.kind: controller
+    for controller in (
         AckermannSteeringController,
         BicycleSteeringController,
         DiffDriveController,

@@ -95,7 +95,7 @@ class PassthroughController(ForwardCommandController):
 
     def reference_interfaces(self) -> list[str]:
         """Return a reference for each interface."""
-        return [f"{self.get_name()}/{one}" for one in self.names]
+        return [f"{self.get_name()}/{name}" for name in self.names]
 
     def update(self, period_s: float) -> None:
         """Write the references that were commanded."""

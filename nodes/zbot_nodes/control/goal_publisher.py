@@ -53,7 +53,7 @@ class GoalPublisher(zbot.Node):
         if value is None:
             return []
         try:
-            return [float(one) for one in value]
+            return [float(number) for number in value]
         except (TypeError, ValueError):
             raise ParameterError(f"the parameter {name} must be a list of numbers") from None
 

@@ -34,20 +34,22 @@ class GpioCommandController(Controller):
 
     def interfaces(self, group: str, name: str) -> list[str]:
         """Return the interfaces of a GPIO in a group of parameters."""
-        return [str(one) for one in self.setting(f"{group}.{name}.interfaces", [])]
+        return [str(interface) for interface in self.setting(f"{group}.{name}.interfaces", [])]
 
     def described(self, name: str) -> list[str]:
         """Return the state interfaces that the robot description has for a GPIO."""
         start = f"{name}/"
-        return [one.removeprefix(start) for one in self.hardware.states if one.startswith(start)]
+        return [
+            state.removeprefix(start) for state in self.hardware.states if state.startswith(start)
+        ]
 
     def command_interfaces(self) -> list[str]:
         """Return the outputs."""
-        return [f"{name}/{one}" for name, own in self.outputs.items() for one in own]
+        return [f"{name}/{interface}" for name, own in self.outputs.items() for interface in own]
 
     def state_interfaces(self) -> list[str]:
         """Return the inputs and outputs whose states are published."""
-        return [f"{name}/{one}" for name, own in self.inputs.items() for one in own]
+        return [f"{name}/{interface}" for name, own in self.inputs.items() for interface in own]
 
     def activate(self) -> None:
         """Forget old commands."""
@@ -59,11 +61,11 @@ class GpioCommandController(Controller):
             return
         known = set(self.command_interfaces())
         for name, group in zip(message.interface_groups, message.interface_values, strict=False):
-            for one, value in zip(group.interface_names, group.values, strict=False):
-                if f"{name}/{one}" in known:
-                    self.wanted[f"{name}/{one}"] = value
+            for interface, value in zip(group.interface_names, group.values, strict=False):
+                if f"{name}/{interface}" in known:
+                    self.wanted[f"{name}/{interface}"] = value
                 else:
-                    text = f"there is no command interface '{name}/{one}'"
+                    text = f"there is no command interface '{name}/{interface}'"
                     self.get_logger().error(text, throttle_duration_sec=1.0)
 
     def update(self, period_s: float) -> None:
@@ -74,7 +76,9 @@ class GpioCommandController(Controller):
         message = DynamicInterfaceGroupValues(interface_groups=list(self.inputs))
         message.header.stamp = self.get_clock().now().to_msg()
         message.interface_values = [
-            InterfaceValue(interface_names=own, values=[states[f"{name}/{one}"] for one in own])
+            InterfaceValue(
+                interface_names=own, values=[states[f"{name}/{interface}"] for interface in own]
+            )
             for name, own in self.inputs.items()
         ]
         self.publisher.publish(message)

@@ -6,13 +6,13 @@ import math
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from zbot_nodes.description.urdf import read_urdf
-from zbot_nodes.description.xml_text import DescriptionError, numbers, read_xml
+from zbot.description.urdf import read_urdf
+from zbot.description.xml_text import DescriptionError, numbers, read_xml
 
 if TYPE_CHECKING:
     from xml.etree.ElementTree import Element
 
-    from zbot_nodes.description.urdf import Mimic
+    from zbot.description.urdf import Mimic
 
 #: ROS 2's plugins for simulated hardware. This module behaves as their documentation says.
 MOCKS = frozenset({"mock_components/GenericSystem", "fake_components/GenericSystem"})
@@ -58,8 +58,8 @@ def read_components(description: str) -> list[Component]:
         DescriptionError: The description or one of its <ros2_control> tags is not valid.
     """
     read_urdf(description)  # raises an error if the rest of the description is not valid
-    found = [_component(one) for one in read_xml(description).findall("ros2_control")]
-    names = [one.name for one in found]
+    found = [_component(element) for element in read_xml(description).findall("ros2_control")]
+    names = [component.name for component in found]
     for name in names:
         if names.count(name) > 1:
             raise DescriptionError(f"two <ros2_control> tags have the name '{name}'")
@@ -80,9 +80,11 @@ def _component(element: Element) -> Component:
     states: dict[str, float] = {}
     for part in parts:
         owner = _named(part, name)
-        commands += [f"{owner}/{_named(one, owner)}" for one in part.findall("command_interface")]
-        for one in part.findall("state_interface"):
-            states[f"{owner}/{_named(one, owner)}"] = _initial(one, owner)
+        commands += [
+            f"{owner}/{_named(element, owner)}" for element in part.findall("command_interface")
+        ]
+        for interface in part.findall("state_interface"):
+            states[f"{owner}/{_named(interface, owner)}"] = _initial(interface, owner)
     joints = tuple(part.get("name", "") for part in element.findall("joint"))
     hardware = element.find("hardware")
     parameters = _parameters(hardware) if hardware is not None else {}
@@ -97,7 +99,10 @@ def _named(element: Element, owner: str) -> str:
 
 
 def _parameters(element: Element) -> dict[str, str]:
-    return {one.get("name", ""): (one.text or "").strip() for one in element.findall("param")}
+    return {
+        parameter.get("name", ""): (parameter.text or "").strip()
+        for parameter in element.findall("param")
+    }
 
 
 def _initial(element: Element, owner: str) -> float:
@@ -118,17 +123,24 @@ class SimulatedHardware:
 
     def __init__(self, components: list[Component], mimics: dict[str, Mimic]) -> None:
         self.components = components
-        self.states = {name: at for one in components for name, at in one.states.items()}
+        self.states = {
+            name: at for component in components for name, at in component.states.items()
+        }
         #: Commands by interface. NaN means that no controller has commanded yet.
-        self.commands = dict.fromkeys((n for one in components for n in one.commands), math.nan)
-        self.component_states = {one.name: "active" for one in components}
+        self.commands = dict.fromkeys(
+            (n for component in components for n in component.commands), math.nan
+        )
+        self.component_states = {component.name: "active" for component in components}
         self._mimics = mimics
 
     def set_component_state(self, name: str, state: str) -> None:
         """Change the state of a component. One that becomes active waits for new commands."""
         if state == "active" != self.component_states[name]:
             own = (
-                command for one in self.components if one.name == name for command in one.commands
+                command
+                for component in self.components
+                if component.name == name
+                for command in component.commands
             )
             self.commands.update(dict.fromkeys(own, math.nan))
         self.component_states[name] = state
@@ -136,10 +148,10 @@ class SimulatedHardware:
     def closed(self) -> dict[str, str]:
         """Return the interfaces of components that are not configured, with their components."""
         return {
-            interface: one.name
-            for one in self.components
-            if self.component_states[one.name] not in {"inactive", "active"}
-            for interface in (*one.commands, *one.states)
+            interface: component.name
+            for component in self.components
+            if self.component_states[component.name] not in {"inactive", "active"}
+            for interface in (*component.commands, *component.states)
         }
 
     def add(self, commands: list[str], states: list[str]) -> None:
@@ -174,7 +186,7 @@ class SimulatedHardware:
         states = self.states
         position, velocity = f"{joint}/{POSITION}", f"{joint}/{VELOCITY}"
         commands = {kind: self._command(f"{joint}/{kind}") for kind in _ORDER}
-        kind = next((one for one in _ORDER if commands[one] is not None), None)
+        kind = next((kind for kind in _ORDER if commands[kind] is not None), None)
         command = commands[kind] if kind is not None else None
         if command is None or period_s <= 0:
             return

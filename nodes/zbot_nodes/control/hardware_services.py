@@ -14,32 +14,30 @@ from lifecycle_msgs.msg import State
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from zbot_nodes.control.controller_manager import ControllerManager
+    import zbot
     from zbot_nodes.control.hardware import SimulatedHardware
+    from zbot_nodes.control.loaded_controllers import LoadedControllers
 
 
 class HardwareServices:
     """Answers of a controller manager about its hardware.
 
     Args:
-        manager: The manager.
+        node: The node of the manager.
         hardware: Its hardware.
+        controllers: Its controllers.
+        rate_hz: How often the manager reads and writes the hardware.
     """
 
-    def __init__(self, manager: ControllerManager, hardware: SimulatedHardware) -> None:
-        self.manager, self.hardware = manager, hardware
-
-    def set_first_states(self) -> None:
-        """Bring the hardware components to the states in the parameters. The default is active."""
-        for state in ("unconfigured", "inactive"):
-            names = self.manager.setting(f"hardware_components_initial_state.{state}", [])
-            for name in [names] if isinstance(names, str) else names:
-                if name in self.hardware.component_states:
-                    self.hardware.set_component_state(name, state)
-                elif name:
-                    self.manager.get_logger().warn(f"There is no hardware component '{name}'")
-        for name, state in self.hardware.component_states.items():
-            self.manager.get_logger().info(f"The hardware '{name}' is {state}")
+    def __init__(
+        self,
+        node: zbot.Node,
+        hardware: SimulatedHardware,
+        controllers: LoadedControllers,
+        rate_hz: int,
+    ) -> None:
+        self.node, self.hardware, self.controllers = node, hardware, controllers
+        self.rate_hz = rate_hz
 
     def create_services(self) -> None:
         """Offer the services."""
@@ -49,21 +47,21 @@ class HardwareServices:
             (srv.SetHardwareComponentState, "set_hardware_component_state", self.on_set_state),
         ):
             service: Any = kind
-            self.manager.create_service(service, f"~/{name}", callback)
+            self.node.create_service(service, f"~/{name}", callback)
 
     def on_list_components(self, _request: Any, response: Any) -> Any:
         """List the hardware components."""
         response.component = [
             HardwareComponentState(
-                name=one.name,
-                type=one.kind,
-                rw_rate=self.manager.rate_hz,
-                plugin_name=one.plugin,
-                state=self.component_state(one.name),
-                command_interfaces=self.command_interfaces(one.commands),
-                state_interfaces=self.state_interfaces(one.states),
+                name=component.name,
+                type=component.kind,
+                rw_rate=self.rate_hz,
+                plugin_name=component.plugin,
+                state=self.component_state(component.name),
+                command_interfaces=self.command_interfaces(component.commands),
+                state_interfaces=self.state_interfaces(component.states),
             )
-            for one in self.hardware.components
+            for component in self.hardware.components
         ]
         return response
 
@@ -77,7 +75,12 @@ class HardwareServices:
         """Change the state of a hardware component."""
         wanted = request.target_state
         state = COMPONENT_STATES.get(wanted.id) or str(wanted.label)
-        self.manager.attempt(response, lambda: self.set_state(request.name, state))
+        try:
+            self.set_state(request.name, state)
+        except ControllerError as error:
+            self.node.get_logger().error(str(error))
+        else:
+            response.ok = True
         response.state = self.component_state(request.name)
         return response
 
@@ -97,7 +100,7 @@ class HardwareServices:
         if present == "finalized" != state:
             raise ControllerError(f"The hardware component '{name}' is finalized")
         self.hardware.set_component_state(name, state)
-        self.manager.get_logger().info(f"The hardware '{name}' is {state}")
+        self.node.get_logger().info(f"The hardware '{name}' is {state}")
 
     def on_list_interfaces(self, _request: Any, response: Any) -> Any:
         """List the interfaces of the hardware."""
@@ -107,14 +110,14 @@ class HardwareServices:
 
     def command_interfaces(self, names: Iterable[str]) -> list[HardwareInterface]:
         """Return the messages about command interfaces."""
-        claimed = self.manager.claimed()
-        closed = {*self.hardware.closed(), *self.manager.unused_references()}
-        return [_interface(one, one not in closed, one in claimed) for one in names]
+        claimed = self.controllers.claimed()
+        closed = {*self.hardware.closed(), *self.controllers.unused_references()}
+        return [_interface(name, name not in closed, name in claimed) for name in names]
 
     def state_interfaces(self, names: Iterable[str]) -> list[HardwareInterface]:
         """Return the messages about state interfaces. Controllers cannot claim them."""
         closed = self.hardware.closed()
-        return [_interface(one, one not in closed, False) for one in names]
+        return [_interface(name, name not in closed, False) for name in names]
 
 
 def _interface(name: str, is_available: bool, is_claimed: bool) -> HardwareInterface:

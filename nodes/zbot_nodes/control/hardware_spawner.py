@@ -41,7 +41,7 @@ def spawn(node: zbot.Node, options: argparse.Namespace) -> None:
     Raises:
         ControllerError: The manager refuses.
         ServiceNotFoundError: The manager is not there in time.
-        ServiceCallError: The manager does not answer.
+        WrongStateError: The manager does not answer.
     """
     wanted = State(id=State.PRIMARY_STATE_INACTIVE, label="inactive")
     if options.activate:

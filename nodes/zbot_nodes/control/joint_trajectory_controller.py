@@ -58,13 +58,13 @@ class JointTrajectoryController(Controller):
         """Read the parameters."""
         self.names = self.joints("joints")
         self.commanded = self.setting("command_joints", []) or self.names
-        self.interfaces = [str(one) for one in self.setting("command_interfaces", [])]
+        self.interfaces = [str(kind) for kind in self.setting("command_interfaces", [])]
         if not self.interfaces or not set(self.interfaces) <= _COMMANDS:
             raise ControllerError(
                 f"the parameter command_interfaces of {self.get_name()} must name position, "
                 "velocity, acceleration or effort"
             )
-        self.measures = [str(one) for one in self.setting("state_interfaces", [])]
+        self.measures = [str(kind) for kind in self.setting("state_interfaces", [])]
         if "position" not in self.measures:
             raise ControllerError(
                 f"the parameter state_interfaces of {self.get_name()} must name position"
@@ -74,9 +74,13 @@ class JointTrajectoryController(Controller):
         self.feedback_ns = round(1e9 / rate_hz) if rate_hz > 0 else 0
         self.goal_time_s = self.number("constraints.goal_time", 0.0)
         self.stopped = self.number("constraints.stopped_velocity_tolerance", 0.01)
-        self.path = {one: self.number(f"constraints.{one}.trajectory", 0.0) for one in self.names}
-        self.ends = {one: self.number(f"constraints.{one}.goal", 0.0) for one in self.names}
-        self.pids = {one: read_pid(self, f"gains.{one}", "ff_velocity_scale") for one in self.names}
+        self.path = {
+            joint: self.number(f"constraints.{joint}.trajectory", 0.0) for joint in self.names
+        }
+        self.ends = {joint: self.number(f"constraints.{joint}.goal", 0.0) for joint in self.names}
+        self.pids = {
+            joint: read_pid(self, f"gains.{joint}", "ff_velocity_scale") for joint in self.names
+        }
         self.setting("allow_partial_joints_goal", False)
         self.setting("allow_nonzero_velocity_at_trajectory_end", False)
         self.goal: ActiveGoal | None = None
@@ -145,9 +149,9 @@ class JointTrajectoryController(Controller):
         resting = self.measured("position")
         start = Point(now_s - self.started_s, resting, speeds, still if has_accelerations else None)
         points = [
-            one
-            for one in read_points(message, self.names, resting)
-            if one.time_s > start.time_s or one.time_s == 0
+            point
+            for point in read_points(message, self.names, resting)
+            if point.time_s > start.time_s or point.time_s == 0
         ]
         self.trajectory = Trajectory(start, points)
 
@@ -341,7 +345,9 @@ class JointTrajectoryController(Controller):
 
 def _tolerances(messages: Any) -> dict[str, float]:
     """Return the tolerances of positions, by joint. A negative tolerance becomes 0: no check."""
-    return {one.name: max(0.0, one.position) for one in messages if one.position}
+    return {
+        tolerance.name: max(0.0, tolerance.position) for tolerance in messages if tolerance.position
+    }
 
 
 def _message(point: Point) -> JointTrajectoryPoint:

@@ -40,7 +40,7 @@ class JointTrajectoryPublisher(GoalPublisher):
 
     def joints(self) -> list[str]:
         """Return the names of the joints."""
-        names = [str(one) for one in self.read("joints") or [] if one]
+        names = [str(joint) for joint in self.read("joints") or [] if joint]
         if not names:
             raise ParameterError("the parameter joints is empty")
         return names

@@ -66,7 +66,7 @@ class DrivingController(Controller):
         self.odom_frame = prefix + str(self.setting("odom_frame_id", "odom"))
         self.base_frame = prefix + str(self.setting("base_frame_id", "base_link"))
         self.covariances = [
-            self.diagonal(f"{one}_covariance_diagonal") for one in ("pose", "twist")
+            self.diagonal(f"{part}_covariance_diagonal") for part in ("pose", "twist")
         ]
 
     def frame_prefix(self) -> str:
@@ -79,7 +79,7 @@ class DrivingController(Controller):
         if len(values) != _AXES:
             raise ControllerError(f"the parameter {name} of {self.get_name()} needs 6 numbers")
         matrix = [0.0] * (_AXES * _AXES)
-        matrix[:: _AXES + 1] = [float(one) for one in values]
+        matrix[:: _AXES + 1] = [float(value) for value in values]
         return matrix
 
     def reset_odometry(self, x: float = 0.0, y: float = 0.0, heading: float = 0.0) -> None:
@@ -113,18 +113,20 @@ class DrivingController(Controller):
             self.get_logger().warn("Can't accept new commands. subscriber is inactive", once=True)
             return
         command = (twist.linear.x, twist.angular.z)
-        if all(math.isfinite(one) for one in command):
+        if all(math.isfinite(value) for value in command):
             self.command, self.received_ns = command, stamp_ns
 
     def reference_interfaces(self) -> list[str]:
         """Return the speeds in m/s and rad/s, which another controller may command."""
-        return [f"{self.get_name()}/{one}/velocity" for one in ("linear", "angular")]
+        return [f"{self.get_name()}/{axis}/velocity" for axis in ("linear", "angular")]
 
     def wanted(self) -> tuple[float, float]:
         """Return the wanted velocity in m/s and rad/s. It is zero if the last one is too old."""
         if self.is_chained:
-            speeds = [self.hardware.commands[one] for one in self.reference_interfaces()]
-            linear, angular = (one if math.isfinite(one) else 0.0 for one in speeds)
+            speeds = [
+                self.hardware.commands[interface] for interface in self.reference_interfaces()
+            ]
+            linear, angular = (speed if math.isfinite(speed) else 0.0 for speed in speeds)
             return linear, angular
         age_s = (self.get_clock().now().nanoseconds - self.received_ns) / 1e9
         return (0.0, 0.0) if self.timeout_s and age_s > self.timeout_s else self.command
@@ -155,8 +157,8 @@ class DrivingController(Controller):
         odometry.pose.pose.orientation = turned
         odometry.pose.covariance, odometry.twist.covariance = self.covariances
         count = len(self.speeds)
-        odometry.twist.twist.linear.x = sum(one for one, _ in self.speeds) / count
-        odometry.twist.twist.angular.z = sum(one for _, one in self.speeds) / count
+        odometry.twist.twist.linear.x = sum(linear for linear, _ in self.speeds) / count
+        odometry.twist.twist.angular.z = sum(angular for _, angular in self.speeds) / count
         self.odometry_publisher.publish(odometry)
         if self.has_frame:
             frame = TransformStamped(header=odometry.header, child_frame_id=self.base_frame)

@@ -96,8 +96,8 @@ def read_pid(controller: Controller, name: str, feedforward: str) -> Pid:
         ControllerError: A parameter cannot be used.
     """
     pid = Pid(feedforward=controller.number(f"{name}.{feedforward}", 0.0))
-    for one in _NUMBERS:
-        setattr(pid, one, controller.number(f"{name}.{one}", getattr(pid, one)))
+    for key in _NUMBERS:
+        setattr(pid, key, controller.number(f"{name}.{key}", getattr(pid, key)))
     pid.angle_wraparound = bool(controller.setting(f"{name}.angle_wraparound", False))
     strategy = str(controller.setting(f"{name}.antiwindup_strategy", pid.antiwindup_strategy))
     if strategy not in _STRATEGIES:

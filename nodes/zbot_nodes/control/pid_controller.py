@@ -55,7 +55,7 @@ class PidController(Controller):
 
     def read_gains(self) -> list[Pid]:
         """Return a PID for each joint."""
-        return [read_pid(self, f"gains.{one}", "feedforward_gain") for one in self.commanded]
+        return [read_pid(self, f"gains.{name}", "feedforward_gain") for name in self.commanded]
 
     def update_gains(self, _parameters: Any) -> None:
         """Read the gains again, and keep the integral parts."""
@@ -90,7 +90,7 @@ class PidController(Controller):
 
     def reference_interfaces(self) -> list[str]:
         """Return the wanted values, which another controller may command."""
-        return [f"{self.get_name()}/{one}" for one in self.values]
+        return [f"{self.get_name()}/{value}" for value in self.values]
 
     def exported_interfaces(self) -> list[str]:
         """Return the measured values, which another controller may read."""
@@ -118,7 +118,7 @@ class PidController(Controller):
                 throttle_duration_sec=1.0,
             )
             return []
-        places = [names.index(one) for one in self.names]
+        places = [names.index(name) for name in self.names]
         values = [float(message.values[place]) for place in places]
         return [*values, *(float(rates[place]) for place in places)][: len(self.values)]
 
@@ -137,7 +137,7 @@ class PidController(Controller):
         """Return the measured values."""
         if self.is_external:
             return self.external
-        return [self.hardware.states[one] for one in self.values]
+        return [self.hardware.states[value] for value in self.values]
 
     def update(self, period_s: float) -> None:
         """Command all joints for one period."""
@@ -147,7 +147,7 @@ class PidController(Controller):
             self.received = []
         measured = self.measured()
         self.hardware.states.update(zip(self.exported_interfaces(), measured, strict=True))
-        references = [commands[one] for one in names]
+        references = [commands[name] for name in names]
         message = MultiDOFStateStamped()
         message.header.stamp = self.get_clock().now().to_msg()
         for place, command in enumerate(self.command_interfaces()):

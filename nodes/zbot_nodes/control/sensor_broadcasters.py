@@ -118,7 +118,7 @@ class IMUSensorBroadcaster(SensorBroadcaster):
     def covariance(self, part: str) -> list[float]:
         """Return a covariance matrix."""
         name = f"static_covariance_{part}"
-        values = [float(one) for one in self.setting(name, [0.0] * _COVARIANCE)]
+        values = [float(number) for number in self.setting(name, [0.0] * _COVARIANCE)]
         if len(values) != _COVARIANCE:
             raise ControllerError(f"the parameter {name} of {self.get_name()} needs 9 numbers")
         return values

@@ -53,9 +53,9 @@ def read_arguments(words: Sequence[str]) -> argparse.Namespace:
         ]
     # If a launch file gives `parameters=[file]` to the spawner, the controllers get the parameters.
     files = [path for word, path in pairwise(words) if word == "--params-file"]
-    for one in controllers:
-        one.param_file = [*one.param_file, *files]
-        for path in one.param_file:
+    for controller in controllers:
+        controller.param_file = [*controller.param_file, *files]
+        for path in controller.param_file:
             if not Path(path).is_file():
                 common.error(f"the file '{path}' of --param-file does not exist")
     options.controllers = controllers
@@ -94,8 +94,8 @@ def _read_each(
     starts = [place for place, word in enumerate(words) if word == _EACH]
     others, controllers = words[: starts[0]], []
     for start, end in pairwise([*starts, len(words)]):
-        one, rest = parser.parse_known_args(words[start + 1 : end])
-        controllers.append(one)
+        controller, rest = parser.parse_known_args(words[start + 1 : end])
+        controllers.append(controller)
         others += rest
     return common.parse_args(others), controllers
 
@@ -130,45 +130,47 @@ class Spawner(zbot.Node):
         Raises:
             ControllerError: The manager refuses.
             ServiceNotFoundError: The manager is not there in time.
-            ServiceCallError: The manager does not answer.
+            WrongStateError: The manager does not answer.
         """
         wanted = []
-        for one in self.options.controllers:
-            self.load(one)
-        for one in self.options.controllers:
-            if one.load_only:
+        for controller in self.options.controllers:
+            self.load(controller)
+        for controller in self.options.controllers:
+            if controller.load_only:
                 continue
-            failure = f"Failed to configure {one.name}"
-            self.ask(controller_manager.configure_controller, failure, one.name, *self.timeouts)
-            wanted += [] if one.inactive else [one.name]
+            failure = f"Failed to configure {controller.name}"
+            self.ask(
+                controller_manager.configure_controller, failure, controller.name, *self.timeouts
+            )
+            wanted += [] if controller.inactive else [controller.name]
         together = [wanted] if self.options.activate_as_group else [[name] for name in wanted]
         for names in filter(None, together):
             self.switch(names, [])
             self.get_logger().info(f"Configured and activated {', '.join(names)}")
 
-    def load(self, one: argparse.Namespace) -> None:
+    def load(self, controller: argparse.Namespace) -> None:
         """Load a controller, unless it is loaded."""
         loaded = controller_manager.list_controllers(self, self.manager, *self.timeouts).controller
-        if any(other.name == one.name for other in loaded):
-            text = f"Controller already loaded, skipping load_controller: {one.name}"
+        if any(other.name == controller.name for other in loaded):
+            text = f"Controller already loaded, skipping load_controller: {controller.name}"
             self.get_logger().warn(text)
             return
         settings = {
             "type": self.options.controller_type,
-            "node_options_args": list(one.controller_ros_args),
+            "node_options_args": list(controller.controller_ros_args),
         }
-        files = [str(Path(path).absolute()) for path in one.param_file]
+        files = [str(Path(path).absolute()) for path in controller.param_file]
         controller_manager.set_controller_parameters_from_param_files(
-            self, self.manager, one.name, files, self.space
+            self, self.manager, controller.name, files, self.space
         )
         for key, value in settings.items():
             if value:
                 controller_manager.set_controller_parameters(
-                    self, self.manager, one.name, key, value
+                    self, self.manager, controller.name, key, value
                 )
-        failure = f"Failed loading controller {one.name}"
-        self.ask(controller_manager.load_controller, failure, one.name, *self.timeouts)
-        self.get_logger().info(f"Loaded {one.name}")
+        failure = f"Failed loading controller {controller.name}"
+        self.ask(controller_manager.load_controller, failure, controller.name, *self.timeouts)
+        self.get_logger().info(f"Loaded {controller.name}")
 
     def switch(self, begin: Sequence[str], end: Sequence[str]) -> None:
         """Activate and deactivate controllers."""
@@ -204,7 +206,9 @@ class Spawner(zbot.Node):
     def unload_active(self) -> None:
         """Remove the controllers that were to be activated."""
         active = [
-            one.name for one in self.options.controllers if not (one.inactive or one.load_only)
+            controller.name
+            for controller in self.options.controllers
+            if not (controller.inactive or controller.load_only)
         ]
         if active:
             self.unload(active)

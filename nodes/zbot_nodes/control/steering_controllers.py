@@ -75,7 +75,7 @@ class SteeringController(DrivingController):
                 f"the parameter {name}_names of {self.get_name()} must have {count} joints"
                 f"{', right and left' if count > 1 else ''}, not {len(found)}"
             )
-        return [str(one) for one in found]
+        return [str(joint) for joint in found]
 
     def first_positive(self, *names: str) -> float:
         """Return the first of some parameters that is set. It must be above 0."""
@@ -84,8 +84,8 @@ class SteeringController(DrivingController):
 
     def command_interfaces(self) -> list[str]:
         """Return the angles of the steered wheels and the speeds of the driven wheels."""
-        angles = [f"{one}/position" for one in self.steered]
-        return [*angles, *(f"{one}/velocity" for one in self.driven)]
+        angles = [f"{joint}/position" for joint in self.steered]
+        return [*angles, *(f"{joint}/velocity" for joint in self.driven)]
 
     def state_interfaces(self) -> list[str]:
         """Return the same, as they are measured."""
@@ -106,14 +106,14 @@ class SteeringController(DrivingController):
 
     def deactivate(self) -> None:
         """Stop the wheels. The steered wheels keep their angles."""
-        stopped = (f"{one}/velocity" for one in self.driven)
+        stopped = (f"{joint}/velocity" for joint in self.driven)
         self.hardware.commands.update(dict.fromkeys(stopped, 0.0))
 
     def measured(self) -> tuple[list[float], list[float]]:
         """Return angles or speeds of the driven wheels, and angles of the steered wheels."""
         states = self.hardware.states
         kinds = (("traction", self.feedback), ("steering", "position"))
-        wheels, angles = ([states[one] for one in self.names(*kind)] for kind in kinds)
+        wheels, angles = ([states[name] for name in self.names(*kind)] for kind in kinds)
         return wheels, angles
 
     def update(self, period_s: float) -> None:
@@ -149,7 +149,7 @@ class SteeringController(DrivingController):
             wheels = [(now - then) / period_s for now, then in zip(wheels, before, strict=True)]
         steering = self.gathered_angle(angles)
         factors = self.spread(1.0, steering)
-        speeds = [one / factor for one, factor in zip(wheels, factors, strict=True)]
+        speeds = [wheel / factor for wheel, factor in zip(wheels, factors, strict=True)]
         return self.radius * sum(speeds) / len(speeds), steering
 
     def spread(self, speed: float, angle: float) -> list[float]:

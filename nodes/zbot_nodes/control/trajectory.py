@@ -139,7 +139,7 @@ def problem(
         reason = _point_problem(point, number, names)
         if reason:
             return reason
-    if not may_move and any(abs(one) > 1e-6 for one in message.points[-1].velocities):
+    if not may_move and any(abs(velocity) > 1e-6 for velocity in message.points[-1].velocities):
         return "The velocity of the last trajectory point is not zero."
     return ""
 
@@ -178,12 +178,12 @@ def read_points(
     still = [0.0] * len(joints)
     return [
         Point(
-            seconds(one.time_from_start),
-            ordered(one.positions, resting),
-            ordered(one.velocities, still) if len(one.velocities) else None,
-            ordered(one.accelerations, still) if len(one.accelerations) else None,
+            seconds(point.time_from_start),
+            ordered(point.positions, resting),
+            ordered(point.velocities, still) if len(point.velocities) else None,
+            ordered(point.accelerations, still) if len(point.accelerations) else None,
         )
-        for one in message.points
+        for point in message.points
     ]
 
 

@@ -15,11 +15,11 @@ from pathlib import Path
 from typing import Any
 
 import zbot
+from zbot.description.urdf import Mimic, read_urdf
+from zbot.description.xml_text import DescriptionError
 from zbot.parameters.ros_args import remove_ros_args
 from zbot.qos import DurabilityPolicy, QoSProfile
 from zbot_nodes.description.joint_values import Defaults, JointValues
-from zbot_nodes.description.urdf import Mimic, read_urdf
-from zbot_nodes.description.xml_text import DescriptionError
 from zbot_nodes.startup.program import run_node
 
 from rcl_interfaces.msg import ParameterDescriptor
@@ -96,27 +96,27 @@ class JointStatePublisher(zbot.Node):
     def zeros(self) -> dict[str, float]:
         """Return the start positions that the parameters `zeros` set."""
         found = self.get_parameters_by_prefix("zeros")
-        return {name: float(one.value) for name, one in found.items()}
+        return {name: float(parameter.value) for name, parameter in found.items()}
 
     def dependent(self) -> dict[str, Mimic]:
         """Return the rules of joints that the parameters `dependent_joints` set."""
         rules: dict[str, dict[str, Any]] = {}
-        for name, one in self.get_parameters_by_prefix("dependent_joints").items():
+        for name, parameter in self.get_parameters_by_prefix("dependent_joints").items():
             joint, _, key = name.rpartition(".")
             if not joint or key not in _DEPENDENT:
                 raise DescriptionError(
                     f"the parameter dependent_joints.{name} must end with .parent, .factor or "
                     ".offset"
                 )
-            rules.setdefault(joint, {})[key] = one.value
+            rules.setdefault(joint, {})[key] = parameter.value
         for joint, rule in rules.items():
             if not rule.get("parent"):
                 raise DescriptionError(f"the parameter dependent_joints.{joint}.parent is missing")
         return {
             joint: Mimic(
-                str(one["parent"]), float(one.get("factor", 1)), float(one.get("offset", 0))
+                str(rule["parent"]), float(rule.get("factor", 1)), float(rule.get("offset", 0))
             )
-            for joint, one in rules.items()
+            for joint, rule in rules.items()
         }
 
     def take(self, message: JointState) -> None:

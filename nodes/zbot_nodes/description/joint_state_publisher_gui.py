@@ -1,7 +1,7 @@
 """Move the joints of a robot with sliders in the page.
 
 Each joint that moves is a parameter `joints.NAME` of this node, with the joint's limits. The page
-shows parameters with limits as sliders. `zbot param set` does the same in a terminal.
+shows them as sliders in its panel Joints. `zbot param set` does the same in a terminal.
 
 Run:        zbot run joint_state_publisher_gui joint_state_publisher_gui [robot.urdf]
 Topics and other parameters: those of joint_state_publisher
@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 from urllib.parse import quote
 
 import zbot
+from zbot.description.joint_sliders import ANGLE, CENTER, DISTANCE, PREFIX, RANDOMIZE
 from zbot.parameters.ros_args import remove_ros_args
 from zbot_nodes.description.joint_state_publisher import JointStatePublisher
 from zbot_nodes.startup.page import shown
@@ -26,8 +27,6 @@ from std_srvs.srv import Empty
 if TYPE_CHECKING:
     from zbot_nodes.description.joint_values import JointValue
 
-_PREFIX = "joints."
-
 
 class JointStatePublisherGui(JointStatePublisher):
     """Publishes the positions of its sliders."""
@@ -35,8 +34,8 @@ class JointStatePublisherGui(JointStatePublisher):
     def __init__(self, path: str = "", **options: Any) -> None:
         super().__init__(path, **options)
         self.add_post_set_parameters_callback(self.follow)
-        self.create_service(Empty, "~/center", self.center)
-        self.create_service(Empty, "~/randomize", self.randomize)
+        self.create_service(Empty, f"~/{CENTER}", self.center)
+        self.create_service(Empty, f"~/{RANDOMIZE}", self.randomize)
 
     def configure(self, description: str) -> None:
         """Use a description, and make a slider for each joint that follows no other joint."""
@@ -44,9 +43,9 @@ class JointStatePublisherGui(JointStatePublisher):
         free = self.joints.free if self.joints is not None else {}
         for name in list(self.get_parameters_by_prefix("joints")):
             if name not in free:
-                self.undeclare_parameter(f"{_PREFIX}{name}")
+                self.undeclare_parameter(f"{PREFIX}{name}")
         for name, joint in free.items():
-            self.add_slider(f"{_PREFIX}{name}", joint)
+            self.add_slider(f"{PREFIX}{name}", joint)
 
     def add_slider(self, name: str, joint: JointValue) -> None:
         """Declare the parameter of a joint. Keep an existing value, within the joint's limits."""
@@ -57,7 +56,7 @@ class JointStatePublisherGui(JointStatePublisher):
         limits = FloatingPointRange(from_value=joint.lower, to_value=joint.upper)
         start = joint.zero if joint.position is None else joint.position
         descriptor = ParameterDescriptor(
-            description="position in rad or m", floating_point_range=[limits]
+            description=ANGLE if joint.is_angle else DISTANCE, floating_point_range=[limits]
         )
         value = min(max(start, joint.lower), joint.upper)
         self.declare_parameter(name, value, descriptor, ignore_override=True)
@@ -65,14 +64,14 @@ class JointStatePublisherGui(JointStatePublisher):
 
     def follow(self, parameters: list[zbot.Parameter[Any]]) -> None:
         """Move the joints whose sliders were moved."""
-        for one in parameters:
-            name = one.name.removeprefix(_PREFIX)
-            if one.name.startswith(_PREFIX) and self.joints and name in self.joints.free:
-                self.joints.free[name].position = float(one.value)
+        for parameter in parameters:
+            name = parameter.name.removeprefix(PREFIX)
+            if parameter.name.startswith(PREFIX) and self.joints and name in self.joints.free:
+                self.joints.free[name].position = float(parameter.value)
 
     def center(self, _request: Empty.Request, response: Empty.Response) -> Empty.Response:
         """Move every slider to the joint's zero position."""
-        self.move({name: one.zero for name, one in self.free().items()})
+        self.move({name: joint.zero for name, joint in self.free().items()})
         return response
 
     def randomize(self, _request: Empty.Request, response: Empty.Response) -> Empty.Response:
@@ -87,7 +86,7 @@ class JointStatePublisherGui(JointStatePublisher):
     def move(self, positions: dict[str, float]) -> None:
         """Set the parameters of joints."""
         names = positions.items()
-        self.set_parameters([zbot.Parameter(f"{_PREFIX}{one}", value=at) for one, at in names])
+        self.set_parameters([zbot.Parameter(f"{PREFIX}{name}", value=at) for name, at in names])
 
 
 def main() -> None:
@@ -96,7 +95,7 @@ def main() -> None:
     run_node(
         lambda: JointStatePublisherGui(paths[0] if paths else ""),
         around=lambda node: shown(
-            node, f"/parameters?node={quote(node.get_fully_qualified_name())}", "sliders"
+            node, f"/joints?node={quote(node.get_fully_qualified_name())}", "sliders"
         ),
     )
 

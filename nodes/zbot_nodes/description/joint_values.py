@@ -6,13 +6,13 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from zbot_nodes.description.urdf import MOVING, Mimic
-from zbot_nodes.description.xml_text import DescriptionError
+from zbot.description.urdf import MOVING, Mimic
+from zbot.description.xml_text import DescriptionError
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from zbot_nodes.description.urdf import Joint, Robot
+    from zbot.description.urdf import Joint, Robot
 
     from sensor_msgs.msg import JointState
 
@@ -25,6 +25,7 @@ class JointValue:
     upper: float
     zero: float
     is_continuous: bool = False
+    is_angle: bool = True
     position: float | None = None
     velocity: float | None = None
     effort: float | None = None
@@ -72,13 +73,13 @@ class JointValues:
         zeros: Mapping[str, float],
         dependent: Mapping[str, Mimic],
     ) -> None:
-        moving = {name: one for name, one in robot.joints.items() if one.type in MOVING}
+        moving = {name: joint for name, joint in robot.joints.items() if joint.type in MOVING}
         self.names = tuple(moving)
-        own = {name: one.mimic for name, one in moving.items() if one.mimic}
+        own = {name: joint.mimic for name, joint in moving.items() if joint.mimic}
         rules = {**(own if defaults.use_mimic else {}), **dependent}
         self.free = {
-            name: _value(one, defaults, zeros.get(name))
-            for name, one in moving.items()
+            name: _value(joint, defaults, zeros.get(name))
+            for name, joint in moving.items()
             if name not in rules
         }
         #: For each moving joint, the rule by which it follows a free joint. A free joint follows
@@ -107,7 +108,9 @@ class JointValues:
             joint = self.free.get(name)
             if joint is None:
                 continue
-            position, velocity, effort = (one[index] if index < len(one) else None for one in lists)
+            position, velocity, effort = (
+                values[index] if index < len(values) else None for values in lists
+            )
             joint.position = joint.position if position is None else position
             joint.velocity = joint.velocity if velocity is None else velocity
             joint.effort = joint.effort if effort is None else effort
@@ -122,17 +125,17 @@ class JointValues:
         message.name = list(self.names)
         rules = [(self._sources[name], self.free[self._sources[name].joint]) for name in self.names]
         free = self.free.values()
-        if self._has_dependent or any(one.position is not None for one in free):
+        if self._has_dependent or any(joint.position is not None for joint in free):
             message.position = [
                 rule.multiplier * joint.position + rule.offset
                 if joint.position is not None
                 else 0.0
                 for rule, joint in rules
             ]
-        if any(one.velocity is not None for one in free):
-            message.velocity = [rule.multiplier * (one.velocity or 0.0) for rule, one in rules]
-        if any(one.effort is not None for one in free):
-            message.effort = [one.effort or 0.0 for _, one in rules]
+        if any(joint.velocity is not None for joint in free):
+            message.velocity = [rule.multiplier * (joint.velocity or 0.0) for rule, joint in rules]
+        if any(joint.effort is not None for joint in free):
+            message.effort = [joint.effort or 0.0 for _, joint in rules]
 
 
 def _value(joint: Joint, defaults: Defaults, zero: float | None) -> JointValue:
@@ -149,6 +152,7 @@ def _value(joint: Joint, defaults: Defaults, zero: float | None) -> JointValue:
         upper,
         zero,
         joint.type == "continuous",
+        joint.type != "prismatic",
         zero if defaults.positions else None,
         0.0 if defaults.velocities else None,
         0.0 if defaults.efforts else None,

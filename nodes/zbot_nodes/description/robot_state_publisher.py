@@ -5,9 +5,9 @@ Run:        zbot run robot_state_publisher robot_state_publisher robot.urdf
 Subscribes: joint_states (sensor_msgs/JointState)
 Publishes:  tf (tf2_msgs/TFMessage) for joints that move, tf_static (tf2_msgs/TFMessage) for fixed
             joints, robot_description (std_msgs/String), kept for late subscribers
-Parameters: robot_description (string): URDF. publish_frequency (double, 20.0 Hz, 0 to 1000): the
-            highest rate of a joint's frame. frame_prefix (string, ""): text before each frame.
-            ignore_timestamp (bool, false): accept joint states of any time stamp
+Parameters: robot_description (string): URDF or SDF. publish_frequency (double, 20.0 Hz, 0 to
+            1000): the highest rate of a joint's frame. frame_prefix (string, ""): text before each
+            frame. ignore_timestamp (bool, false): accept joint states of any time stamp
 """
 
 from __future__ import annotations
@@ -17,12 +17,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import zbot
+from zbot.description.urdf import MOVING, Robot, read_urdf
+from zbot.description.xml_text import DescriptionError, read_xml
+from zbot.errors import ZbotError, require_numpy
 from zbot.parameters.qos_overrides import QoSOverridingOptions
 from zbot.parameters.ros_args import remove_ros_args
 from zbot.qos import DurabilityPolicy, QoSProfile, qos_profile_sensor_data
 from zbot.tf2 import StaticTransformBroadcaster, TransformBroadcaster
-from zbot_nodes.description.urdf import MOVING, Robot, read_urdf
-from zbot_nodes.description.xml_text import DescriptionError
 from zbot_nodes.startup.program import run_node
 
 from geometry_msgs.msg import TransformStamped
@@ -59,7 +60,7 @@ class RobotStatePublisher(zbot.Node):
         reason = self.problem(_RATE, self.get_parameter(_RATE).value)
         if reason:
             raise DescriptionError(reason)
-        self.robot = read_urdf(text)
+        self.robot = read_robot(text)
         self.published: dict[str, int] = {}  #: by joint: the stamp that was published last, in ns
         self.last_callback_ns = 0
         self.broadcaster = TransformBroadcaster(self)
@@ -82,12 +83,12 @@ class RobotStatePublisher(zbot.Node):
         self.robot = robot
         self.description_publisher.publish(String(data=text))
         stamp = self.get_clock().now().to_msg()
-        fixed = (one for one in robot.joints.values() if one.type not in MOVING)
+        fixed = (joint for joint in robot.joints.values() if joint.type not in MOVING)
         self.static_broadcaster.sendTransform(
             [
-                self.frame(one.parent, one.child, one.transform(), stamp)
-                for one in fixed
-                if one.type != "floating"  # another node publishes the pose of such a joint
+                self.frame(joint.parent, joint.child, joint.transform(), stamp)
+                for joint in fixed
+                if joint.type != "floating"  # another node publishes the pose of such a joint
             ]
         )
         self.get_logger().info("Robot initialized")
@@ -141,10 +142,13 @@ class RobotStatePublisher(zbot.Node):
         self.broadcaster.sendTransform(
             [
                 self.frame(
-                    one.parent, one.child, one.transform(positions[one.name]), state.header.stamp
+                    joint.parent,
+                    joint.child,
+                    joint.transform(positions[joint.name]),
+                    state.header.stamp,
                 )
-                for one in moved
-                if one.type in MOVING
+                for joint in moved
+                if joint.type in MOVING
             ]
         )
 
@@ -161,7 +165,7 @@ class RobotStatePublisher(zbot.Node):
 
     def check(self, parameters: list[zbot.Parameter[Any]]) -> SetParametersResult:
         """Refuse parameters that cannot be used."""
-        reasons = (self.problem(one.name, one.value) for one in parameters)
+        reasons = (self.problem(parameter.name, parameter.value) for parameter in parameters)
         reason = next(filter(None, reasons), "")
         return SetParametersResult(successful=not reason, reason=reason)
 
@@ -173,16 +177,26 @@ class RobotStatePublisher(zbot.Node):
             if not value:
                 return "Empty URDF is not allowed"
             try:
-                read_urdf(value)
-            except DescriptionError as error:
+                read_robot(value)
+            except ZbotError as error:
                 return str(error)
         return ""
 
     def apply(self, parameters: list[zbot.Parameter[Any]]) -> None:
         """Use a new description."""
-        for one in parameters:
-            if one.name == _DESCRIPTION and isinstance(one.value, str):
-                self.use(one.value, read_urdf(one.value))
+        for parameter in parameters:
+            if parameter.name == _DESCRIPTION and isinstance(parameter.value, str):
+                self.use(parameter.value, read_robot(parameter.value))
+
+
+def read_robot(text: str) -> Robot:
+    """Return the links and joints of a description in URDF or SDF."""
+    if not text.strip() or read_xml(text).tag != "sdf":
+        return read_urdf(text)
+    require_numpy("a robot description in SDF")
+    from zbot.simulation.sdf.robot import tree_of  # noqa: PLC0415 - with NumPy
+
+    return tree_of(text)
 
 
 def read_file(path: str) -> str:

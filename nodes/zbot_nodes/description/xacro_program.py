@@ -6,7 +6,7 @@ In launches: Command(["xacro ", path]), also where no program `xacro` is on the 
 
 import sys
 
-MISSING = 'error: xacro is not installed: pip install "zbot[robot]"'
+from zbot.errors.installation import pip_install
 
 
 def main() -> None:
@@ -16,7 +16,7 @@ def main() -> None:
     except ModuleNotFoundError as error:
         if error.name != "xacro":
             raise
-        sys.exit(MISSING)
+        sys.exit(f"error: xacro is not installed: {pip_install('zbot[robot]')}")
     xacro.main()
 
 

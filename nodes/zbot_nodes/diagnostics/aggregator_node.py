@@ -41,7 +41,9 @@ class Aggregator(zbot.Node):
         if rate_hz <= 0:
             raise ParameterError("the parameter pub_rate must be above 0")
         self.is_critical = bool(self.setting("critical", False))
-        settings = {name: one.value for name, one in self.get_parameters_by_prefix("").items()}
+        settings = {
+            name: parameter.value for name, parameter in self.get_parameters_by_prefix("").items()
+        }
         self.group = read_group(path, settings)
         self.other = OtherAnalyzer(
             f"{path}/Other",
@@ -70,7 +72,7 @@ class Aggregator(zbot.Node):
 
     def accept(self, array: DiagnosticArray) -> None:
         """Give the statuses of a message to the analyzers."""
-        names = ", ".join(one.name for one in array.status)
+        names = ", ".join(status.name for status in array.status)
         is_known = names in self.unstamped or len(self.unstamped) >= _MOST_WARNINGS
         if not array.header.stamp.sec and not is_known:
             self.unstamped.add(names)
@@ -89,7 +91,7 @@ class Aggregator(zbot.Node):
         array = DiagnosticArray(status=[*self.group.report(now_s), *self.other.report(now_s)])
         array.header.stamp = self.get_clock().now().to_msg()
         self.publisher.publish(array)
-        levels = [one.level for one in array.status]
+        levels = [status.level for status in array.status]
         self.level = max(levels, default=ERROR)
         if self.level == STALE and min(levels) != STALE:
             self.level = ERROR

@@ -77,10 +77,10 @@ class Analyzer:
             if is_stale and self.discards_stale:
                 del self.items[name]
                 continue
-            one = self._shown(item.status, is_stale=is_stale)
-            levels.append(one.level)
+            shown = self._shown(item.status, is_stale=is_stale)
+            levels.append(shown.level)
             header.values.append(KeyValue(key=name, value=item.status.message))
-            found.append(one)
+            found.append(shown)
         header.level = _summary(levels, if_empty=OK if self.discards_stale else STALE)
         header.message = _WORDS[header.level]
         self._check_count(header)
@@ -98,7 +98,7 @@ class Analyzer:
     def _shortened(self, name: str) -> str:
         """Return a name without slashes, and without a beginning that is in `removed`."""
         name = name.replace("/", " ")
-        for start in (one.replace("/", " ") for one in self.removed):
+        for start in (beginning.replace("/", " ") for beginning in self.removed):
             if start and name.startswith(start):
                 name = name.removeprefix(start).removeprefix(":").lstrip(" ")
         return name
@@ -122,9 +122,9 @@ class Analyzer:
             header.values += [KeyValue(key=name, value="Missing") for name in missing]
         return [
             DiagnosticStatus(
-                level=STALE, name=f"{self.path}/{self._shortened(one)}", message="Missing"
+                level=STALE, name=f"{self.path}/{self._shortened(name)}", message="Missing"
             )
-            for one in missing
+            for name in missing
         ]
 
 
@@ -155,8 +155,8 @@ class OtherAnalyzer(Analyzer):
         if len(found) == 1:
             return []
         if self.as_errors:
-            for one in found:
-                one.level = ERROR
+            for status in found:
+                status.level = ERROR
         return found
 
 
@@ -174,7 +174,7 @@ class AnalyzerGroup:
 
     def analyze(self, status: DiagnosticStatus, now_s: float) -> bool:
         """Give a status to every analyzer. Return whether it matches at least one analyzer."""
-        wanted = [one.analyze(status, now_s) for one in self.analyzers]
+        wanted = [analyzer.analyze(status, now_s) for analyzer in self.analyzers]
         return any(wanted)
 
     def report(self, now_s: float) -> list[DiagnosticStatus]:
@@ -185,10 +185,10 @@ class AnalyzerGroup:
         for analyzer in self.analyzers:
             report = analyzer.report(now_s)
             found += report
-            for one in report:
-                if one.name == analyzer.path:
-                    header.values.append(KeyValue(key=analyzer.name, value=one.message))
-                    levels.append(one.level)
+            for status in report:
+                if status.name == analyzer.path:
+                    header.values.append(KeyValue(key=analyzer.name, value=status.message))
+                    levels.append(status.level)
         header.level = _summary(levels, if_empty=OK)
         header.message = _WORDS[header.level]
         if self.path.strip("/"):
@@ -239,7 +239,7 @@ def _by_analyzer(settings: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
 def _generic(prefix: str, kind: str, path: str, own: Mapping[str, Any]) -> Analyzer:
     def strings(name: str) -> tuple[str, ...]:
         value = own.get(name, ())
-        return (value,) if isinstance(value, str) else tuple(str(one) for one in value)
+        return (value,) if isinstance(value, str) else tuple(str(item) for item in value)
 
     removed = strings("remove_prefix") or strings("find_and_remove_prefix")
     analyzer = (DiscardAnalyzer if kind == "DiscardAnalyzer" else Analyzer)(
@@ -251,7 +251,7 @@ def _generic(prefix: str, kind: str, path: str, own: Mapping[str, Any]) -> Analy
         strings("contains"),
         strings("name"),
         strings("expected"),
-        tuple(_pattern(prefix, one) for one in strings("regex")),
+        tuple(_pattern(prefix, pattern) for pattern in strings("regex")),
         removed,
     )
     rules = (analyzer.startswith, analyzer.contains, analyzer.names, analyzer.expected)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from typing import Any, Protocol
 
-MISSING = 'no gamepad can be read without pygame: pip install "zbot[gamepad]"'
+from zbot.errors.installation import pip_install
 
 
 class Gamepad(Protocol):
@@ -54,8 +54,15 @@ class _SdlGamepad:
     def is_attached(self) -> bool:
         """Whether SDL still lists the gamepad."""
         joystick = self._pygame.joystick
-        present = [joystick.Joystick(one).get_instance_id() for one in range(joystick.get_count())]
+        present = [
+            joystick.Joystick(index).get_instance_id() for index in range(joystick.get_count())
+        ]
         return self._joystick.get_instance_id() in present
+
+
+def missing_text() -> str:
+    """Return the sentence that pygame is not installed."""
+    return f"no gamepad can be read without pygame: {pip_install('zbot[gamepad]')}"
 
 
 def find_gamepad(number: int = 0, name: str = "") -> Gamepad | None:

@@ -83,7 +83,7 @@ class JoyNode(zbot.Node):
         try:
             self.gamepad = gamepad.find_gamepad(*self.device())
         except ModuleNotFoundError:
-            self.get_logger().warn(f"{gamepad.MISSING}; {self.stick_hint()}", once=True)
+            self.get_logger().warn(f"{gamepad.missing_text()}; {self.stick_hint()}", once=True)
             return
         if self.gamepad is None:
             self.get_logger().warn(f"No gamepad is connected; {self.stick_hint()}", once=True)
@@ -93,7 +93,7 @@ class JoyNode(zbot.Node):
 
     def stick_hint(self) -> str:
         """Return a text that says how to show the stick of the web page."""
-        return f"the page has a stick on the screen: zbot web, panel Stick, topic {self.topic()}"
+        return f"the page has a stick on the screen: zbot web, panel Drive, topic {self.topic()}"
 
     def topic(self) -> str:
         """Return the full name of the topic."""
@@ -104,7 +104,7 @@ class JoyNode(zbot.Node):
         if self.gamepad is None:
             return
         axes, buttons = self.gamepad.read()
-        axes = [without_deadzone(one, self.deadzone) for one in axes]
+        axes = [without_deadzone(axis, self.deadzone) for axis in axes]
         buttons = self.held(buttons)
         now = self.get_clock().now()
         age_ns = now.nanoseconds - self.published_ns
@@ -141,7 +141,8 @@ def stick_shown(node: zbot.Node) -> AbstractContextManager[object]:
 
     if not isinstance(node, JoyNode) or node.gamepad is not None:
         return nullcontext()
-    return shown(node, f"/stick?topic={quote(node.topic())}", "stick")
+    query = f"topic={quote(node.topic())}&type=sensor_msgs/msg/Joy"
+    return shown(node, f"/drive?{query}", "stick")
 
 
 def main() -> None:

@@ -284,7 +284,7 @@ class JoyTeleop(zbot.Node):
             **options,
         )
         groups = _nested(
-            {name: one.value for name, one in self.get_parameters_by_prefix("").items()}
+            {name: parameter.value for name, parameter in self.get_parameters_by_prefix("").items()}
         )
         self.commands: list[Command] = []
         for name, config in sorted(groups.items()):

@@ -94,7 +94,7 @@ class TwistMux(zbot.Node):
             self.destroy_publisher(self.publisher)
         self.publisher = self.create_publisher(self.kind, "cmd_vel_out", 1)
         self.subscriptions_of_velocities = [
-            self.listen(one, self.kind, self.pass_on) for one in self.velocities
+            self.listen(source, self.kind, self.pass_on) for source in self.velocities
         ]
 
     def follow(self) -> None:
@@ -104,10 +104,14 @@ class TwistMux(zbot.Node):
         no parameter use_stamped. So parameter files for Humble do not set it.
         """
         output = self.resolve_topic_name("cmd_vel_out")
-        others = {one.topic_type for one in self.get_subscriptions_info_by_topic(output)}
+        others = {
+            subscription.topic_type for subscription in self.get_subscriptions_info_by_topic(output)
+        }
         for source in self.velocities:
             topic = self.resolve_topic_name(source.topic)
-            others |= {one.topic_type for one in self.get_publishers_info_by_topic(topic)}
+            others |= {
+                publisher.topic_type for publisher in self.get_publishers_info_by_topic(topic)
+            }
         for kind in (Twist, TwistStamped):
             if others == {f"geometry_msgs/msg/{kind.__name__}"} and self.kind is not kind:
                 self.kind = kind
@@ -121,7 +125,7 @@ class TwistMux(zbot.Node):
         for name, parameter in self.get_parameters_by_prefix(group).items():
             source, _, key = name.rpartition(".")
             settings.setdefault(source, {})[key] = parameter.value
-        return [self.source(group, name, one) for name, one in settings.items()]
+        return [self.source(group, name, facts) for name, facts in settings.items()]
 
     def source(self, group: str, name: str, settings: dict[str, Any]) -> Source:
         """Return a source with its settings."""
@@ -167,7 +171,7 @@ class TwistMux(zbot.Node):
     def lock_priority(self) -> int:
         """Return the highest priority of the locks in force, or 0 if no lock is in force."""
         now = self.now_ns()
-        return max((one.priority for one in self.locks if one.locks(now)), default=0)
+        return max((lock.priority for lock in self.locks if lock.locks(now)), default=0)
 
     def is_masked(self, source: Source) -> bool:
         """Return whether a source has no recent message, or a lock has a higher priority."""
@@ -179,8 +183,12 @@ class TwistMux(zbot.Node):
         If sources have the same priority, the first source in the parameters drives. A source with
         priority 0 never drives.
         """
-        free = [one for one in self.velocities if one.priority > 0 and not self.is_masked(one)]
-        return max(free, key=lambda one: one.priority, default=None)
+        free = [
+            source
+            for source in self.velocities
+            if source.priority > 0 and not self.is_masked(source)
+        ]
+        return max(free, key=lambda source: source.priority, default=None)
 
     def report(self) -> None:
         """Publish the state of all sources."""
@@ -188,10 +196,17 @@ class TwistMux(zbot.Node):
         status = DiagnosticStatus(
             name=f"{self.get_name()}: Twist mux status", message="ok", hardware_id="none"
         )
-        for one in self.velocities:
-            self.add(status, f"velocity {one.name}", one, self.is_masked(one), "masked", "unmasked")
-        for one in self.locks:
-            self.add(status, f"lock {one.name}", one, one.locks(now), "locked", "free")
+        for source in self.velocities:
+            self.add(
+                status,
+                f"velocity {source.name}",
+                source,
+                self.is_masked(source),
+                "masked",
+                "unmasked",
+            )
+        for lock in self.locks:
+            self.add(status, f"lock {lock.name}", lock, lock.locks(now), "locked", "free")
         status.values.append(KeyValue(key="current priority", value=str(self.lock_priority())))
         array = DiagnosticArray(status=[status])
         array.header.stamp = self.get_clock().now().to_msg()
@@ -199,11 +214,11 @@ class TwistMux(zbot.Node):
 
     @staticmethod
     def add(  # noqa: PLR0917 - a row of the report
-        status: DiagnosticStatus, key: str, one: Source, is_on: bool, yes: str, no: str
+        status: DiagnosticStatus, key: str, source: Source, is_on: bool, yes: str, no: str
     ) -> None:
         """Add the state of a source to the report."""
-        text = f" {yes if is_on else no} (listening to {one.topic} @ {one.timeout_s:f}s with "
-        status.values.append(KeyValue(key=key, value=f"{text}priority #{one.priority})"))
+        text = f" {yes if is_on else no} (listening to {source.topic} @ {source.timeout_s:f}s with "
+        status.values.append(KeyValue(key=key, value=f"{text}priority #{source.priority})"))
 
 
 def main() -> None:

@@ -55,12 +55,12 @@ class FrameTree:
     @property
     def roots(self) -> list[str]:
         """The frames without a parent. Several roots mean several separate trees."""
-        parents = [one["parent"] for one in self.frames.values()]
-        return list(dict.fromkeys(one for one in parents if one not in self.frames))
+        parents = [frame["parent"] for frame in self.frames.values()]
+        return list(dict.fromkeys(parent for parent in parents if parent not in self.frames))
 
     def children(self, name: str) -> list[str]:
         """Return the frames whose parent is the frame `name`."""
-        return sorted(one for one, facts in self.frames.items() if facts["parent"] == name)
+        return sorted(frame for frame, facts in self.frames.items() if facts["parent"] == name)
 
     def to_dot(self) -> str:
         """Return the text for Graphviz."""
@@ -109,14 +109,14 @@ class FrameTree:
             name, depth, is_done = waiting.pop()
             children = self.children(name)
             if is_done:
-                found = [places[one][0] for one in children]
+                found = [places[child][0] for child in children]
                 places[name] = ((found[0] + found[-1]) / 2, depth)
             elif not children:
                 places[name] = (column, depth)
                 column += 1
             else:
                 waiting.append((name, depth, True))
-                waiting += [(one, depth + 1, False) for one in reversed(children)]
+                waiting += [(child, depth + 1, False) for child in reversed(children)]
         return column
 
     def _line(self, name: str, places: dict[str, tuple[float, int]]) -> str:

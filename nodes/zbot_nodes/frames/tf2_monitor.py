@@ -13,7 +13,8 @@ from typing import Any
 import zbot
 from zbot.parameters.ros_args import remove_ros_args
 from zbot.qos import DurabilityPolicy, QoSProfile
-from zbot.tf2 import Buffer, TransformException, TransformListener
+from zbot.tf2 import Buffer, TransformException
+from zbot.tf2.diagnosis import TransformMonitor
 from zbot_nodes.startup.program import run_node
 
 from tf2_msgs.msg import TFMessage
@@ -37,7 +38,7 @@ class TF2Monitor(zbot.Node):
         super().__init__("tf2_monitor_main", **options)
         self.chain = chain
         self.buffer = Buffer()
-        self.listener = TransformListener(self.buffer, self)
+        self.monitor = TransformMonitor(self, self.buffer)
         self.delays: dict[str, deque[float]] = defaultdict(lambda: deque(maxlen=_KEPT))
         self.message_delays: deque[float] = deque(maxlen=_KEPT)
         self.times_s: deque[float] = deque(maxlen=_KEPT)
@@ -58,9 +59,9 @@ class TF2Monitor(zbot.Node):
         """Store the ages of the transforms in a message."""
         now_s = self.now_s()
         ages = []
-        for one in message.transforms:
-            ages.append(now_s - one.header.stamp.sec - one.header.stamp.nanosec / 1e9)
-            self.delays[one.child_frame_id].append(ages[-1])
+        for transform in message.transforms:
+            ages.append(now_s - transform.header.stamp.sec - transform.header.stamp.nanosec / 1e9)
+            self.delays[transform.child_frame_id].append(ages[-1])
         self.message_delays.append(sum(ages) / max(1, len(ages)))
         self.times_s.append(now_s)
 
@@ -72,6 +73,7 @@ class TF2Monitor(zbot.Node):
             found = self.buffer.lookup_transform(*self.chain, zbot.Time())
         except TransformException as error:
             text = f"Waiting for transform {self.chain[0]} ->  {self.chain[1]}: {error}"
+            text += self.monitor.explanation(*self.chain)
             self.get_logger().info(text, throttle_duration_sec=1.0)
             return
         stamp = found.header.stamp
@@ -82,7 +84,7 @@ class TF2Monitor(zbot.Node):
         if self.chain is None:
             return sorted(self.delays)
         way = frames_between(self.buffer, *self.chain)
-        return [one for one in way if one in self.delays]
+        return [frame for frame in way if frame in self.delays]
 
     def report(self) -> str:
         """Return the measurements as text."""
@@ -105,7 +107,18 @@ class TF2Monitor(zbot.Node):
             mean, worst = _mean_and_worst(self.message_delays)
             text = f"{rate_hz:.6g} Hz, Average Delay: {mean:.6g} Max Delay: {worst:.6g}"
             lines.append(f"Node: {_NOBODY} {text}")
-        return "\n".join(lines)
+        return "\n".join([*lines, *self.problems()])
+
+    def problems(self) -> list[str]:
+        """Return the sentences about what is wrong, as `zbot doctor --tf` says them."""
+        if self.chain is None:
+            found = self.monitor.diagnosis.problems()
+        else:
+            reason = self.monitor.diagnosis.why(*self.chain)
+            found = [] if reason is None else [reason]
+        if not found:
+            return []
+        return ["", "Problems:", *map(str, found)]
 
     def show(self) -> None:
         """Print the measurements."""
@@ -116,7 +129,7 @@ def frames_between(buffer: Buffer, first: str, last: str) -> list[str]:
     """Return the frames on the way between two frames, both included."""
     parents = dict(_parents(buffer))
     up, down = _ancestors(parents, first), _ancestors(parents, last)
-    common = next((one for one in up if one in down), None)
+    common = next((frame for frame in up if frame in down), None)
     if common is None:
         return []
     return [*up[: up.index(common) + 1], *reversed(down[: down.index(common)])]

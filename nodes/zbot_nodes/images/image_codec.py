@@ -7,10 +7,10 @@ import sys
 from typing import Any
 
 from zbot import ZbotError
+from zbot.errors.installation import pip_install
 
 from sensor_msgs.msg import CompressedImage, Image
 
-MISSING = 'compressed images need Pillow: pip install "zbot[web]"'
 _MAX_PIXELS = 50_000_000
 #: For each encoding: Pillow's mode and raw mode, the bytes of a pixel, and the last word of
 #: `CompressedImage.format`.
@@ -99,5 +99,6 @@ def _pillow() -> Any:
     try:
         from PIL import Image as pillow  # noqa: N813, PLC0415 - an extra
     except ModuleNotFoundError:
-        raise ImageCodecError(MISSING) from None
+        text = f"compressed images need Pillow: {pip_install('zbot[web]')}"
+        raise ImageCodecError(text) from None
     return pillow

@@ -1,1 +1,1 @@
-"""Nodes of nav2 that are not about driving: maps, and the states of managed nodes."""
+"""Nodes of Nav2 and of slam_toolbox: maps, poses, paths, driving, and states of nodes."""

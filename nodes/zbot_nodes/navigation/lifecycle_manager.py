@@ -24,6 +24,8 @@ from rcl_interfaces.msg import ParameterDescriptor
 from std_msgs.msg import Bool
 from std_srvs.srv import Trigger
 
+#: Nodes of Nav2 that zbot does not have. A list with one of them is managed without it.
+_LEFT_OUT = frozenset({"docking_server", "following_server", "route_server"})
 _KEPT = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 _POLL_S = 0.1
 _WATCH_S = 1.0
@@ -108,7 +110,7 @@ class LifecycleManager(zbot.Node):
         any_type = ParameterDescriptor(dynamic_typing=True)
         names = self.declare_parameter("node_names", [], any_type).value
         is_list = not isinstance(names, (str, int, float))
-        self.names = [str(one) for one in names] if is_list else []
+        self.names = [str(name) for name in names] if is_list else []
         if not self.names:
             raise ParameterError("the parameter node_names must name at least one node")
         is_automatic = bool(self.declare_parameter("autostart", False).value)
@@ -165,6 +167,7 @@ class LifecycleManager(zbot.Node):
 
     async def run(self, number: int) -> bool:
         """Run a command. Return whether all nodes made its transitions."""
+        self.leave_out()
         command = _COMMANDS[number]
         last = command.transitions[-1]
         is_up = last in {_CONFIGURE, _ACTIVATE}
@@ -176,6 +179,18 @@ class LifecycleManager(zbot.Node):
         else:
             self.get_logger().error(command.failure)
         return succeeded
+
+    def leave_out(self) -> None:
+        """Remove the nodes that zbot does not have, unless they are there."""
+        missing = [
+            name
+            for name in self.names
+            if name in _LEFT_OUT and not self.changers[name].service_is_ready()
+        ]
+        if missing:
+            self.names = [name for name in self.names if name not in missing]
+            text = f"left out, because zbot does not have them: {', '.join(missing)}"
+            self.get_logger().warning(text)
 
     async def change_all(self, command: _Command, names: list[str]) -> bool:
         """Make the transitions of some nodes. Return whether all nodes made them."""

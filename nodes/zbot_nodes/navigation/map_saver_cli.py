@@ -11,10 +11,10 @@ import sys
 import time
 
 import zbot
+from zbot.libraries.navigation.map_file import FORMATS, MODES, write_map
 from zbot.parameters.ros_args import remove_ros_args
 from zbot.qos import DurabilityPolicy, QoSProfile
 from zbot.remote.wait_for_message import wait_for_message
-from zbot_nodes.navigation.map_file import FORMATS, MODES, write_map
 
 from nav_msgs.msg import OccupancyGrid
 

@@ -11,9 +11,9 @@ from __future__ import annotations
 from typing import Any
 
 import zbot
+from zbot.libraries.navigation.map_file import write_map
 from zbot.lifecycle import LifecycleNode
 from zbot.qos import DurabilityPolicy, QoSProfile
-from zbot_nodes.navigation.map_file import write_map
 from zbot_nodes.startup.program import run_node
 
 from nav2_msgs.srv import SaveMap

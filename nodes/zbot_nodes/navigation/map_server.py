@@ -11,9 +11,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from zbot.libraries.navigation.map_file import MapFileError, read_map
 from zbot.lifecycle import LifecycleNode, LifecycleState, TransitionCallbackReturn
 from zbot.qos import DurabilityPolicy, QoSProfile
-from zbot_nodes.navigation.map_file import MapFileError, read_map
 from zbot_nodes.startup.program import run_node
 
 from nav2_msgs.srv import LoadMap

@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, NamedTuple
 
+from zbot.tf2.rigid import heading
+
 from geometry_msgs.msg import Quaternion
 
 if TYPE_CHECKING:
@@ -22,6 +24,17 @@ class Pose(NamedTuple):
     y: float = 0.0  #: metres
     yaw: float = 0.0  #: radians, counter-clockwise from the x axis
 
+    def __matmul__(self, inner: Pose) -> Pose:
+        """Return a pose in this pose's parent. `inner` is that pose in the frame of this one."""
+        cos, sin = math.cos(self.yaw), math.sin(self.yaw)
+        x, y, yaw = inner
+        return Pose(self.x + x * cos - y * sin, self.y + x * sin + y * cos, turn_to(self.yaw + yaw))
+
+    def inverse(self) -> Pose:
+        """Return the pose of the parent in the frame of this pose."""
+        cos, sin = math.cos(self.yaw), math.sin(self.yaw)
+        return Pose(-self.x * cos - self.y * sin, self.x * sin - self.y * cos, -self.yaw)
+
 
 def pose_of(msg: Odometry) -> Pose:
     """Return the pose in an odometry message."""
@@ -36,7 +49,7 @@ def to_quaternion(yaw: float) -> Quaternion:
 
 def to_yaw(q: Quaternion) -> float:
     """Return a quaternion's rotation about the vertical axis, from -pi to pi."""
-    return math.atan2(2 * (q.w * q.z + q.x * q.y), 1 - 2 * (q.y * q.y + q.z * q.z))
+    return heading((q.x, q.y, q.z, q.w))
 
 
 def turn_to(angle: float) -> float:

@@ -7,7 +7,8 @@ import sys
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
-from zbot.web.server.browser import has_desktop, open_page
+from zbot.errors.installation import pip_install
+from zbot.serving.browser import has_desktop, open_page
 from zbot.web.server.page_discovery import running_page
 from zbot.web.server.page_process import PageProcess, is_installed
 
@@ -37,7 +38,7 @@ def shown(node: zbot.Node, path: str, what: str) -> Iterator[bool]:
         return
     if not is_installed() or not has_desktop():
         how = f"Here is no desktop for a browser: `zbot web` prints the address of the {what}"
-        get = f'The {what} can be seen in a browser: pip install "zbot[web]"'
+        get = f"The {what} can be seen in a browser: {pip_install('zbot[web]')}"
         node.get_logger().info(how if is_installed() else get)
         yield False
         return

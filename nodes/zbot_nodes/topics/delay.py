@@ -66,7 +66,7 @@ def read_arguments(words: list[str]) -> list[Any]:
         ParameterError: The delay is not a number.
     """
     values: list[Any] = list(words)
-    values[1:2] = [number(one, "the delay") for one in words[1:2]]
+    values[1:2] = [number(word, "the delay") for word in words[1:2]]
     return overrides(("input_topic", "delay", "output_topic"), values)
 
 

@@ -43,7 +43,7 @@ def read_arguments(words: list[str]) -> list[Any]:
         ParameterError: X or Y is not a number.
     """
     values: list[Any] = list(words)
-    values[1:3] = [int(number(one, name)) for one, name in zip(words[1:3], "XY", strict=False)]
+    values[1:3] = [int(number(word, name)) for word, name in zip(words[1:3], "XY", strict=False)]
     return overrides(("input_topic", "X", "Y", "output_topic"), values)
 
 

@@ -29,7 +29,7 @@ class Mux(TopicTool):
         self.output = str(self.declare_parameter("output_topic", "~/selected").value)
         any_type = ParameterDescriptor(dynamic_typing=True)
         names = self.declare_parameter("input_topics", [], any_type).value
-        self.inputs = [str(one) for one in names]
+        self.inputs = [str(name) for name in names]
         if not self.inputs:
             raise ParameterError("the parameter input_topics is missing: mux OUTPUT INPUT...")
         first = str(self.declare_parameter("initial_topic", "").value)

@@ -84,10 +84,10 @@ def read_arguments(words: list[str]) -> list[Any]:
     values: list[Any] = list(rest)
     if kind == "bytes":
         names = ("input_topic", "bytes_per_sec", "window", "output_topic")
-        values[1:2] = [int(number(one, names[1])) for one in rest[1:2]]
-        values[2:3] = [number(one, names[2]) for one in rest[2:3]]
+        values[1:2] = [int(number(word, names[1])) for word in rest[1:2]]
+        values[2:3] = [number(word, names[2]) for word in rest[2:3]]
     else:
-        values[1:2] = [number(one, names[1]) for one in rest[1:2]]
+        values[1:2] = [number(word, names[1]) for word in rest[1:2]]
     return overrides(("throttle_type", *names), [kind, *values])
 
 

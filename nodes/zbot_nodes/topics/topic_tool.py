@@ -95,7 +95,7 @@ class TopicTool(zbot.Node):
         found = self.get_publishers_info_by_topic(self.resolve_topic_name(self.input))
         if not found:
             return None
-        profile = profile_to_record([one.qos_profile for one in found], _DEPTH)
+        profile = profile_to_record([publisher.qos_profile for publisher in found], _DEPTH)
         return found[0].topic_type, profile
 
     def process(self, message: bytes) -> None:
@@ -110,7 +110,7 @@ class TopicTool(zbot.Node):
 
 def overrides(names: Sequence[str], values: Sequence[Any]) -> list[zbot.Parameter[Any]]:
     """Return parameters with the values of a command line."""
-    return [zbot.Parameter(name, value=one) for name, one in zip(names, values, strict=False)]
+    return [zbot.Parameter(name, value=value) for name, value in zip(names, values, strict=False)]
 
 
 def number(word: str, name: str) -> float:

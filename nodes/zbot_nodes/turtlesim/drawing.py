@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import itertools
+import struct
+import zlib
 from collections import deque
 from typing import NamedTuple
-
-from zbot_nodes.turtlesim.picture import png
 
 WIDTH = HEIGHT = 500  #: pixels
 _UNTOUCHED = (255, 255, 255, 0)  # white for the colour sensor, transparent for a page
 # A turtle draws so many lines in 32 s. A page that asks for new lines less often gets a picture.
 _MOST_LINES = 2000
+_SIGNATURE = b"\x89PNG\r\n\x1a\n"
+_RGBA = 6
+_FASTEST = 1
 
 
 class Pen(NamedTuple):
@@ -99,3 +102,16 @@ class Drawing:
         begin = (row * WIDTH + column) * 4
         r, g, b = self._pixels[begin : begin + 3]
         return r, g, b
+
+
+def png(width: int, height: int, rgba: bytes | bytearray) -> bytes:
+    """Return pixels (red, green, blue and opacity, row by row from the top) as a PNG file."""
+    size = width * 4
+    rows = b"".join(b"\0" + rgba[row * size : (row + 1) * size] for row in range(height))
+    header = struct.pack(">IIBBBBB", width, height, 8, _RGBA, 0, 0, 0)
+    chunks = ((b"IHDR", header), (b"IDAT", zlib.compress(rows, _FASTEST)), (b"IEND", b""))
+    return _SIGNATURE + b"".join(_chunk(kind, data) for kind, data in chunks)
+
+
+def _chunk(kind: bytes, data: bytes) -> bytes:
+    return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))

@@ -39,10 +39,12 @@ def test_read_a_foreign_domain(room: AttackedClass, ben: zenoh.Session) -> None:
             assert not talk.reaches(ben, speaker, key)
             assert not talk.sees(ben, speaker, key)
     assert not talk.sees(ben, room.honest, "@zbot/17/a/0/0/NN/%/%/node")
-    heard = {str(sample.key_expr) for one in wide for sample in iter(one.try_recv, None)}
+    heard = {
+        str(sample.key_expr) for subscriber in wide for sample in iter(subscriber.try_recv, None)
+    }
     assert not {key for key in heard if not key.startswith("18/")}
-    for one in wide:
-        one.undeclare()
+    for subscriber in wide:
+        subscriber.undeclare()
 
 
 def test_write_a_foreign_domain(room: AttackedClass, ben: zenoh.Session) -> None:
@@ -58,17 +60,17 @@ def test_write_a_foreign_domain(room: AttackedClass, ben: zenoh.Session) -> None
 
 def test_deletes_and_wildcard_puts_reach_nobody(room: AttackedClass, ben: zenoh.Session) -> None:
     listeners = [
-        one.declare_subscriber("17/**", zenoh.handlers.FifoChannel(100))
-        for one in (room.honest, room.teacher_session)
+        session.declare_subscriber("17/**", zenoh.handlers.FifoChannel(100))
+        for session in (room.honest, room.teacher_session)
     ]
     room.talk.settle()
     for key in ("17/work", "**", "17/**", "*/work", "1*/work".replace("*", "$*")):
         ben.delete(key)
         ben.put(key, b"x")
     room.talk.settle()
-    assert [one.try_recv() for one in listeners] == [None, None]
-    for one in listeners:
-        one.undeclare()
+    assert [listener.try_recv() for listener in listeners] == [None, None]
+    for listener in listeners:
+        listener.undeclare()
 
 
 def test_impersonate_the_teacher(
@@ -93,8 +95,8 @@ def test_impersonate_the_teacher(
         told = [reply.ok.payload.to_bytes() for reply in asking.get(key, timeout=20) if reply.ok]
         assert told
         assert b"forged" not in b"".join(told)
-    for one in forged:
-        one.undeclare()
+    for token in forged:
+        token.undeclare()
 
 
 def test_send_the_teachers_commands(room: AttackedClass, ben: zenoh.Session) -> None:
@@ -192,7 +194,7 @@ def test_read_and_write_the_admin_space(room: AttackedClass, ben: zenoh.Session)
     hub = next(iter(room.teacher_session.info.routers_zid()))
     for key in (f"@/{hub}/router/**", "@/**", f"@/{hub}/router/config/**"):
         found = [str(reply.ok.key_expr) for reply in ben.get(key, timeout=2) if reply.ok]
-        assert not [one for one in found if one.startswith(f"@/{hub}")]
+        assert not [key for key in found if key.startswith(f"@/{hub}")]
     for value in ("false", '{"enabled": false}'):
         for key in (f"@/{hub}/router/config/access_control", f"@/{hub}/router/config/**"):
             ben.put(key, value)
@@ -221,9 +223,9 @@ def test_no_secret_is_on_a_command_line_or_in_a_log(room: AttackedClass) -> None
     for process in Path("/proc").glob("[0-9]*/cmdline"):
         with contextlib.suppress(OSError):
             lines += process.read_bytes()
-    logs = b"".join((one.folder / "zbot" / "hub.log").read_bytes() for one in everybody)
+    logs = b"".join((computer.folder / "zbot" / "hub.log").read_bytes() for computer in everybody)
     assert b"zbot.classroom" in lines
-    assert not [one for one in [*secrets, PIN.encode()] if one in lines + logs]
+    assert not [secret for secret in [*secrets, PIN.encode()] if secret in lines + logs]
 
 
 @pytest.mark.skipif(os.name == "nt", reason="Windows has no file modes")

@@ -88,8 +88,8 @@ def test_malformed_tokens(room: AttackedClass, ben: zenoh.Session) -> None:
         shown = room.teacher.do(*words)
         assert "Ana" in shown
         assert is_plain(shown)
-    for one in declared:
-        one.undeclare()
+    for alive in declared:
+        alive.undeclare()
 
 
 def test_a_flood_of_tokens_does_not_fill_the_teachers_list(
@@ -107,8 +107,8 @@ def test_a_flood_of_tokens_does_not_fill_the_teachers_list(
     row = next(line for line in shown.splitlines() if "Ben" in line)
     assert f"more than {MAX_LISTED_NODES} nodes, the rest is not shown" in row
     assert "Ana" in shown
-    for one in declared:
-        one.undeclare()
+    for token in declared:
+        token.undeclare()
     assert wait_until(lambda: room.listed()[18]["nodes"] == [], 20)
 
 

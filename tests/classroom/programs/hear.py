@@ -62,8 +62,8 @@ def main() -> None:
     with session:
         channel = zenoh.handlers.FifoChannel(100_000)
         listening = [session.declare_subscriber(key, channel) for key in options.keys]
-        for one in listening:
-            threading.Thread(target=ear.listen, args=(one.handler,), daemon=True).start()
+        for subscriber in listening:
+            threading.Thread(target=ear.listen, args=(subscriber.handler,), daemon=True).start()
         print("hearing", flush=True)
         signal.sigwait({signal.SIGINT, signal.SIGTERM})
     print(json.dumps({"delays_us": ear.delays_us, "others": ear.others}), flush=True)

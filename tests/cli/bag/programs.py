@@ -46,7 +46,7 @@ def recording(start: Start, *words: str) -> Program:
 
 
 def size(path: Path) -> int:
-    return sum(one.stat().st_size for one in path.glob("*.mcap"))
+    return sum(file.stat().st_size for file in path.glob("*.mcap"))
 
 
 def grow(path: Path) -> None:

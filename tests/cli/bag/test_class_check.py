@@ -40,7 +40,7 @@ def test_handed_in_bags_are_marked(tmp_path: Path) -> None:
         "1 of 3 pass",
     ]
     verdicts = json.loads(zbot("class", "check", EXPECTED, *bags, "--json", cwd=tmp_path).out)
-    assert [one["passes"] for one in verdicts] == [True, False, False]
+    assert [verdict["passes"] for verdict in verdicts] == [True, False, False]
     assert zbot("class", "check", EXPECTED, "--bag", "ana", cwd=tmp_path).code == 0
 
 

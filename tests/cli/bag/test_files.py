@@ -47,4 +47,6 @@ def test_reindex_convert_and_list(bag: Path, tmp_path: Path) -> None:
     assert (done.code, done.out, done.err) == (0, "copy: 2 messages\n", "")
     assert [message.data for _, message, _ in bags.read(tmp_path / "copy")] == ["one", "two"]
     assert zbot("bag", "list", "storage").out == "mcap\nsqlite3\n"
+    listed = json.loads(zbot("bag", "list", "storage", "--json").out)
+    assert [plugin["name"] for plugin in listed] == ["mcap", "sqlite3"]
     assert zbot("bag", "list", "compressor", "-v").out.splitlines()[1] == "name: zstd"

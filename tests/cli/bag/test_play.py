@@ -145,7 +145,7 @@ def test_the_clock_comes_with_messages(
 ) -> None:
     times: list[int] = []
     node = library.Node("watch", context=make_context())
-    node.create_subscription(Clock, "/clock", lambda one: times.append(one.clock.sec), 10)
+    node.create_subscription(Clock, "/clock", lambda message: times.append(message.clock.sec), 10)
     spin(node)
     lines = [(topic, String(), 100.0 + n) for n, topic in enumerate(("/a", "/b", "/a", "/b"))]
     make_bag(bag, *lines)
@@ -164,7 +164,7 @@ def test_a_profile_of_a_file_is_used(
     assert "Overriding QoS profile for topic /a" in program.output
     node = library.Node("late", context=make_context())
     late: list[str] = []
-    node.create_subscription(String, "/a", lambda one: late.append(one.data), LATCHED)
+    node.create_subscription(String, "/a", lambda message: late.append(message.data), LATCHED)
     spin(node)
     assert wait_until(lambda: late == ["one"])
     program.stop()

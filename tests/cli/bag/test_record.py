@@ -16,6 +16,7 @@ from tests.cli.command import zbot
 from tests.conftest import allowed, wait_until
 from zbot import bag as bags
 from zbot.bag import Reader
+from zbot.errors.installation import pip_install
 from zbot.node.service_introspection import ServiceIntrospectionState
 from zbot.qos import DurabilityPolicy, QoSProfile
 
@@ -54,8 +55,8 @@ def test_record_writes_live_topics_until_ctrl_c(start: Start, bag: Path) -> None
     with Reader(bag) as read:
         [profile] = read.topics["/map"].offered_qos_profiles
         assert profile.durability is DurabilityPolicy.TRANSIENT_LOCAL
-        one = next(read.messages(["/chatter"]))
-    assert 0 <= one.log_ns - one.publish_ns < 10_000_000_000
+        recorded = next(read.messages(["/chatter"]))
+    assert 0 <= recorded.log_ns - recorded.publish_ns < 10_000_000_000
 
 
 @pytest.mark.usefixtures("robot")
@@ -110,7 +111,7 @@ def test_a_recording_is_split(start: Start, bag: Path) -> None:
     assert program.stop() == 0
     numbers = [int(message.data) for _, message, _ in bags.read(bag)]
     assert numbers == list(range(numbers[0], numbers[0] + len(numbers)))
-    assert [one.suffix for one in bag.glob("*_0.*")] == [".zstd"]
+    assert [path.suffix for path in bag.glob("*_0.*")] == [".zstd"]
 
 
 @pytest.mark.parametrize(
@@ -220,7 +221,7 @@ def test_a_missing_package_is_named_with_the_way_to_install_it(tmp_path: Path) -
             check=False,
         )
         assert done.returncode == 1
-        assert done.stderr == 'bags need mcap: install it with pip install "zbot[bag]"\n'
+        assert done.stderr == f"bags need mcap: install it with {pip_install('zbot[bag]')}\n"
         assert len(list(tmp_path.iterdir())) == 1
 
 

@@ -42,7 +42,10 @@ class Caller:
 
     def call(self, service: Any, **fields: Any) -> Any:
         """Call the service whose name belongs to its class: `is_paused` for `IsPaused`."""
-        name = "".join(f"_{one.lower()}" if one.isupper() else one for one in service.__name__)
+        name = "".join(
+            f"_{character.lower()}" if character.isupper() else character
+            for character in service.__name__
+        )
         client = self.node.create_client(service, f"{self._prefix}/{name[1:]}")
         assert client.wait_for_service(allowed(10))
         return client.call(service.Request(**fields), timeout_sec=allowed(10))

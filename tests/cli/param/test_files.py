@@ -23,7 +23,9 @@ if TYPE_CHECKING:
 def test_load_restores_what_dump_wrote(
     zbot_command: Command, rich: library.Node, tmp_path: Path
 ) -> None:
-    before = {name: one.value for name, one in rich.get_parameters_by_prefix("").items()}
+    before = {
+        name: parameter.value for name, parameter in rich.get_parameters_by_prefix("").items()
+    }
     path = tmp_path / "rich.yaml"
     path.write_text(zbot_command("param", "dump", "/lab/rich").out)
     changed = {
@@ -35,10 +37,12 @@ def test_load_restores_what_dump_wrote(
         "group.words": ["x"],
         "group.bytes": [b"x"],
     }
-    results = rich.set_parameters([Parameter(name, value=one) for name, one in changed.items()])
-    assert all(one.successful for one in results)
+    results = rich.set_parameters([Parameter(name, value=value) for name, value in changed.items()])
+    assert all(answer.successful for answer in results)
     result = zbot_command("param", "load", "/lab/rich", str(path))
-    assert {name: one.value for name, one in rich.get_parameters_by_prefix("").items()} == before
+    assert {
+        name: parameter.value for name, parameter in rich.get_parameters_by_prefix("").items()
+    } == before
     assert result.code == 0, "what is read-only and unchanged is no failure"
     assert "Set parameter level successful\n" in result.out
     assert result.err == (

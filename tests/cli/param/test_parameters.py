@@ -116,6 +116,7 @@ def test_an_empty_domain_is_reported(zbot_command: Command, domain: int) -> None
     result = zbot_command("param", "get", "robot", "rate", "--timeout", "0")
     assert (result.code, result.out) == (1, "")
     assert result.err == "Node not found\n\nhint: no node /robot is running; no node is running\n"
+    assert "hint: no node is running\n" in zbot_command("param", "get", "rate").err
     assert zbot_command("param", "list").code == 0
     assert zbot_command("param", "dump").out == ""
 
@@ -243,6 +244,34 @@ def test_a_parameter_without_a_value_is_refused(zbot_command: Command) -> None:
     result = zbot_command("param", "set", "/lab/rich", "rate", "9", "my_parameter")
     assert result.code == 2
     assert "give each name a value: my_parameter has none" in result.err
+    result = zbot_command("param", "set", "/lab/rich", "rate=9")
+    assert result.code == 2
+    assert "write a blank, not '=': zbot param set /lab/rich rate 9" in result.err
+
+
+@pytest.mark.usefixtures("rich")
+@pytest.mark.parametrize(
+    ("words", "advice"),
+    [
+        (("set", "minimal_service", "rate"), "zbot param set minimal_service rate VALUE"),
+        (("get", "minimal_service"), "zbot param get minimal_service PARAM"),
+        (("describe", "/minimal_service"), "zbot param describe /minimal_service PARAM"),
+        (("delete", "lab/rich"), "zbot param delete lab/rich PARAM"),
+    ],
+)
+def test_a_forgotten_last_word_is_named(
+    zbot_command: Command, node: library.Node, words: tuple[str, ...], advice: str
+) -> None:
+    del node
+    result = zbot_command("param", *words)
+    assert (result.code, result.out) == (1, "")
+    assert f" is a node: type: {advice}\n" in result.err
+
+
+def test_a_forgotten_file_is_named(zbot_command: Command) -> None:
+    result = zbot_command("param", "load", "turtlesim")
+    assert (result.code, result.out) == (1, "")
+    assert "hint: name a file: zbot param load turtlesim FILE.yaml\n" in result.err
 
 
 def test_a_dynamic_parameter_is_deleted(zbot_command: Command, rich: library.Node) -> None:
@@ -324,8 +353,8 @@ def test_a_node_that_does_not_spin_is_named(
 @pytest.mark.usefixtures("node", "rich")
 def test_a_command_with_its_own_node_sees_all_nodes_at_once() -> None:
     for _ in range(20):
-        with hidden_node("test") as one:
-            names = one.get_fully_qualified_node_names()
+        with hidden_node("test") as hidden:
+            names = hidden.get_fully_qualified_node_names()
             assert {"/lab/rich", "/minimal_service"} <= set(names)
 
 

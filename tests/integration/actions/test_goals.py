@@ -260,7 +260,7 @@ def test_a_new_goal_can_preempt_the_previous_one(pair: Pair) -> None:
 
     pair.begin(execute, handle_accepted_callback=accepted)
     first, second, last = pair.send(1), pair.send(2), pair.send(0)
-    states = [status_of(done(one.get_result_async())).name for one in (first, second, last)]
+    states = [status_of(done(handle.get_result_async())).name for handle in (first, second, last)]
     assert states == ["ABORTED", "ABORTED", "SUCCEEDED"]
 
 
@@ -275,7 +275,7 @@ def test_blocking_callbacks_run_in_parallel_threads(pair: Pair) -> None:
     group = zbot.ReentrantCallbackGroup()
     pair.begin(meet, threads=4, callback_group=group)
     results = [pair.send(order).get_result_async() for order in range(3)]
-    assert [list(done(one).result.sequence) for one in results] == [[0], [1], [2]]
+    assert [list(done(result).result.sequence) for result in results] == [[0], [1], [2]]
 
 
 def test_feedback_arrives_at_a_client_with_depth_0(pair: Pair) -> None:
@@ -359,7 +359,7 @@ def test_fifty_goals_with_cancels_each_get_their_own_result(pair: Pair) -> None:
     handles = [done(future, 10) for future in futures]
     results = [handle.get_result_async() for handle in handles]
     canceled = [handle.cancel_goal_async() for handle in handles[1::2]]
-    assert all(len(done(one, 10).goals_canceling) == 1 for one in canceled)
+    assert all(len(done(future, 10).goals_canceling) == 1 for future in canceled)
     for order, result in enumerate(results):
         response = done(result, 10)
         assert list(response.result.sequence) == [order]

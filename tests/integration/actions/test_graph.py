@@ -45,7 +45,10 @@ def test_the_status_topic_gives_late_subscribers_the_state_of_each_goal(pair: Pa
         GoalStatusArray,
         "/fibonacci/_action/status",
         lambda status: seen.append(
-            [(int(one.goal_info.goal_id.uuid[15]), one.status) for one in status.status_list]
+            [
+                (int(goal_status.goal_info.goal_id.uuid[15]), goal_status.status)
+                for goal_status in status.status_list
+            ]
         ),
         zbot.QoSProfile(depth=1, durability=zbot.DurabilityPolicy.TRANSIENT_LOCAL),
     )
@@ -100,7 +103,8 @@ def test_feedback_of_another_type_aborts(pair: Pair, logged: list[Record]) -> No
     pair.begin(lambda goal: goal.publish_feedback(Fibonacci.Result()))
     assert status_of(pair.client.send_goal(Fibonacci.Goal())) is GoalState.ABORTED
     assert any(
-        "takes a example_interfaces/action/Fibonacci_Feedback" in one.message for one in logged
+        "takes a example_interfaces/action/Fibonacci_Feedback" in record.message
+        for record in logged
     )
 
 
@@ -151,7 +155,7 @@ def test_a_goal_without_a_server_is_lost(
     assert not client.wait_for_server(0.05)
     assert not client.wait_for_server(-1)
     sent = client.send_goal_async(Fibonacci.Goal())
-    assert wait_until(lambda: any("no server is running" in one.message for one in logged))
+    assert wait_until(lambda: any("no server is running" in record.message for record in logged))
     assert not sent.done()
     with pytest.raises(ServiceError, match="no server is running"):
         client.send_goal(Fibonacci.Goal())
@@ -212,5 +216,5 @@ def test_destroyed_servers_and_clients_leave_the_graph(pair: Pair) -> None:
     pair.client.destroy()
     assert wait_until(lambda: get_action_names_and_types(pair.client_node) == [])
     assert list(pair.server_node.services) == [
-        one for one in pair.server_node.services if "_action" not in one.srv_name
+        service for service in pair.server_node.services if "_action" not in service.srv_name
     ]

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 from tests.conftest import Program, wait_until
+from zbot.testing.domain import reserved_domain
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -29,6 +30,8 @@ ONE_SIDE = "one side of the bridge speaks zbot's own dialect"
 PEER = Path(__file__).parents[2] / "programs" / "remote" / "genuine_peer.py"
 #: How long DDS may need until two processes have found each other.
 DISCOVERY_S = 20.0
+#: DDS allows numbers up to 101 on Linux. A larger number's ports may belong to clients.
+_MOST_DDS_DOMAIN = 101
 
 
 def needs_ros2() -> list[pytest.MarkDecorator]:
@@ -97,9 +100,10 @@ def genuine_environment(domain: int) -> dict[str, str]:
 
 
 @pytest.fixture
-def ros_domain(domain: int) -> int:
-    """Return a domain of ROS 2 that no other test uses. DDS allows numbers up to 101 here."""
-    return domain % 100
+def ros_domain() -> Iterator[int]:
+    """Return a domain of ROS 2 that no other test uses."""
+    with reserved_domain(_MOST_DDS_DOMAIN) as number:
+        yield number
 
 
 @pytest.fixture
@@ -113,8 +117,8 @@ def peer(ros_domain: int, tmp_path: Path) -> Iterator[Peers]:
         return running[-1]
 
     yield start
-    for one in running:
-        one.end()
+    for program in running:
+        program.end()
 
 
 @pytest.fixture

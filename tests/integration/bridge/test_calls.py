@@ -102,7 +102,7 @@ def test_a_goal_of_zbot_keeps_its_id(
     found: Any = result.result()
     assert (found.status, list(found.result.sequence)) == (SUCCEEDED, [0, 1, 1, 2])
     assert robot.goal_ids() == [bytes(handle.goal_id.uuid).hex()]
-    assert eventually(lambda: [list(one.feedback.sequence) for one in feedback] == [[0, 1]])
+    assert eventually(lambda: [list(message.feedback.sequence) for message in feedback] == [[0, 1]])
 
 
 def test_a_goal_of_zbot_is_canceled(
@@ -121,7 +121,7 @@ def test_a_goal_of_zbot_is_canceled(
     canceled = handle.cancel_goal_async()
     assert eventually(canceled.done)
     cancel_response: Any = canceled.result()
-    identities = [bytes(one.goal_id.uuid) for one in cancel_response.goals_canceling]
+    identities = [bytes(goal.goal_id.uuid) for goal in cancel_response.goals_canceling]
     assert identities == [bytes(handle.goal_id.uuid)]
     assert eventually(result.done)
     assert result.result().status == CANCELED

@@ -103,9 +103,13 @@ def test_topics_go_both_ways(
     spin(robot)
     bridge()
     assert eventually(lambda: node.get_publishers_info_by_topic("/pose"))
-    assert [one.node_name for one in node.get_publishers_info_by_topic("/pose")] == ["robot"]
+    assert [publisher.node_name for publisher in node.get_publishers_info_by_topic("/pose")] == [
+        "robot"
+    ]
     assert eventually(lambda: robot.get_publishers_info_by_topic("/drive"))
-    assert [one.node_name for one in robot.get_publishers_info_by_topic("/drive")] == ["laptop"]
+    assert [publisher.node_name for publisher in robot.get_publishers_info_by_topic("/drive")] == [
+        "laptop"
+    ]
 
     def is_heard() -> bool:
         pose.publish(STRING(data="here"))

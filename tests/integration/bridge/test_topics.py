@@ -45,7 +45,7 @@ def as_hex(text: str) -> str:
 def texts(robot: GenuinePeer, topic: str) -> list[str]:
     """Return the strings that a genuine node has heard. DDS may add padding to the bytes."""
     return [
-        cdr_codec_for(STRING).decode(bytes.fromhex(one)).data for one in robot.heard(topic=topic)
+        cdr_codec_for(STRING).decode(bytes.fromhex(text)).data for text in robot.heard(topic=topic)
     ]
 
 
@@ -107,10 +107,10 @@ def test_a_stream_of_the_robot_arrives_in_order(
     make_context: MakeContext, spin: Spin, peer: Peers, bridge: Bridges
 ) -> None:
     robot, node = peer(), Node("laptop", context=make_context())
-    inbox = Inbox(node, "/count")
+    inbox = Inbox(node, "/count", qos=500)
     spin(node)
     bridge()
-    robot.advertise(topic="/count", type="std_msgs/msg/String")
+    robot.advertise(topic="/count", type="std_msgs/msg/String", depth=500)
     assert eventually(lambda: robot.subscriber_count(topic="/count"))
     robot.stream(topic="/count", count=500, hertz=500)
     assert eventually(lambda: "499" in inbox.texts)
@@ -129,13 +129,16 @@ def test_the_graph_shows_the_nodes_of_the_robot(
     assert eventually(lambda: ("turtle", "/") in node.get_node_names_and_namespaces())
     assert eventually(lambda: node.get_publishers_info_by_topic("/pose"))
     pose = node.get_publishers_info_by_topic("/pose")
-    assert [(one.node_name, one.topic_type) for one in pose] == [
+    assert [(publisher.node_name, publisher.topic_type) for publisher in pose] == [
         ("turtle", "geometry_msgs/msg/Pose")
     ]
     assert pose[0].qos_profile.reliability is ReliabilityPolicy.BEST_EFFORT
     assert eventually(
         lambda: (
-            [one.node_name for one in node.get_subscriptions_info_by_topic("/cmd_vel")]
+            [
+                subscription.node_name
+                for subscription in node.get_subscriptions_info_by_topic("/cmd_vel")
+            ]
             == ["turtle"]
         )
     )

@@ -421,8 +421,8 @@ def test_spin_once_runs_no_callback_of_a_node_that_was_spun_before(
     calls: list[str] = []
     visitor = zbot.Node("visitor", context=context)
     zbot.spin_once(node, timeout_sec=0)
-    for one in (node, visitor):
-        one.create_guard_condition(partial(calls.append, one.get_name())).trigger()
+    for owner in (node, visitor):
+        owner.create_guard_condition(partial(calls.append, owner.get_name())).trigger()
     for wanted in (visitor, node):
         for _ in range(20):
             zbot.spin_once(wanted, timeout_sec=0)

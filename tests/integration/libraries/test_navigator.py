@@ -48,6 +48,8 @@ class Nav2(zbot.Node):
             (action.ComputePathToPose, "compute_path_to_pose"),
             (action.ComputeAndTrackRoute, "compute_and_track_route"),
             (action.Spin, "spin"),
+            (action.DockRobot, "dock_robot"),
+            (action.UndockRobot, "undock_robot"),
         ):
             ActionServer[Any, Any, Any](
                 self,
@@ -80,7 +82,9 @@ class Nav2(zbot.Node):
         goal = handle.request
         self.goals.append(goal)
         kind: Any = next(
-            one for one in vars(action).values() if getattr(one, "Goal", None) is type(goal)
+            member
+            for member in vars(action).values()
+            if getattr(member, "Goal", None) is type(goal)
         )
         feedback = kind.Feedback()
         if isinstance(goal, action.NavigateToPose.Goal):
@@ -189,7 +193,7 @@ def test_places_are_a_list_or_a_message(
 ) -> None:
     task = navigator.goThroughPoses(form([place(1.0), place(2.0)]))
     assert finish(navigator, task) is TaskResult.SUCCEEDED
-    assert [one.pose.position.x for one in nav2.goals[0].poses.goals] == [1.0, 2.0]
+    assert [goal.pose.position.x for goal in nav2.goals[0].poses.goals] == [1.0, 2.0]
 
 
 def test_numbers_may_be_whole(nav2: Nav2, navigator: BasicNavigator) -> None:
@@ -198,10 +202,26 @@ def test_numbers_may_be_whole(nav2: Nav2, navigator: BasicNavigator) -> None:
     assert (goal.target_yaw, goal.time_allowance.sec) == (3.0, 4)
 
 
+def test_a_robot_docks_at_a_place_or_a_name(nav2: Nav2, navigator: BasicNavigator) -> None:
+    dock = place(1.5)
+    by_pose = navigator.dockRobotByPose(dock, "charger", nav_to_dock=False)
+    assert (by_pose, finish(navigator, by_pose)) == (RunningTask.DOCK_ROBOT, TaskResult.SUCCEEDED)
+    finish(navigator, navigator.dockRobotByID("home"))
+    leaving = navigator.undockRobot("charger")
+    assert (leaving, finish(navigator, leaving)) == (RunningTask.UNDOCK_ROBOT, TaskResult.SUCCEEDED)
+    assert nav2.goals == [
+        action.DockRobot.Goal(
+            dock_pose=dock, dock_type="charger", use_dock_id=False, navigate_to_staging_pose=False
+        ),
+        action.DockRobot.Goal(dock_id="home", use_dock_id=True, navigate_to_staging_pose=True),
+        action.UndockRobot.Goal(dock_type="charger"),
+    ]
+
+
 def test_a_path_is_returned(navigator: BasicNavigator) -> None:
     path = navigator.getPath(place(1.0), place(2.0), use_start=True)
     assert path is not None
-    assert [one.pose.position.x for one in path.poses] == [1.0, 2.0]
+    assert [pose.pose.position.x for pose in path.poses] == [1.0, 2.0]
 
 
 def test_feedback_of_a_route_is_complete_beside_another_task(navigator: BasicNavigator) -> None:
@@ -209,7 +229,7 @@ def test_feedback_of_a_route_is_complete_beside_another_task(navigator: BasicNav
     assert finish(navigator, navigator.goToPose(place(1.0))) is TaskResult.SUCCEEDED
     assert finish(navigator, route) is TaskResult.SUCCEEDED
     edges = [navigator.getFeedback(RunningTask.COMPUTE_AND_TRACK_ROUTE) for _ in range(4)]
-    assert [one and one.current_edge_id for one in edges] == [0, 1, 2, None]
+    assert [edge and edge.current_edge_id for edge in edges] == [0, 1, 2, None]
 
 
 def test_a_route_needs_two_ids_or_two_poses(navigator: BasicNavigator) -> None:
@@ -229,6 +249,8 @@ def test_services_of_nav2_are_called(nav2: Nav2, navigator: BasicNavigator) -> N
     navigator.lifecycleStartup()
     navigator.lifecycleShutdown()
     commands = [
-        one.command for one in nav2.requests if isinstance(one, srv.ManageLifecycleNodes.Request)
+        request.command
+        for request in nav2.requests
+        if isinstance(request, srv.ManageLifecycleNodes.Request)
     ]
     assert commands == [0, 4]

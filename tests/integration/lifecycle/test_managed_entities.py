@@ -121,7 +121,11 @@ def test_a_managed_publisher_publishes_while_active_and_warns_once(
     robot.trigger_activate()
     publisher.publish(String(data="five"))
     assert wait_until(lambda: heard == ["three", "five"])
-    warnings = [one.message for one in logged if one.name == "robot" and "dropped" in one.message]
+    warnings = [
+        record.message
+        for record in logged
+        if record.name == "robot" and "dropped" in record.message
+    ]
     assert len(warnings) == 2
     assert warnings[0] == (
         "a message on /chatter was dropped: the node is not active "

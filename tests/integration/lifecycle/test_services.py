@@ -113,8 +113,13 @@ def test_another_node_sees_states_and_transitions(
         context, GetAvailableTransitions, "/robot/get_available_transitions"
     ).available_transitions
     assert [
-        (one.transition.id, one.transition.label, one.start_state.label, one.goal_state.label)
-        for one in possible
+        (
+            description.transition.id,
+            description.transition.label,
+            description.start_state.label,
+            description.goal_state.label,
+        )
+        for description in possible
     ] == [
         (1, "configure", "unconfigured", "configuring"),
         (5, "shutdown", "unconfigured", "shuttingdown"),
@@ -154,8 +159,10 @@ def test_one_of_several_callers_changes_the_state(make_context: MakeContext, spi
     contexts = [make_context() for _ in range(3)]
     done: list[bool] = []
     callers = [
-        threading.Thread(target=lambda one=one: done.append(change(one, label="configure")))
-        for one in contexts
+        threading.Thread(
+            target=lambda context=context: done.append(change(context, label="configure"))
+        )
+        for context in contexts
     ]
     for caller in callers:
         caller.start()

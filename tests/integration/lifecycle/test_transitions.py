@@ -100,7 +100,7 @@ def test_an_exception_is_an_error_logged_with_its_line(robot: Robot, logged: lis
     robot.plan = {"configure": ValueError("no camera")}
     assert robot.trigger_configure() is Outcome.ERROR
     assert robot.label == "unconfigured"
-    (record,) = [one for one in logged if one.name == "robot"]
+    (record,) = [record for record in logged if record.name == "robot"]
     lines = record.message.splitlines()
     assert lines[0] == "on_configure() failed in the transition from unconfigured:"
     assert "conftest.py" in lines[2]

@@ -63,7 +63,7 @@ def test_another_node_sets_and_deletes(node: zbot.Node, client: AsyncParameterCl
     ]
     responses: list[Any] = []
     results = answer(client.set_parameters(wanted, responses.append)).results
-    assert [one.successful for one in results] == [True, True, False, False, False]
+    assert [result.successful for result in results] == [True, True, False, False, False]
     assert "'nope'" in results[2].reason
     assert "expected 'double' got 'string'" in results[3].reason
     assert "unexpected parameter type 42" in results[4].reason
@@ -73,7 +73,7 @@ def test_another_node_sets_and_deletes(node: zbot.Node, client: AsyncParameterCl
     assert not answer(client.set_parameters_atomically(both)).result.successful
     assert node.get_parameter("speed").value == 2.0
     deleted = answer(client.delete_parameters(["free", "speed"])).results
-    assert [one.successful for one in deleted] == [True, False]
+    assert [result.successful for result in deleted] == [True, False]
     with pytest.raises(ParameterNotDeclaredException):
         node.get_parameter("free")
 
@@ -88,7 +88,7 @@ def test_another_node_loads_a_file(
         "/**:\n  ros__parameters: {speed: 5}\n/lab/robot:\n  ros__parameters: {gains: []}"
     )
     assert all(
-        one.successful for one in answer(client.load_parameter_file(str(path), True)).results
+        result.successful for result in answer(client.load_parameter_file(str(path), True)).results
     )
     assert (node.get_parameter("speed").value, node.get_parameter("gains").value) == (5.0, [])
     path.write_text("/lab/robot:\n  ros__parameters: {speed: 6, gains: [1, 2.5]}")

@@ -29,10 +29,10 @@ def test_every_change_is_published(node: zbot.Node, client: AsyncParameterClient
     node.set_parameters([Parameter("speed", value=2.0)])
     node.undeclare_parameter("speed")
     assert wait_until(lambda: len(events) == 3)
-    assert [one.node for one in events] == ["/lab/robot"] * 3
-    assert [one.name for one in events[0].new_parameters] == ["speed"]
-    assert [one.value.double_value for one in events[1].changed_parameters] == [2.0]
-    assert [one.value.type for one in events[2].deleted_parameters] == [0]
+    assert [event.node for event in events] == ["/lab/robot"] * 3
+    assert [parameter.name for parameter in events[0].new_parameters] == ["speed"]
+    assert [parameter.value.double_value for parameter in events[1].changed_parameters] == [2.0]
+    assert [parameter.value.type for parameter in events[2].deleted_parameters] == [0]
     assert events[0].stamp.sec > 0
     assert subscription.topic_name == "/parameter_events"
 
@@ -44,7 +44,7 @@ def test_a_handler_calls_the_callbacks_of_the_changed_parameter(
     handler = ParameterEventHandler(watcher)
     heard: list[Any] = []
     of_speed = handler.add_parameter_callback(
-        "speed", "robot", lambda one: heard.append(("speed", one.value.double_value))
+        "speed", "robot", lambda parameter: heard.append(("speed", parameter.value.double_value))
     )
     handler.add_parameter_callback("speed", "/other", lambda _: heard.append("wrong node"))
     handler.add_parameter_callback("use_sim_time", "", lambda _: heard.append("own"))

@@ -10,12 +10,8 @@ import zbot
 from tests.conftest import wait_until
 from zbot.errors import ArgumentTypeError
 from zbot.node.service_types import PARAMETER_SERVICES
-from zbot.parameters.errors import (
-    InvalidParameterTypeException,
-    ParameterListError,
-    UnknownCallbackError,
-)
-from zbot.parameters.parameter import Parameter
+from zbot.parameters.errors import ParameterListError, UnknownCallbackError
+from zbot.parameters.parameter import InvalidParameterTypeException, Parameter
 
 from rcl_interfaces.msg import (
     IntegerRange,
@@ -54,7 +50,7 @@ def test_the_services_carry_the_hashes_of_their_types() -> None:
 
 def test_the_services_can_be_left_out(make_context: MakeContext) -> None:
     node = zbot.Node("quiet", context=make_context(), start_parameter_services=False)
-    assert [one.service_name for one in node.services] == ["/quiet/get_type_description"]
+    assert [service.service_name for service in node.services] == ["/quiet/get_type_description"]
     assert node.has_parameter("use_sim_time")
 
 
@@ -69,7 +65,9 @@ def test_parameters_are_declared_read_and_set_as_in_rclpy(node: zbot.Node) -> No
     )
     assert node.describe_parameter("drive.speed").description == "m/s"
     assert node.describe_parameter("drive.speed").name == "drive.speed"
-    assert {name: one.value for name, one in node.get_parameters_by_prefix("drive").items()} == {
+    assert {
+        name: parameter.value for name, parameter in node.get_parameters_by_prefix("drive").items()
+    } == {
         "speed": 1.0,
         "gear": None,
         "name": "ada",
@@ -77,7 +75,7 @@ def test_parameters_are_declared_read_and_set_as_in_rclpy(node: zbot.Node) -> No
     results = node.set_parameters(
         [Parameter("drive.speed", value=2), Parameter("drive.gear", value="first")]
     )
-    assert [one.successful for one in results] == [True, False]
+    assert [result.successful for result in results] == [True, False]
     assert node.get_parameters(["drive.speed", "drive.name"])[0].value == 2.0
     assert node.get_parameter_types(["drive.speed", "drive.gear"]) == [Type.DOUBLE, Type.NOT_SET]
     assert node.get_parameter_or("drive.gear", Parameter("other", value=3)).value == 3
@@ -156,7 +154,7 @@ def test_callbacks_come_and_go(node: zbot.Node) -> None:
     announced: list[float] = []
 
     def double(given: list[Parameter[Any]]) -> list[Parameter[Any]]:
-        return [Parameter(one.name, value=one.value * 2) for one in given]
+        return [Parameter(parameter.name, value=parameter.value * 2) for parameter in given]
 
     def refuse(given: list[Parameter[Any]]) -> SetParametersResult:
         return SetParametersResult(successful=given[0].value < 10, reason="too fast")

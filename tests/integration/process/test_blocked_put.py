@@ -54,7 +54,9 @@ def test_a_signal_that_does_not_end_the_program_loses_no_message(
     listener = zbot.Node("listener", context=make_context())
     heard: list[int] = []
     keep_all = zbot.QoSProfile(history=zbot.HistoryPolicy.KEEP_ALL)
-    listener.create_subscription(Int64, "numbers", lambda one: heard.append(one.data), keep_all)
+    listener.create_subscription(
+        Int64, "numbers", lambda message: heard.append(message.data), keep_all
+    )
     sender = start(source=SENDER.replace("{name}", name))
     sender.wait_for("waits")
     sender.process.send_signal(getattr(signal, name))

@@ -33,8 +33,11 @@ publisher = node.create_publisher(String, "chatter", 10)
 heard = set()
 node.create_subscription(String, "answers", lambda message: heard.add(message.data), 10)
 
+publishing = threading.Event()
+publishing.set()
+
 def flood():
-    while rclpy.ok():
+    while publishing.is_set():
         publisher.publish(String(data="from the parent"))
         time.sleep(0.0001)
 
@@ -50,6 +53,8 @@ for thread in threads:
 
 def end():
     print("parent sees", node.get_node_names())
+    publishing.clear()  # a publish() after shutdown() would raise
+    threads[0].join()
     rclpy.shutdown()
     for thread in threads:
         thread.join()
@@ -142,8 +147,10 @@ end()
 """
     )
     assert program.wait() == 0
-    said = [one for one in program.lines if "ForkedProcessError" in one]
-    assert [("call rclpy.init() here" in one and "spawn" in one) for one in said] == [True] * needs
+    said = [line for line in program.lines if "ForkedProcessError" in line]
+    assert [("call rclpy.init() here" in line and "spawn" in line) for line in said] == [
+        True
+    ] * needs
     assert program.lines[-2:] == ["exit code 0", "parent sees ['parent']"]
 
 
@@ -241,7 +248,7 @@ zbot.spin(node)
     )
     assert program.wait() == 0
     assert program.lines[-1] == "exit code 1"
-    assert any(one.startswith("zbot.errors.ForkedProcessError: ") for one in program.lines)
+    assert any(line.startswith("zbot.errors.ForkedProcessError: ") for line in program.lines)
 
 
 WAYS = {

@@ -76,8 +76,8 @@ def make_plain(endpoint: str, free_domain: int) -> Iterator[MakePlain]:
         return made[-1]
 
     yield make
-    for one in made:
-        one.close()
+    for peer in made:
+        peer.close()
 
 
 @pytest.fixture

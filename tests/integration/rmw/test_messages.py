@@ -37,10 +37,15 @@ def test_a_node_of_ros_2_gets_messages_with_the_number_and_gid_of_the_token(
     assert wait_until(lambda: len(samples) == 2)
     assert [sample.payload.to_bytes() for sample in samples] == [string("one"), string("two")]
     facts = [sample.attachment.to_bytes() for sample in samples]
-    assert [struct.unpack("<qqB", one[:17])[::2] for one in facts] == [(1, 16), (2, 16)]
-    assert wait_until(lambda: any("%chatter" in one for one in plain.tokens()))
-    (token,) = [one for one in plain.tokens() if "/MP/" in one and "%chatter" in one]
-    assert {one[17:] for one in facts} == {gid_of(token)}
+    assert [struct.unpack("<qqB", attachment[:17])[::2] for attachment in facts] == [
+        (1, 16),
+        (2, 16),
+    ]
+    assert wait_until(lambda: any("%chatter" in announced for announced in plain.tokens()))
+    (token,) = [
+        announced for announced in plain.tokens() if "/MP/" in announced and "%chatter" in announced
+    ]
+    assert {attachment[17:] for attachment in facts} == {gid_of(token)}
     assert str(samples[0].encoding) == "zenoh/bytes"
 
 
@@ -96,10 +101,10 @@ def test_latched_messages_reach_a_late_node_of_ros_2(
     plain = make_plain()
     # Zenoh asks each publisher for its history once, as soon as it sees the publisher. On a busy
     # machine, this may be before the link is complete.
-    assert wait_until(lambda: any("/MP/" in one and "%map" in one for one in plain.tokens()))
+    assert wait_until(lambda: any("/MP/" in token and "%map" in token for token in plain.tokens()))
     samples = plain.subscribe("/map", qos=LATCHED)
     assert wait_until(lambda: len(samples) == 3)
-    assert [text_of(one.payload.to_bytes()) for one in samples] == ["2", "3", "4"]
+    assert [text_of(sample.payload.to_bytes()) for sample in samples] == ["2", "3", "4"]
 
 
 def test_a_late_subscription_gets_latched_messages_of_ros_2(
@@ -121,10 +126,10 @@ def test_a_client_calls_a_server_of_ros_2(plain: Ros2Node, node: zbot.Node) -> N
     client = node.create_client(AddTwoInts, "add")
     assert client.wait_for_service(10)
     assert [client.call(AddTwoInts.Request(a=a, b=2), 10).sum for a in (40, 41)] == [42, 43]
-    assert [struct.unpack("<q", one[:8])[0] for one in seen] == [1, 2]
-    assert wait_until(lambda: any("/SC/" in one for one in plain.tokens()))
-    (token,) = [one for one in plain.tokens() if "/SC/" in one]
-    assert {one[17:] for one in seen} == {gid_of(token)}
+    assert [struct.unpack("<q", attachment[:8])[0] for attachment in seen] == [1, 2]
+    assert wait_until(lambda: any("/SC/" in announced for announced in plain.tokens()))
+    (token,) = [announced for announced in plain.tokens() if "/SC/" in announced]
+    assert {attachment[17:] for attachment in seen} == {gid_of(token)}
 
 
 def test_a_server_answers_a_client_of_ros_2(plain: Ros2Node, node: zbot.Node, spin: Spin) -> None:
@@ -135,7 +140,7 @@ def test_a_server_answers_a_client_of_ros_2(plain: Ros2Node, node: zbot.Node, sp
     node.create_service(AddTwoInts, "add", add)
     spin(node)
     key = plain.announce("SC", "/add", ADD)
-    assert wait_until(lambda: any("/SS/" in one and "%add/" in one for one in plain.tokens()))
+    assert wait_until(lambda: any("/SS/" in token and "%add/" in token for token in plain.tokens()))
     (reply,) = plain.call(key, REQUEST, plain.attachment(7))
     assert reply.ok is not None
     assert reply.ok.payload.to_bytes() == b"\0\1\0\0" + struct.pack("<q", 42)
@@ -151,7 +156,7 @@ def test_a_request_without_attachment_is_refused_with_a_sentence(
     node.create_service(AddTwoInts, "add", lambda _, response: response)
     spin(node)
     key = plain.announce("SC", "/add", ADD)
-    assert wait_until(lambda: any("/SS/" in one and "%add/" in one for one in plain.tokens()))
+    assert wait_until(lambda: any("/SS/" in token and "%add/" in token for token in plain.tokens()))
     (reply,) = plain.call(key, REQUEST, None)
     assert reply.err is not None
     assert "it has no attachment" in reply.err.payload.to_bytes().decode()
@@ -161,12 +166,12 @@ def test_the_tokens_of_a_node_are_those_of_ros_2(plain: Ros2Node, node: zbot.Nod
     node.create_publisher(String, "~/text", 10)
     zid = node.context.zid
     head = f"@ros2_lv/{plain.domain}/{zid}/0"
-    assert wait_until(lambda: any("%robot%text" in one for one in plain.tokens()))
-    own = [one for one in plain.tokens() if zid in one]
+    assert wait_until(lambda: any("%robot%text" in token for token in plain.tokens()))
+    own = [token for token in plain.tokens() if zid in token]
     assert f"{head}/0/NN/%/%/robot" in own
     assert f"{head}/10/MP/%/%/robot/%robot%text/{'/'.join(STRING)}/::,10:,:,:,," in own
-    rosout = [one for one in own if "%rosout" in one]
-    assert [one.rpartition("/")[2] for one in rosout] == [":1:,1000:,:10,0:,,"]
+    rosout = [token for token in own if "%rosout" in token]
+    assert [token.rpartition("/")[2] for token in rosout] == [":1:,1000:,:10,0:,,"]
     assert len(own) == 11
 
 

@@ -199,7 +199,7 @@ def test_a_node_speaks_as_humble_if_the_others_do(
     plain: Ros2Node, make_node: MakeNode, spin: Spin
 ) -> None:
     samples = plain.subscribe("/answer", (STRING[0], NO_HASH))
-    assert wait_until(lambda: any("%answer" in one for one in plain.tokens()))
+    assert wait_until(lambda: any("%answer" in token for token in plain.tokens()))
     node = make_node()
     assert node.context.dialect is HUMBLE
     publisher = node.create_publisher(String, "answer", 10)

@@ -26,7 +26,7 @@ def web(system: System) -> Iterator[WebProgram]:
     bridge = Bridge(system)
     program = WebProgram(bridge)
     yield program
-    program.session.close()
+    program.dispatcher.close()
     bridge.close()
 
 

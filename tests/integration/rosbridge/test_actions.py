@@ -51,7 +51,7 @@ def test_send_a_goal(web: WebProgram, node: zbot.Node, spin: Callable[..., Spinn
     web.send("send_action_goal", id="bad", args={"order": "x"}, **goal)
     result = web.wait_for("action_result", id="bad")
     assert (result["status"], result["result"]) == (0, False)
-    assert "order needs an integer" in result["values"]
+    assert "order must be an int" in result["values"]
 
 
 def test_a_goal_has_one_answer(
@@ -65,11 +65,11 @@ def test_a_goal_has_one_answer(
     web.send(
         "send_action_goal", id="g", action="/count", action_type="example_interfaces/Fibonacci"
     )
-    goal = web.session._actions._goals["g"]
+    goal = web.dispatcher._actions._goals["g"]
     spin(node)
     web.wait_for("action_result", id="g")
     goal.fail("too late")
-    assert not [one for one in web.read() if one["op"] == "action_result"]
+    assert not [answer for answer in web.read() if answer["op"] == "action_result"]
 
 
 def test_serve_an_action(web: WebProgram, node: zbot.Node, spin: Callable[..., Spinner]) -> None:
@@ -81,7 +81,9 @@ def test_serve_an_action(web: WebProgram, node: zbot.Node, spin: Callable[..., S
 
     def send(order: int) -> tuple[Any, str]:
         goal = Fibonacci.Goal(order=order)
-        future = client.send_goal_async(goal, lambda one: feedback.append(one.feedback.sequence))
+        future = client.send_goal_async(
+            goal, lambda message: feedback.append(message.feedback.sequence)
+        )
         request = web.wait_for("send_action_goal", action="/fold")
         assert request["args"] == {"order": order}
         assert wait_until(future.done, 10)
@@ -94,7 +96,7 @@ def test_serve_an_action(web: WebProgram, node: zbot.Node, spin: Callable[..., S
 
     handle, id_ = send(3)
     web.send("action_feedback", action="/fold", id=id_, values={"sequence": [7]})
-    assert wait_until(lambda: [list(one) for one in feedback] == [[7]], 10)
+    assert wait_until(lambda: [list(sequence) for sequence in feedback] == [[7]], 10)
     values = {"sequence": [1, 2]}
     web.send("action_result", action="/fold", id=id_, values=values, status=4, result=True)
     assert outcome(handle) == (4, [1, 2])

@@ -60,7 +60,7 @@ def test_what_a_client_has_created_ends_with_it(web: WebProgram, node: zbot.Node
     assert wait_until(lambda: node.count_services("/d/_action/send_goal") == 1, 10)
     assert node.count_publishers("/a") == node.count_subscribers("/b") == 1
     assert node.count_services("/c") == 1
-    web.session.close()
+    web.dispatcher.close()
     assert wait_until(lambda: node.count_services("/d/_action/send_goal") == 0, 10)
     assert wait_until(lambda: node.count_publishers("/a") == node.count_subscribers("/b") == 0, 10)
     assert wait_until(lambda: node.count_services("/c") == 0, 10)
@@ -70,7 +70,8 @@ def test_what_a_client_has_created_ends_with_it(web: WebProgram, node: zbot.Node
 
 
 def test_a_client_has_limits(web: WebProgram, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(topic_operations, "MAX_TOPICS", 1)
+    monkeypatch.setattr(topic_operations, "MAX_PUBLISHED", 1)
+    monkeypatch.setattr(topic_operations, "MAX_SUBSCRIBED", 1)
     monkeypatch.setattr(service_operations, "MAX_SERVICES", 1)
     for op, name, kind in (
         ("advertise", "topic", "std_msgs/String"),

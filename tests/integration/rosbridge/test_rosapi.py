@@ -86,7 +86,7 @@ def test_stuck_nodes_are_left_out_of_the_names_of_parameters(
     assert wait_until(lambda: services <= set(dict(web.session.bridge.graph().services())), 10)
     names = web.call("/rosapi/get_param_names")["names"]
     assert "/robot:limit" in names
-    assert not [one for one in names if one.startswith("/stuck")]
+    assert not [name for name in names if name.startswith("/stuck")]
 
 
 def test_a_defect_of_a_procedure_is_an_answer(

@@ -36,7 +36,7 @@ def test_call_service(web: WebProgram, node: zbot.Node, spin: Callable[..., Spin
     assert web.wait_for("service_response")["values"] == {"sum": 9}
     for service, args, reason in (
         ("/nothing", {}, "no service /nothing"),
-        ("/add", {"a": "1"}, "a needs an integer"),
+        ("/add", {"a": "1"}, "a must be an int"),
         ("/add", {"a": -1}, "a is negative"),
     ):
         web.send("call_service", service=service, args=args, id=3)
@@ -82,8 +82,8 @@ def test_a_defect_at_the_start_does_not_take_a_place_for_ever(
         values = "the server failed: KeyError('defect')"
         assert (answer["result"], answer["values"]) == (False, values)
     assert "Traceback" in capfd.readouterr().err
-    assert not web.session._services._calls
-    assert not web.session._actions._goals
+    assert not web.dispatcher._services._calls
+    assert not web.dispatcher._actions._goals
 
 
 def test_serve_a_service(web: WebProgram, node: zbot.Node) -> None:
@@ -109,8 +109,8 @@ def test_serve_a_service(web: WebProgram, node: zbot.Node) -> None:
 
     assert answer(1, values={"sum": 2}, result=True) == 2
     assert "no cable" in answer(2, values="no cable", result=False)
-    assert "sum needs an integer" in answer(3, values={"sum": "x"}, result=True)
-    assert "sum needs an integer" in web.wait_for("status")["msg"]
+    assert "sum must be an int" in answer(3, values={"sum": "x"}, result=True)
+    assert "sum must be an int" in web.wait_for("status")["msg"]
     thread = threading.Thread(target=call, args=(4,))
     thread.start()
     web.wait_for("call_service")

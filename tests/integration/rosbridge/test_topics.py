@@ -35,7 +35,7 @@ def test_subscribe_sends_messages_until_unsubscribe(web: WebProgram, node: zbot.
     assert repeat_until_sent(publisher, String(), web, "publish")
     web.send("unsubscribe", topic="chatter", id="b")
     assert wait_until(lambda: node.count_subscribers("chatter") == 0, 10)
-    assert not [one for one in web.read() if one["op"] == "status"]
+    assert not [answer for answer in web.read() if answer["op"] == "status"]
 
 
 def test_a_latched_message_and_nan_arrive(web: WebProgram, node: zbot.Node) -> None:
@@ -138,7 +138,7 @@ def test_status_levels(web: WebProgram) -> None:
     web.send("advertise", topic="/b", type="std_msgs/String", id=5)
     web.send("set_level", level="none")
     web.send("dance")
-    levels = [one["level"] for one in web.read()]
+    levels = [answer["level"] for answer in web.read()]
     assert levels == ["warning", "info"]
     assert web.received[1]["id"] == 5
 

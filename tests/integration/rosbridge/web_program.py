@@ -7,6 +7,7 @@ import threading
 from typing import TYPE_CHECKING, Any
 
 from tests.conftest import wait_until
+from zbot.web.rosbridge.dispatcher import Dispatcher
 from zbot.web.rosbridge.session import Session
 
 if TYPE_CHECKING:
@@ -20,6 +21,7 @@ class WebProgram:
 
     def __init__(self, bridge: Bridge) -> None:
         self.session = Session(bridge, lambda: None, self._call_later)
+        self.dispatcher = Dispatcher(self.session)
         self.received: list[dict[str, Any]] = []
 
     @staticmethod
@@ -27,7 +29,7 @@ class WebProgram:
         threading.Timer(delay_s, function).start()
 
     def send(self, op: str, **fields: Any) -> None:
-        self.session.take(json.dumps({"op": op, **fields}))
+        self.dispatcher.take(json.dumps({"op": op, **fields}))
 
     def read(self) -> list[dict[str, Any]]:
         self.received += map(json.loads, self.session.outbox.take().frames)
@@ -39,7 +41,7 @@ class WebProgram:
 
         def has_come() -> bool:
             wanted = {"op": op, **fields}
-            found[:] = [one for one in self.read() if wanted.items() <= one.items()]
+            found[:] = [answer for answer in self.read() if wanted.items() <= answer.items()]
             return bool(found)
 
         assert wait_until(has_come, 10), self.received
@@ -56,7 +58,7 @@ class WebProgram:
 def repeat_until_sent(publisher: Any, message: Any, web: WebProgram, op: str) -> dict[str, Any]:
     def attempt() -> bool:
         publisher.publish(message)
-        return any(one["op"] == op for one in web.read())
+        return any(answer["op"] == op for answer in web.read())
 
     assert wait_until(attempt, 10)
     return web.wait_for(op)

@@ -10,10 +10,12 @@ import pytest
 import zbot
 from tests.conftest import wait_until
 from tests.integration.services.conftest import Request, Response, add, client_of
+from zbot.action import ActionClient
 from zbot.errors import InvalidHandleError, NotInitializedError, WrongTypeError
 from zbot.interfaces.errors import NotAMessageTypeError
 from zbot.node.errors import ServiceError
 
+from example_interfaces.action import Fibonacci
 from example_interfaces.srv import AddTwoInts
 from std_srvs.srv import Trigger
 
@@ -50,6 +52,19 @@ def test_a_missing_response_is_reported_on_both_sides(
     assert isinstance(spinner.error, WrongTypeError)
 
 
+def test_a_long_wait_for_a_server_is_told_once(
+    caller: zbot.Node, logged: list[Record], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("zbot.node.client._QUIET_S", 0.05)
+    assert not caller.create_client(AddTwoInts, "add").wait_for_service(0.2)
+    assert not ActionClient(caller, Fibonacci, "count").wait_for_server(0.2)
+    texts = [record.message for record in logged if "waiting" in record.message]
+    assert texts == [
+        "waiting for /add: no server is running",
+        "waiting for /count: no server is running",
+    ]
+
+
 def test_a_blocking_call_without_a_server_fails_at_once(caller: zbot.Node) -> None:
     client = caller.create_client(AddTwoInts, "add")
     with pytest.raises(ServiceError, match="no server is running"):
@@ -66,7 +81,7 @@ def test_a_future_of_a_call_without_a_server_is_never_done(
     client = caller.create_client(AddTwoInts, "add")
     lost = [client.call_async(Request(a=1, b=2)) for _ in range(2)]
     assert not any(future.done() for future in lost)
-    warnings = [one.message for one in logged if "no server is running" in one.message]
+    warnings = [record.message for record in logged if "no server is running" in record.message]
     assert len(warnings) == 1
     server = zbot.Node("server", context=make_context())
     server.create_service(AddTwoInts, "add", add)

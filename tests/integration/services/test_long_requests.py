@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 @pytest.fixture(autouse=True)
 def short_time(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("zbot.node.service_request._FIRST_TIMEOUT_S", 0.1)
-    monkeypatch.setattr("zbot.node.deduplication._LATE_S", 0.02)
+    monkeypatch.setattr("zbot.node.service_request._LATE_S", 0.02)
 
 
 @pytest.mark.parametrize("kind", ["call", "call_async"])

@@ -169,7 +169,7 @@ class Peer:
         feedback = []
         sent = client.send_goal_async(
             Fibonacci.Goal(order=order),
-            feedback_callback=lambda one: feedback.append(list(one.feedback.sequence)),
+            feedback_callback=lambda message: feedback.append(list(message.feedback.sequence)),
         )
         deadline = time.monotonic() + 10
         while not sent.done() and time.monotonic() < deadline:

@@ -14,7 +14,7 @@ def main():
     node = rclpy.create_node("base")
     publisher = node.create_publisher(BatteryState, "battery", 10)
     node.create_timer(0.1, lambda: publisher.publish(BatteryState(percentage=0.75)))
-    node.create_subscription(Twist, "cmd_vel", lambda one: print("speed", one.linear.x), 10)
+    node.create_subscription(Twist, "cmd_vel", lambda message: print("speed", message.linear.x), 10)
 
     def beep(request, response):
         response.success, response.message = True, "beep"

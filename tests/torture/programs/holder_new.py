@@ -21,7 +21,9 @@ def main() -> None:
     wanted, heard = int(sys.argv[1]), set[int]()
     with zbot.init():
         node = zbot.Node("new")
-        node.create_subscription(Int64, "numbers", lambda one: heard.add(one.data // 10**9), 10)
+        node.create_subscription(
+            Int64, "numbers", lambda message: heard.add(message.data // 10**9), 10
+        )
         deadline = time.monotonic() + _TIMEOUT_S
         while len(heard) < wanted and time.monotonic() < deadline:
             zbot.spin_once(node, timeout_sec=0.1)

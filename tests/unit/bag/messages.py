@@ -50,4 +50,4 @@ def names_and_messages(path: Path) -> list[tuple[str, Any]]:
 
 
 def expected(messages: list[Any]) -> list[tuple[str, Any]]:
-    return [(f"/{type(one).__name__.lower()}", one) for one in messages]
+    return [(f"/{type(message).__name__.lower()}", message) for message in messages]

@@ -30,13 +30,13 @@ def uses_wide_text(name: str, seen: frozenset[str] = frozenset()) -> bool:
     """Return whether a type has a wstring, which CDR readers of others do not agree on."""
     spec: Any = get_spec(name)
     return any(
-        one.type.base == "wstring"
+        field.type.base == "wstring"
         or (
-            one.type.is_message
-            and one.type.base not in seen
-            and uses_wide_text(one.type.base, seen | {name})
+            field.type.is_message
+            and field.type.base not in seen
+            and uses_wide_text(field.type.base, seen | {name})
         )
-        for one in spec.fields
+        for field in spec.fields
     )
 
 
@@ -44,9 +44,9 @@ def hash_differs(name: str) -> bool:
     """Return whether rosbags computes another hash than ROS 2: for `char`, `byte` and `wstring`."""
     spec: Any = get_spec(name)
     return any(
-        one.type.base in {"char", "byte", "wstring"}
-        or (one.type.is_message and hash_differs(one.type.base))
-        for one in spec.fields
+        field.type.base in {"char", "byte", "wstring"}
+        or (field.type.is_message and hash_differs(field.type.base))
+        for field in spec.fields
     )
 
 

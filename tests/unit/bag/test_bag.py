@@ -58,7 +58,10 @@ def test_messages_are_read_as_they_were_written(path: Path) -> None:
 def test_rosbags_reads_the_same_messages(path: Path) -> None:
     write(path, WITHOUT_CHAR)
     with AnyReader([path]) as bag:
-        found = [(one.topic, time_ns, one.msgtype, raw) for one, time_ns, raw in bag.messages()]
+        found = [
+            (connection.topic, time_ns, connection.msgtype, raw)
+            for connection, time_ns, raw in bag.messages()
+        ]
         texts = [bag.deserialize(raw, type_name) for _, _, type_name, raw in found]
     assert [raw for *_, raw in found] == list(map(serialize_message, WITHOUT_CHAR))
     assert [time_ns for _, time_ns, *_ in found] == [1_000_000 * n for n in range(len(found))]
@@ -71,7 +74,7 @@ def test_mcap_ros2_decodes_with_the_definitions_in_the_file(path: Path) -> None:
     write(path, MESSAGES)
     with (path / "lesson_0.mcap").open("rb") as stream:
         reader = make_reader(stream, decoder_factories=[DecoderFactory()])
-        found = [one.decoded_message for one in reader.iter_decoded_messages()]
+        found = [message.decoded_message for message in reader.iter_decoded_messages()]
     assert len(found) == len(MESSAGES)
     assert found[0].data == "hello"
     assert found[2].header.stamp.nanosec == 6
@@ -144,7 +147,9 @@ def test_topics_and_times_select_messages(path: Path) -> None:
     write(path, [String(data="a"), Float64(), String(data="b")])
     assert [m.data for _, m, _ in zbot.bag.read(path, ["string"])] == ["a", "b"]
     with Reader(path) as bag:
-        assert [one.topic for one in bag.messages(None, 1_000_000, 1_000_000)] == ["/float64"]
+        assert [message.topic for message in bag.messages(None, 1_000_000, 1_000_000)] == [
+            "/float64"
+        ]
         assert list(bag.messages(["/none"])) == []
 
 
@@ -159,13 +164,13 @@ def test_messages_come_in_the_order_of_their_times(path: Path) -> None:
 def test_a_long_bag_is_split(path: Path, options: dict[str, Any]) -> None:
     messages = [String(data="x" * 500 + str(n)) for n in range(40)]
     write(path, messages, **options)
-    files = sorted(one.name for one in path.glob("*.mcap"))
+    files = sorted(file.name for file in path.glob("*.mcap"))
     assert files[:2] == ["lesson_0.mcap", "lesson_1.mcap"]
     assert names_and_messages(path) == expected(messages)
     with AnyReader([path]) as bag:
         assert bag.message_count == 40
     with Reader(path) as read:
-        assert [one.path for one in read.metadata.files] == [
+        assert [file.path for file in read.metadata.files] == [
             f"lesson_{n}.mcap" for n in range(len(files))
         ]
 
@@ -180,10 +185,10 @@ def test_a_file_without_an_end_is_read_up_to_its_last_flush(path: Path) -> None:
     with Reader(copy) as read:
         assert read.metadata.message_count == 3
         assert "no end" in read.damage
-        assert [one.log_ns for one in read.messages()] == [0, 1, 2]
+        assert [message.log_ns for message in read.messages()] == [0, 1, 2]
     copy.write_bytes(copy.read_bytes()[:-30])  # in the middle of the last chunk or its index
     with Reader(copy) as read:
-        assert [one.log_ns for one in read.messages()][:2] == [0, 1]
+        assert [message.log_ns for message in read.messages()][:2] == [0, 1]
     bag.close()
 
 
@@ -221,12 +226,12 @@ def test_a_chunk_that_would_fill_the_memory_is_refused(tmp_path: Path, is_comple
             writer.finish()
         else:
             writer.flush()
-    if is_complete:
-        with pytest.raises(BagReadError, match="the limit is 1073741824"):
-            Reader(path)
-    else:
-        with Reader(path) as bag:
-            assert (list(bag.messages()), "the limit is" in bag.damage) == ([], True)
+    with Reader(path) as bag:
+        if is_complete:
+            with pytest.raises(BagReadError, match="too much memory"):
+                list(bag.messages())
+        else:
+            assert (list(bag.messages()), "too much memory" in bag.damage) == ([], True)
 
 
 def test_a_folder_without_metadata_is_read(path: Path) -> None:
@@ -255,7 +260,7 @@ def test_mistakes_are_one_sentence(path: Path, tmp_path: Path) -> None:
     with pytest.raises(BagReadError, match="not a database"):
         Reader(tmp_path / "notes.db3")
     write(path, [String()])
-    with pytest.raises(BagExistsError, match="already exists"):
+    with pytest.raises(BagExistsError, match="already exists: choose another name"):
         Writer(path)
     with pytest.raises(BagReadError, match="its storage is mcap"):
         Reader(path, "sqlite3")
@@ -284,8 +289,8 @@ def test_a_topic_keeps_its_type(path: Path) -> None:
 def test_a_removed_folder_is_told(path: Path) -> None:
     bag = Writer(path)
     bag.write("/a", String())
-    for one in path.iterdir():
-        one.unlink()
+    for file in path.iterdir():
+        file.unlink()
     path.rmdir()
     with pytest.raises(BagWriteError, match="its folder was removed"):
         bag.flush()
@@ -319,7 +324,7 @@ def without_mcap(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.mark.usefixtures("without_mcap")
 def test_a_missing_package_is_named(path: Path) -> None:
-    with pytest.raises(NoBagExtraError, match=r'install it with pip install "zbot\[bag\]"'):
+    with pytest.raises(NoBagExtraError, match=r'install it with .* -m pip install "zbot\[bag\]"'):
         Writer(path)
     assert not path.exists()
 

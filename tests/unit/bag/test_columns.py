@@ -39,7 +39,7 @@ def test_arrays_of_one_length_become_a_second_dimension(path: Path) -> None:
     found = to_numpy(path, "/laserscan")
     assert found["ranges"].shape == (3, 2)
     assert found["intensities"].dtype == object
-    assert [len(one) for one in found["intensities"]] == [0, 1, 2]
+    assert [len(values) for values in found["intensities"]] == [0, 1, 2]
     assert found["header.frame_id"].tolist() == ["", "", ""]
     assert to_numpy(path, "/string")["data"].tolist() == ["a"]
     assert to_numpy(path, "/arrays")["bool_values"].shape == (1, 3)

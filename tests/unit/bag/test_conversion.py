@@ -18,6 +18,8 @@ from zbot.bag.errors import (
     BagReadError,
     BagValueError,
 )
+from zbot.bag.options import PlayOptions, RecordOptions, StorageOptions
+from zbot.bag.writer import writer_for
 
 from geometry_msgs.msg import TwistStamped, Vector3
 from std_msgs.msg import Float64, String
@@ -115,3 +117,26 @@ def test_the_page_about_bags_has_programs_that_run(
     first, second = capsys.readouterr().out.splitlines()
     assert first.startswith("/chatter hello ")
     assert second == "1.0 0.0"
+
+
+def test_the_storage_settings_of_rosbag2_have_an_effect(tmp_path: Path) -> None:
+    config = tmp_path / "config.yaml"
+    config.write_text("compression: Gzip")
+    storage = StorageOptions(str(tmp_path / "new"), storage_config_uri=str(config))
+    with pytest.raises(BagValueError, match="compression cannot be 'Gzip'"):
+        writer_for(storage, RecordOptions())
+
+
+def test_options_without_names_select_everything() -> None:
+    assert PlayOptions().selection().takes("/a", "std_msgs/msg/String")
+    narrow = PlayOptions(topics_to_filter=["a"], exclude_regex_to_filter="b")
+    assert [narrow.selection().takes(name, "") for name in ("/a", "/b", "/c")] == [
+        True,
+        False,
+        False,
+    ]
+
+
+def test_the_last_rule_renames_a_topic() -> None:
+    options = PlayOptions(topic_remapping_options=["--ros-args", "-r", "a:=b", "/a:=c"])
+    assert (options.remap("/a"), options.remap("/d")) == ("/c", "/d")

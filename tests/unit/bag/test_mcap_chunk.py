@@ -33,9 +33,9 @@ def write(path: Path) -> None:
 def test_chunks_that_overlap_are_read_in_the_order_of_their_times(tmp_path: Path) -> None:
     write(tmp_path / "x.mcap")
     reader = McapReader(tmp_path / "x.mcap")
-    found = [(one.log_ns, one.data) for one in reader.messages(None, 0, None)]
+    found = [(message.log_ns, message.data) for message in reader.messages(None, 0, None)]
     assert found == [(number, bytes([number]) * 20) for number in sorted(TIMES)]
-    assert [one.log_ns for one in reader.messages(["/x"], 3, 5)] == [3, 4, 5, 5]
+    assert [message.log_ns for message in reader.messages(["/x"], 3, 5)] == [3, 4, 5, 5]
     assert list(reader.messages(["/y"], 0, None)) == []
 
 

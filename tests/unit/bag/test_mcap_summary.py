@@ -12,8 +12,9 @@ from mcap.writer import Writer as McapLibraryWriter
 import zbot.bag
 from zbot.bag.mcap_options import read_storage_config
 from zbot.bag.mcap_reader import McapReader
+from zbot.bag.options import StorageOptions
 from zbot.compat.rosbag2.sequential import SequentialReader
-from zbot.compat.rosbag2.storage import ConverterOptions, StorageOptions
+from zbot.compat.rosbag2.storage import ConverterOptions
 from zbot.wire.serialization import serialize_message
 
 from std_msgs.msg import String
@@ -55,19 +56,24 @@ def test_every_message_is_read_whatever_the_summary_lacks(
 ) -> None:
     for number, chosen in enumerate(itertools.product([True, False], repeat=len(INDEXES))):
         indexes = IndexType.NONE
-        for one, is_on in zip(INDEXES, chosen, strict=True):
-            indexes |= one if is_on else IndexType.NONE
+        for index, is_on in zip(INDEXES, chosen, strict=True):
+            indexes |= index if is_on else IndexType.NONE
         path = tmp_path / f"{number}.mcap"
         write(path, index_types=indexes, **dict(zip(SWITCHES, switches, strict=True)))
         reader = McapReader(path)
         assert reader.damage == ""
         assert reader.metadata.message_count == len(TEXTS)
         assert reader.metadata.ros_distro == "jazzy"
-        assert {one.topic.name: one.message_count for one in reader.metadata.topics} == {
+        assert {
+            information.topic.name: information.message_count
+            for information in reader.metadata.topics
+        } == {
             "/x": 3,
             "/y": 2,
         }
-        assert {one.topic.type_name for one in reader.metadata.topics} == {"std_msgs/msg/String"}
+        assert {information.topic.type_name for information in reader.metadata.topics} == {
+            "std_msgs/msg/String"
+        }
         found = [message.data for _, message, _ in zbot.bag.read(path)]
         assert found == TEXTS
 
@@ -106,4 +112,4 @@ def test_a_bag_with_any_option_of_rosbag2_has_all_messages(
         reader = SequentialReader()
         reader.open(StorageOptions(uri=str(path), storage_id="mcap"), ConverterOptions("", ""))
         assert reader.get_metadata().message_count == len(TEXTS)
-        assert [one.name for one in reader.get_all_topics_and_types()] == ["/x"]
+        assert [topic.name for topic in reader.get_all_topics_and_types()] == ["/x"]

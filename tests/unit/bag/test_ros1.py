@@ -14,8 +14,8 @@ import zbot.bag
 from zbot.bag import Reader
 from zbot.bag.conversion import Output, convert
 from zbot.bag.errors import BagError, BagReadError
+from zbot.bag.options import RecordOptions, StorageOptions
 from zbot.bag.ros1_message import _Decoders, decoder, read_definitions
-from zbot.bag.selection import Selection
 from zbot.interfaces.parser import parse
 from zbot.interfaces.registry import register_spec
 from zbot.qos import DurabilityPolicy
@@ -100,7 +100,7 @@ def test_messages_of_ros1_become_messages_of_ros2(old_bag: Path, compression: st
     found = list(zbot.bag.read(old_bag))
     assert [(topic, t) for topic, _, t in found] == [("/scan", 5), ("/map", 10), ("/image", 20)]
     messages = [message for _, message, _ in found]
-    assert [type(one) for one in messages] == [LaserScan, String, Image]
+    assert [type(message) for message in messages] == [LaserScan, String, Image]
     assert list(messages[0].ranges) == [1.0, 2.5]
     assert (messages[0].header.frame_id, messages[0].header.stamp.sec) == ("laser", 5)
     assert messages[1].data == "böx"
@@ -163,10 +163,10 @@ def test_types_that_only_the_bag_has_are_learned(old_bag: Path, tmp_path: Path) 
     assert (message.seen.sec, message.seen.nanosec) == (2**31 - 1, 8)  # ROS 2's times end in 2038
     assert (message.spans[0].sec, message.spans[0].nanosec) == (-1, 500_000_000)
     assert (message.corners[0].z, list(message.names), message.letter) == (3.0, ["x", "y"], 65)
-    assert [int(one) for one in message.flags] == [1, 2]
+    assert [int(flag) for flag in message.flags] == [1, 2]
     with Reader(old_bag) as bag:
-        everything = Selection(all_topics=True)
-        assert convert([bag], Output(tmp_path / "new", everything)) == 1
+        new = Output(StorageOptions(str(tmp_path / "new")), RecordOptions(all_topics=True))
+        assert convert([bag], new) == 1
     [(_, copied, _)] = zbot.bag.read(tmp_path / "new")
     assert copied == message
 
@@ -177,7 +177,9 @@ def test_topics_and_times_select_messages(old_bag: Path) -> None:
     ]
     write(old_bag, lines)
     with Reader(old_bag) as bag:
-        assert [one.log_ns for one in bag.messages(["/a"], 10, 20)] == list(range(10, 21, 2))
+        assert [message.log_ns for message in bag.messages(["/a"], 10, 20)] == list(
+            range(10, 21, 2)
+        )
 
 
 def test_damaged_files_are_refused_or_read(old_bag: Path, tmp_path: Path) -> None:
@@ -199,7 +201,7 @@ def test_damaged_files_are_refused_or_read(old_bag: Path, tmp_path: Path) -> Non
 def test_a_record_without_a_kind_is_damage(old_bag: Path) -> None:
     def record(**fields: bytes) -> bytes:
         parts = [f"{name}=".encode() + value for name, value in fields.items()]
-        head = b"".join(struct.pack("<I", len(one)) + one for one in parts)
+        head = b"".join(struct.pack("<I", len(part)) + part for part in parts)
         return struct.pack("<I", len(head)) + head + struct.pack("<I", 0)
 
     none = struct.pack("<I", 0)
@@ -216,7 +218,7 @@ def wide_definition(levels: int, fields: int, kind: str = "") -> str:
     """Return a message in which each level holds several of the next; the last one is empty."""
     texts = []
     for level in range(levels):
-        lines = "".join(f"bomb_msgs/L{level + 1}{kind} f{one}\n" for one in range(fields))
+        lines = "".join(f"bomb_msgs/L{level + 1}{kind} f{number}\n" for number in range(fields))
         texts.append(f"MSG: bomb_msgs/L{level}\n{lines}" if level else lines)
     texts.append(f"MSG: bomb_msgs/L{levels}\n")
     return f"{'=' * 80}\n".join(texts)

@@ -10,7 +10,7 @@ from zbot.bag import Reader, Writer
 from zbot.bag.description import contributions, description, topic_names
 from zbot.bag.message import BagMessage
 from zbot.bag.selection import Selection
-from zbot.bag.snapshot_buffer import SnapshotBuffer
+from zbot.bag.write_queue import SnapshotBuffer
 
 from action_msgs.msg import GoalStatusArray
 from example_interfaces.action import Fibonacci
@@ -96,7 +96,7 @@ def test_a_snapshot_keeps_the_newest_bytes() -> None:
     buffer = SnapshotBuffer(max_bytes=35, max_duration_s=0)
     for number in range(10):
         buffer.add(message(number))
-    assert [one.publish_ns for one in buffer.take()] == [7, 8, 9]
+    assert [buffered.publish_ns for buffered in buffer.take()] == [7, 8, 9]
     assert buffer.take() == []
     buffer.add(message(1, 1000))  # a message that is larger than the limit is kept alone
     assert len(buffer.take()) == 1
@@ -106,4 +106,4 @@ def test_a_snapshot_keeps_the_newest_seconds() -> None:
     buffer = SnapshotBuffer(max_bytes=0, max_duration_s=2)
     for number in range(10):
         buffer.add(message(number))
-    assert [one.publish_ns for one in buffer.take()] == [7, 8, 9]
+    assert [buffered.publish_ns for buffered in buffer.take()] == [7, 8, 9]

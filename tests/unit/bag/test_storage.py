@@ -55,7 +55,7 @@ def test_a_sqlite_bag_of_foxy_is_read(tmp_path: Path) -> None:
 def test_compressed_files_are_read(path: Path) -> None:
     messages = [String(data="a"), Float64()]
     write(path, messages, compress_files=True)
-    assert [one.name for one in path.glob("*.zstd")] == ["lesson_0.mcap.zstd"]
+    assert [file.name for file in path.glob("*.zstd")] == ["lesson_0.mcap.zstd"]
     assert names_and_messages(path) == expected(messages)
     with AnyReader([path]) as bag:
         assert bag.message_count == 2
@@ -65,11 +65,12 @@ def test_rosbags_reads_a_sqlite_bag(path: Path) -> None:
     write(path, WITHOUT_CHAR, storage_id="sqlite3")
     with AnyReader([path]) as read:
         found: list[Any] = [
-            (one.topic, read.deserialize(data, one.msgtype)) for one, _, data in read.messages()
+            (connection.topic, read.deserialize(data, connection.msgtype))
+            for connection, _, data in read.messages()
         ]
         connections: list[Any] = read.connections
-        assert {one.topic for one in connections} == {topic for topic, _ in found}
-        assert all(one.ext.offered_qos_profiles for one in connections)
+        assert {connection.topic for connection in connections} == {topic for topic, _ in found}
+        assert all(connection.ext.offered_qos_profiles for connection in connections)
     assert len(found) == len(WITHOUT_CHAR)
     assert found[0][1].data == "hello"
 
@@ -78,7 +79,7 @@ def test_a_sqlite_bag_is_read_as_it_was_written(path: Path) -> None:
     write(path, MESSAGES, storage_id="sqlite3", max_duration_s=0.005)
     assert names_and_messages(path) == expected(MESSAGES)
     names = [f"lesson_{number}.db3" for number in range(3)]
-    assert sorted(one.name for one in path.glob("*.db3")) == names
+    assert sorted(file.name for file in path.glob("*.db3")) == names
     with Reader(path) as bag, Reader(path, uses_metadata_file=False) as scanned:
         assert bag.metadata.storage_id == "sqlite3"
         assert bag.topics == scanned.topics
@@ -109,7 +110,9 @@ def test_a_storage_config_selects_the_form_of_the_file(
         summary = make_reader(stream).get_summary()
     assert summary is not None
     assert len(summary.chunk_indexes) >= 4
-    assert {one.compression for one in summary.chunk_indexes} == {name.lower().replace("none", "")}
+    assert {index.compression for index in summary.chunk_indexes} == {
+        name.lower().replace("none", "")
+    }
 
 
 @pytest.mark.parametrize(
@@ -164,7 +167,7 @@ def test_compressed_messages_are_read_with_and_without_metadata(
 ) -> None:
     message = String(data="x" * 10_000)
     write(path, [message] * 3, storage_id=storage_id, compress_messages=True)
-    assert sum(one.stat().st_size for one in path.iterdir()) < 60_000
+    assert sum(file.stat().st_size for file in path.iterdir()) < 60_000
     with Reader(path) as bag:
         assert bag.metadata.compression_mode == "MESSAGE"
     assert names_and_messages(path) == [("/string", message)] * 3

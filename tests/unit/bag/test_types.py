@@ -66,7 +66,7 @@ def test_messages_of_other_formats_are_listed_and_refused(tmp_path: Path) -> Non
         writer.add_message(channel, 5, b"{}", 5)
         writer.finish()
     with Reader(path) as bag:
-        assert [one.data for one in bag.messages()] == [b"{}"]
+        assert [message.data for message in bag.messages()] == [b"{}"]
         assert "Topic: /web | Type:  | Count: 1 | Ser" in description(bag.metadata)
     with pytest.raises(BagTypeError, match="in the format 'json', not in CDR"):
         list(zbot.bag.read(path))

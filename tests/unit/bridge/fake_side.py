@@ -56,7 +56,7 @@ class FakeSide:
         self.entities: list[FakeEntity] = []
         self.shown_nodes: frozenset[str] = frozenset()
         self.shown: frozenset[End] = frozenset()
-        self.lacking: dict[str, str] = {}
+        self.missing_types: dict[str, str] = {}
         self.changed: Callable[[], None] = lambda: None
 
     def add(
@@ -76,7 +76,11 @@ class FakeSide:
 
     def open(self, kind: str) -> dict[str, FakeEntity]:
         """Return the entities of a kind that are not closed, by name."""
-        return {one.name: one for one in self.entities if one.kind == kind and not one.is_closed}
+        return {
+            entity.name: entity
+            for entity in self.entities
+            if entity.kind == kind and not entity.is_closed
+        }
 
     def world(self) -> World:
         return self.present
@@ -85,7 +89,7 @@ class FakeSide:
         self.changed = changed
 
     def lack(self, type_name: str) -> str:
-        return self.lacking.get(type_name, "")
+        return self.missing_types.get(type_name, "")
 
     def _entity(self, kind: str, name: str, **more: Any) -> FakeEntity:
         self.entities.append(FakeEntity(kind, name, **more))

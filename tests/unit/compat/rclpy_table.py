@@ -114,7 +114,9 @@ def idle_members(found: object, members: list[str] | None) -> list[str]:
     """Return the methods of a class that do nothing for any arguments."""
     if found is ReentrantCallbackGroup:
         return []  # it lets every callback run, as in rclpy
-    return [one for one in members or () if is_idle(inspect.getattr_static(found, one, None))]
+    return [
+        member for member in members or () if is_idle(inspect.getattr_static(found, member, None))
+    ]
 
 
 def is_idle(function: object) -> bool:
@@ -141,8 +143,8 @@ def row(module: str, name: str, members: list[str] | None) -> str:
     absent, idle = absent_members(found, members), idle_members(found, members)
     notes = [f"absent: {_listed(absent)}"] if absent else []
     notes += [f"no effect: {_listed(idle)}"] if idle else []
-    limited = {one: LIMITED.get(f"{name}.{one}") for one in members or ()}
-    notes += [f"limited: `{one}` ({why})" for one, why in limited.items() if why]
+    limited = {member: LIMITED.get(f"{name}.{member}") for member in members or ()}
+    notes += [f"limited: `{member}` ({why})" for member, why in limited.items() if why]
     return f"| `{name}` | {'partly' if notes else 'present'} | {'; '.join(notes)} |"
 
 

@@ -28,7 +28,26 @@ def test_the_modules_in_the_repository_match_the_table() -> None:
 @pytest.mark.parametrize("name", modules())
 def test_every_module_has_the_names_of_the_table(name: str) -> None:
     module = importlib.import_module(name)
-    assert [one for one in modules()[name].names if not hasattr(module, one)] == []
+    assert [
+        public_name for public_name in modules()[name].names if not hasattr(module, public_name)
+    ] == []
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "from tf2_ros import Duration, Node, PointStamped, Time, TransformStamped",
+        "from tf2_ros.buffer import Buffer, Duration, TransformStamped",
+        "from tf2_ros.transform_broadcaster import TransformBroadcaster, TransformStamped",
+        "from tf2_ros.transform_listener import Buffer, TransformListener",
+        "from tf2_geometry_msgs import Pose, PoseStamped, TransformStamped",
+        "from message_filters import Duration",
+        "from launch.launch_description import DeclareLaunchArgument, LaunchDescription",
+        "from launch_ros.actions.node import ExecuteProcess, Node",
+    ],
+)
+def test_names_that_modules_of_ros_2_import_for_themselves_are_in_them(line: str) -> None:
+    exec(line)
 
 
 def test_every_submodule_is_an_attribute_of_its_package() -> None:

@@ -24,9 +24,9 @@ def test_pyright_reports_the_wrong_names_and_no_others(tmp_path: Path) -> None:
     command = (sys.executable, "-m", "pyright", "--project", str(tmp_path), "--outputjson")
     result = subprocess.run(command, capture_output=True, text=True, check=False)
     found = {
-        (Path(one["file"]).name, one["range"]["start"]["line"])
-        for one in json.loads(result.stdout)["generalDiagnostics"]
-        if one["severity"] == "error"
+        (Path(problem["file"]).name, problem["range"]["start"]["line"])
+        for problem in json.loads(result.stdout)["generalDiagnostics"]
+        if problem["severity"] == "error"
     }
     lines = (PROGRAMS / "wrong.py").read_text(encoding="utf-8").split("\n")
     wrong = {("wrong.py", at) for at, line in enumerate(lines) if line.endswith("# wrong")}

@@ -5,6 +5,7 @@ from __future__ import annotations
 import threading
 from typing import Any
 
+from tests.conftest import wait_until
 from zbot.context.session_threads import SessionThreads
 
 
@@ -16,7 +17,7 @@ def test_a_thread_is_woken_and_waited_for() -> None:
         happened.append("ended")
 
     threads.start("zbot test", run, woken.set)
-    assert "zbot test" in [thread.name for thread in threading.enumerate()]
+    assert wait_until(lambda: "zbot test" in [thread.name for thread in threading.enumerate()])
     threads.join()
     assert happened == ["ended"]
     assert "zbot test" not in [thread.name for thread in threading.enumerate()]

@@ -48,3 +48,10 @@ def test_a_missing_init_names_the_library_of_the_program(monkeypatch: pytest.Mon
     assert "needs zbot.init() first" in str(errors.NotInitializedError())
     monkeypatch.setitem(sys.modules, "rclpy", ModuleType("rclpy"))
     assert "needs rclpy.init() first" in str(errors.NotInitializedError())
+
+
+@pytest.mark.parametrize(
+    ("number", "text"), [(0, "0 messages"), (1, "1 message"), (2, "2 messages")]
+)
+def test_a_number_has_the_right_form_of_its_noun(number: int, text: str) -> None:
+    assert errors.counted(number, "message") == text

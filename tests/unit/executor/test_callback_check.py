@@ -32,6 +32,11 @@ class Robot:
     def keyword(self, message: Any, *, scale: float) -> None: ...
     def forgot_self(message: Any) -> None: ...  # noqa: N805 # pyright: ignore[reportSelfClsParameterName]
 
+    def forgot_all() -> None: ...  # type: ignore[misc] # pyright: ignore[reportSelfClsParameterName]
+
+    @classmethod
+    def of_class(cls) -> None: ...
+
     @staticmethod
     def still() -> None: ...
 
@@ -97,7 +102,15 @@ def test_a_decorator_may_add_an_argument() -> None:
         (robot.tick, MESSAGE, r"write def tick\(self, message\):$"),
         (robot.hear, ("(request, response)",), r"write def hear\(self, request, response\):$"),
         (robot.keyword, MESSAGE, r"but keyword takes \(self, message, scale\)"),
-        (robot.forgot_self, MESSAGE, r"write def forgot_self\(self, message\):$"),
+        (
+            robot.forgot_self,
+            MESSAGE,
+            r"takes \(message\): write def forgot_self\(self, message\):$",
+        ),
+        (robot.forgot_all, MESSAGE, r"takes \(\): write def forgot_all\(self, message\):$"),  # type: ignore[misc]
+        (robot.forgot_all, TIMER, r"takes \(\): write def forgot_all\(self\):$"),  # type: ignore[misc]
+        (robot.of_class, MESSAGE, r"write def of_class\(cls, message\):$"),
+        (len, TIMER[:1], r"but len takes \(obj\): write def len\(\):$"),
         (lambda: None, MESSAGE, r"but the lambda takes \(\): write lambda message:$"),
         (robot.both, ("()",), r"write def both\(self\):$"),
         (Robot.still, MESSAGE, r"write def still\(message\):$"),

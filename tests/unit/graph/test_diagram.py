@@ -35,9 +35,9 @@ def parsed(svg: str) -> ET.Element:
 
 def keys(svg: str, of: str) -> list[str]:
     return [
-        one.attrib["data-key"]
-        for one in parsed(svg).iter(SVG + "g")
-        if of in one.attrib["class"].split()
+        element.attrib["data-key"]
+        for element in parsed(svg).iter(SVG + "g")
+        if of in element.attrib["class"].split()
     ]
 
 
@@ -51,15 +51,15 @@ def test_each_node_topic_and_edge_is_drawn_once(
     assert keys(svg, "node") == [f"n:{name}" for name in shown.nodes]
     assert keys(svg, "topic") == [box.key for box in shown.boxes]
     assert len(set(keys(svg, "edge"))) == len(shown.edges)
-    frames = {one for name in shown.nodes for one in shown.frames_of(name)}
-    frames |= {one for box in shown.boxes for one in shown.frames_of(box.name)}
+    frames = {frame for name in shown.nodes for frame in shown.frames_of(name)}
+    frames |= {frame for box in shown.boxes for frame in shown.frames_of(box.name)}
     assert {key[2:].partition("#")[0] for key in keys(svg, "frame")} == frames
     assert draw(shown).svg() == svg
 
 
 def test_names_are_text() -> None:
     root = parsed(draw(view(TALKING)).svg())
-    texts = ["".join(one.itertext()) for one in root.iter(SVG + "text")]
+    texts = ["".join(element.itertext()) for element in root.iter(SVG + "text")]
     assert texts == ["/listener", "/talker", "/chatter", "/count"]
 
 
@@ -68,8 +68,10 @@ def test_names_from_other_programs_are_escaped() -> None:
     tokens = (node(evil), publishes(evil, "/" + evil, evil), subscribes(evil, "/" + evil, "y"))
     for mode in Mode:
         root = parsed(draw(view(Snapshot(tokens), mode)).svg())
-        assert not [one for one in root.iter() if "script" in one.tag]
-        shown = [one.get("data-node") for one in root.iter(SVG + "g") if one.get("data-node")]
+        assert not [element for element in root.iter() if "script" in element.tag]
+        shown = [
+            element.get("data-node") for element in root.iter(SVG + "g") if element.get("data-node")
+        ]
         assert shown == ["/" + evil]
 
 
@@ -83,7 +85,9 @@ def test_long_names_take_two_lines() -> None:
 def test_problems_are_red_and_in_the_title() -> None:
     tokens = (*TALKING.tokens, node("lost"), subscribes("lost", "/chater"))
     root = parsed(draw(view(Snapshot(tokens))).svg())
-    [wrong] = [one for one in root.iter(SVG + "g") if one.get("class") == "item topic wrong"]
+    [wrong] = [
+        element for element in root.iter(SVG + "g") if element.get("class") == "item topic wrong"
+    ]
     assert wrong.attrib["data-topic"] == "/chater"
     assert "did you mean '/chatter'?" in (wrong.findtext(SVG + "title") or "")
     assert [key for key in keys(draw(view(Snapshot(tokens))).svg(), "wrong") if key[0] == "e"] == [

@@ -50,10 +50,10 @@ def boxes(layout: Layout) -> dict[str, tuple[float, float, float, float]]:
 
 def check(items: list[Item], links: list[Link], layout: Layout) -> None:
     spots = boxes(layout)
-    assert spots.keys() == {one.key for one in items}
+    assert spots.keys() == {node.key for node in items}
     for (name, one), (other_name, other) in combinations(spots.items(), 2):
         assert not overlaps(one, other), (name, other_name)
-    framed = {one.key: one.frames for one in items}
+    framed = {node.key: node.frames for node in items}
     for frame in layout.frames:
         for key, spot in spots.items():
             if frame.name not in framed[key]:
@@ -88,9 +88,9 @@ def test_items_do_not_overlap_after_a_change(before: Graph, after: Graph) -> Non
 def test_each_item_is_in_its_frames(graph: Graph) -> None:
     items, _ = graph
     layout = lay_out(*graph)
-    for one in items:
-        place = layout.places[one.key]
-        for name in one.frames:
+    for node in items:
+        place = layout.places[node.key]
+        for name in node.frames:
             parts = [frame.slices for frame in layout.frames if frame.name == name]
             assert any(
                 left < place.left and place.right < right and top < place.top and place.bottom < low
@@ -121,8 +121,8 @@ def test_unchanged_items_stay_in_their_columns(graph: Graph) -> None:
 @given(st.lists(st.integers(0, 9), min_size=2, max_size=8, unique=True))
 def test_links_point_right(order: list[int]) -> None:
     items, links = chain(*map(str, order))
-    layout = lay_out(sorted(items, key=lambda one: one.key), links)
-    assert [layout.places[str(one)].layer for one in order] == list(range(len(order)))
+    layout = lay_out(sorted(items, key=lambda node: node.key), links)
+    assert [layout.places[str(number)].layer for number in order] == list(range(len(order)))
     assert not any(route.is_backward for route in layout.routes)
 
 
@@ -163,7 +163,7 @@ def test_a_new_source_is_placed_to_the_left() -> None:
 def test_remaining_items_stay_when_one_is_removed() -> None:
     items, links = chain("a", "b", "c", "d")
     before = lay_out(items, links)
-    after = lay_out([one for one in items if one.key != "b"], links[2:], before)
+    after = lay_out([node for node in items if node.key != "b"], links[2:], before)
     assert {key: after.places[key] for key in "acd"} == {key: before.places[key] for key in "acd"}
 
 

@@ -4,6 +4,7 @@ import copy
 import linecache
 import math
 import pickle
+import re
 import traceback
 from array import array
 from typing import Any
@@ -240,6 +241,24 @@ def test_equality_is_by_value() -> None:
     other.pose.position.x = 1
     assert one != other
     assert get_message("std_msgs/msg/Int32")() != get_message("std_msgs/msg/Int64")()
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "advice"),
+    [
+        ("std_msgs/msg/String", "stop", "compare its field, e.g. message.data == 'stop'"),
+        ("std_msgs/msg/Float32", 1.5, "compare its field, e.g. message.data == 1.5"),
+        ("builtin_interfaces/msg/Time", 0, "message.sec == 0 (it has sec, nanosec)"),
+    ],
+)
+def test_a_comparison_with_a_value_is_a_mistake(name: str, value: object, advice: str) -> None:
+    message: Any = get_message(name)()
+    text = f"a {name} is compared with {value!r}, and they always differ: "
+    with pytest.warns(UserWarning, match=re.escape(text) + ".*" + re.escape(advice) + "$") as found:
+        assert message != value
+    assert found[0].filename == __file__
+    assert message != None  # noqa: E711 - a program may ask whether it has a message
+    assert get_message("std_msgs/msg/Empty")() != value
 
 
 def test_messages_are_not_hashable() -> None:

@@ -86,8 +86,8 @@ def test_a_zip_archive_and_a_folder_are_read_alike(
 def test_a_folder_without_a_manifest_has_the_name_of_the_package(tmp_path: Path) -> None:
     (tmp_path / "cube_msgs" / "msg").mkdir(parents=True)
     (tmp_path / "cube_msgs" / "msg" / "Cube.msg").write_bytes(b"int32 size  # \xb5m\n")
-    assert [one.name for one in collect(tmp_path)] == ["cube_msgs"]
-    assert [one.name for one in collect(tmp_path / "cube_msgs")] == ["cube_msgs"]
+    assert [package.name for package in collect(tmp_path)] == ["cube_msgs"]
+    assert [package.name for package in collect(tmp_path / "cube_msgs")] == ["cube_msgs"]
 
 
 @pytest.mark.parametrize("pack", [tar, zipped])

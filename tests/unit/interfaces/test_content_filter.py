@@ -21,7 +21,7 @@ LISTS = [Float32MultiArray(data=[float(length)] * length) for length in range(4)
 
 def chosen(messages: list[Any], expression: str, *parameters: str) -> list[int]:
     content = ContentFilter(expression, parameters, type(messages[0]))
-    return [number for number, one in enumerate(messages) if content.matches(one)]
+    return [number for number, message in enumerate(messages) if content.matches(message)]
 
 
 @pytest.mark.parametrize(

@@ -52,7 +52,10 @@ def test_hash_equals_that_of_ros(name: str) -> None:
 def test_hash_of_nested_and_bounded_fields_equals_that_of_ros(short: str) -> None:
     specs = {
         name: parse_message(name, text)
-        for name, (text, _) in ((f"rmw_dds_common/msg/{one}", DDS_TYPES[one]) for one in DDS_TYPES)
+        for name, (text, _) in (
+            (f"rmw_dds_common/msg/{name_in_dds}", DDS_TYPES[name_in_dds])
+            for name_in_dds in DDS_TYPES
+        )
     }
     spec = specs[f"rmw_dds_common/msg/{short}"]
     assert description.hash_of(spec, specs.__getitem__) == DDS_TYPES[short][1]

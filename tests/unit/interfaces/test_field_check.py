@@ -277,3 +277,29 @@ def test_integers_are_stored_or_refused_exactly_at_the_limits(base: str, value: 
 
 
 _CLASSES = {base: (define(f"{base} x"), define(f"{base}[] x")) for base in _RANGES}
+
+
+def genuine_class(name: str, **fields: str) -> type[Any]:
+    """Return a class that looks like one of a genuine ROS 2."""
+    attributes: dict[str, Any] = {
+        "__module__": f"std_msgs.msg._{name.lower()}",
+        "get_fields_and_field_types": classmethod(lambda _: fields),
+    }
+    return type(name, (), attributes)
+
+
+def test_a_message_of_a_genuine_class_is_stored_as_it_is() -> None:
+    header = genuine_class("Header", stamp="builtin_interfaces/Time", frame_id="string")()
+    message: Any = get_message("geometry_msgs/msg/PoseStamped")(header=header)
+    assert message.header is header
+    message.header = header
+    listed = define("std_msgs/Header[] headers")(headers=[header, get_message("std_msgs/Header")()])
+    assert listed.headers[0] is header
+
+
+@pytest.mark.parametrize(
+    "other", [genuine_class("Header", stamp="double"), genuine_class("Empty"), genuine_class("Ab")]
+)
+def test_a_message_of_a_genuine_class_of_another_type_is_refused(other: type[Any]) -> None:
+    with pytest.raises(FieldTypeError, match="must be a std_msgs/msg/Header"):
+        get_message("geometry_msgs/msg/PoseStamped")(header=other())

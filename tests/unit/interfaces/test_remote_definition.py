@@ -127,11 +127,11 @@ def test_texts_keep_comments_constants_and_defaults() -> None:
 def test_texts_have_the_hashes_of_the_types_that_they_define() -> None:
     for name in NAMES:
         described = type_description(name)
-        inside = [one["type_name"] for one in described["referenced_type_descriptions"]]
+        inside = [part["type_name"] for part in described["referenced_type_descriptions"]]
         texts = {
-            one: get_spec(one).text
-            for one in (name, *inside)
-            if "_" not in one.rpartition("/")[2]  # parts of a service or an action have none
+            type_name: get_spec(type_name).text
+            for type_name in (name, *inside)
+            if "_" not in type_name.rpartition("/")[2]  # parts of a service or an action have none
         }
         assert hash_among(name, specs_from_sources(name, texts)) == type_hash(name)
 

@@ -94,8 +94,13 @@ def facts(package: str) -> list[str]:
     for name in interface_names(package):
         for message in messages(name):
             lines.append(message.name)
-            lines += [f"{one.type.text} {one.name} {one.default!r}" for one in message.fields]
-            lines += [f"{one.type.text} {one.name}={one.value!r}" for one in message.constants]
+            lines += [
+                f"{field.type.text} {field.name} {field.default!r}" for field in message.fields
+            ]
+            lines += [
+                f"{constant.type.text} {constant.name}={constant.value!r}"
+                for constant in message.constants
+            ]
     return lines
 
 

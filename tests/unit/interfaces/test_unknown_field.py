@@ -35,6 +35,17 @@ def test_reading_an_unknown_field_names_the_fields_too() -> None:
     assert caught.value.obj is None  # Python suggests no second name
 
 
+def test_a_class_with_the_name_of_a_message_class_is_left_alone() -> None:
+    class Twist:
+        __slots__ = ()
+
+    # At an assignment, only Python 3.13 says which object it was.
+    with pytest.raises(AttributeError) as caught:
+        _ = Twist().liner  # type: ignore[attr-defined]
+    add_advice(caught.value)
+    assert "; " not in str(caught.value)
+
+
 def test_errors_of_other_objects_are_left_alone() -> None:
     class Robot:
         __slots__ = ()

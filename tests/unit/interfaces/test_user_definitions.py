@@ -6,11 +6,12 @@ from typing import TYPE_CHECKING
 
 import pytest
 
+from zbot.errors import WrongValueError
 from zbot.interfaces import user_definitions
 from zbot.interfaces.collection import FoundPackage
 from zbot.interfaces.errors import InterfaceSyntaxError
 from zbot.interfaces.location import core_packages, definition_file, known_packages
-from zbot.interfaces.user_definitions import NotAddedError, StoreError
+from zbot.interfaces.user_definitions import StoreError
 from zbot.package.user_folders import definitions_folder, settings_folder
 
 if TYPE_CHECKING:
@@ -37,9 +38,9 @@ def test_an_added_package_is_found_until_it_is_removed() -> None:
     user_definitions.remove("box_msgs")
     assert text_of("box_msgs", "Box") == ""
     assert "box_msgs" not in known_packages()
-    with pytest.raises(NotAddedError, match="'box_msgs' was not added"):
+    with pytest.raises(WrongValueError, match="'box_msgs' was not added"):
         user_definitions.remove("box_msgs")
-    with pytest.raises(NotAddedError):
+    with pytest.raises(WrongValueError):
         user_definitions.remove("..")
     folder = definitions_folder()
     assert folder is not None

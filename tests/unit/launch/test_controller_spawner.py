@@ -28,7 +28,7 @@ def words(description: LaunchDescription, **configurations: str) -> str:
     spawner = description.entities[-1]
     assert isinstance(spawner, Node)
     assert perform(context, spawner.executable) == "spawner"
-    return " ".join(filter(None, (perform(context, one) for one in spawner.arguments)))
+    return " ".join(filter(None, (perform(context, argument) for argument in spawner.arguments)))
 
 
 FILE: list[Any] = [LaunchConfiguration("files"), "/arm.yaml"]

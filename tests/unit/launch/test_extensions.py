@@ -17,11 +17,12 @@ from zbot.launch.actions import (
     Node,
 )
 from zbot.launch.actions.executable import Executable
-from zbot.launch.errors import CoercionError, UnknownNameError
-from zbot.launch.frontend.errors import (
+from zbot.launch.errors import (
     AttributeTypeError,
+    CoercionError,
     InvalidFrontendLaunchFileError,
     MissingAttributeError,
+    UnknownNameError,
 )
 from zbot.launch.frontend.parser import Parser
 from zbot.launch.frontend.registry import expose_action
@@ -55,13 +56,13 @@ def test_a_parser_reads_open_files_and_paths(text: str, tmp_path: Path) -> None:
     root, parser = Parser.load(file)
     from_path = parser.parse_description(root).entities[0]
     context = LaunchContext()
-    for one in (from_path, described(text)):
-        assert isinstance(one, ExecuteProcess)
-        assert [perform(context, word) for word in one.cmd] == ["ls", "-l", "y"]
-        assert perform(context, one.cwd or "") == "/"
-        (name, value), *_ = one.additional_env or []
+    for source in (from_path, described(text)):
+        assert isinstance(source, ExecuteProcess)
+        assert [perform(context, word) for word in source.cmd] == ["ls", "-l", "y"]
+        assert perform(context, source.cwd or "") == "/"
+        (name, value), *_ = source.additional_env or []
         assert (perform(context, name), perform(context, value)) == ("a", "b")
-        assert (one.shell, one.emulate_tty, one.env) == (False, True, None)
+        assert (source.shell, source.emulate_tty, source.env) == (False, True, None)
 
 
 class Camera(Node):
@@ -152,8 +153,8 @@ def texts(entity: LaunchDescriptionEntity, context: LaunchContext) -> list[str]:
     if isinstance(entity, Log):
         return [perform(context, entity.msg)]
     found: list[str] = []
-    for one in entity.visit(context) or ():
-        found += texts(one, context)
+    for inner in entity.visit(context) or ():
+        found += texts(inner, context)
     return found
 
 
@@ -180,8 +181,8 @@ def test_a_loop_value_outside_of_a_loop_is_an_error() -> None:
 
 def test_the_environment_is_replaced() -> None:
     context = LaunchContext()
-    described('<launch><rep_env><env name="a" value="b"/></rep_env></launch>').visit(context)
-    assert context.environment == {"a": "b"}
+    described('<launch><rep_env><env name="A" value="b"/></rep_env></launch>').visit(context)
+    assert context.environment == {"A": "b"}
 
 
 def test_texts_are_joined() -> None:

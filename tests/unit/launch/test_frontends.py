@@ -7,8 +7,8 @@ import pytest
 from zbot.launch import LaunchContext, LaunchDescription
 from zbot.launch.actions import DeclareLaunchArgument
 from zbot.launch.arguments import declared_arguments, parse_arguments
-from zbot.launch.errors import LaunchArgumentError, LaunchFileError
-from zbot.launch.introspector import LaunchIntrospector
+from zbot.launch.description import LaunchIntrospector
+from zbot.launch.errors import LaunchFileError, LaunchUsageError
 from zbot.launch.source import AnyLaunchDescriptionSource
 
 if TYPE_CHECKING:
@@ -156,6 +156,9 @@ def test_both_formats_make_the_same_actions(tmp_path: Path, name: str, text: str
         ("a.launch.py", "x = 1", ": the file has no function generate_launch_description()"),
         ("a.launch.py", "\ndef generate_launch_description():\n    1/0", ":3: ZeroDivisionError"),
         ("a.launch.py", "def generate_launch_description():\n    pass", ":1: generate_launch_desc"),
+        ("a.launch.py", "import sys\nsys.exit()", ":2: the file ended the launch with exit()"),
+        ("a.launch.py", "exit(3)", ":1: the file ended the launch with exit(3)"),
+        ("a.launch.py", "raise SystemExit('no map')", ":1: SystemExit: no map"),
         ("a.launch.py", "import no_such_module", ":1: ModuleNotFoundError: No module named"),
         ("a.launch", "", ": the file has no function generate_launch_description()"),
         ("a.launch", "\n<launch>\n<nod/></launch>", ":3: there is no action `nod`"),
@@ -219,7 +222,7 @@ def test_the_content_tells_the_format_if_the_suffix_does_not(
     tmp_path: Path, name: str, text: str
 ) -> None:
     description = _load(tmp_path, name, text)
-    assert [one.action.name for one in declared_arguments(description)] == ["speed"]
+    assert [argument.action.name for argument in declared_arguments(description)] == ["speed"]
 
 
 def test_arguments_of_included_files_are_found(tmp_path: Path) -> None:
@@ -231,14 +234,16 @@ def test_arguments_of_included_files_are_found(tmp_path: Path) -> None:
         f"<launch><arg name='a'/><include file='{included}' if='true'>"
         "<arg name='c' value='2'/></include></launch>",
     )
-    found = [(one.action.name, one.conditional) for one in declared_arguments(description)]
+    found = [
+        (argument.action.name, argument.conditional) for argument in declared_arguments(description)
+    ]
     assert found == [("a", False), ("b", True)]
 
 
 def test_words_of_the_command_line_are_arguments() -> None:
     assert parse_arguments(["a:=1", "b:=x:=y", "a:=2"]) == {"a": "2", "b": "x:=y"}
     for word in ("a", "a=1", ":=1", "a:="):
-        with pytest.raises(LaunchArgumentError, match=f"malformed launch argument '{word}'"):
+        with pytest.raises(LaunchUsageError, match=f"malformed launch argument '{word}'"):
             parse_arguments([word])
 
 
@@ -253,12 +258,12 @@ def test_words_of_the_command_line_are_arguments() -> None:
     ],
 )
 def test_a_malformed_argument_says_how_to_write_it(word: str, hint: str) -> None:
-    with pytest.raises(LaunchArgumentError) as caught:
+    with pytest.raises(LaunchUsageError) as caught:
         parse_arguments([word])
     assert caught.value.hint == hint
 
 
 def test_a_missing_default_is_reported() -> None:
     argument = DeclareLaunchArgument("speed", description="how fast")
-    with pytest.raises(LaunchArgumentError, match='"speed" \\(description: "how fast"\\)'):
+    with pytest.raises(LaunchUsageError, match='"speed" \\(description: "how fast"\\)'):
         argument.execute(LaunchContext())

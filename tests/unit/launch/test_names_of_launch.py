@@ -28,7 +28,6 @@ from zbot.launch.entity import LaunchDescriptionEntity
 from zbot.launch.errors import (
     EntityTypeError,
     InvalidLaunchFileError,
-    LaunchArgumentError,
     LaunchFileError,
     LaunchUsageError,
 )
@@ -91,7 +90,7 @@ def test_a_service_does_not_change_the_threads_loop(loop: asyncio.AbstractEventL
     asyncio.set_event_loop(loop)
     try:
         assert _run(LaunchService()) == 0
-        assert asyncio.get_event_loop_policy().get_event_loop() is loop
+        assert asyncio.get_event_loop() is loop
     finally:
         asyncio.set_event_loop(None)
 
@@ -193,7 +192,7 @@ def test_a_boolean_argument_is_true_or_false() -> None:
     assert argument.describe() == (
         "DeclareBooleanLaunchArgument('rviz', default_value='True', description='show it')"
     )
-    with pytest.raises(LaunchArgumentError, match="not in provided choices"):
+    with pytest.raises(LaunchUsageError, match="not in provided choices"):
         DeclareBooleanLaunchArgument("rviz", default_value="perhaps")
 
 
@@ -232,7 +231,7 @@ def test_a_description_knows_its_own_arguments() -> None:
         ]
     )
     found = description.get_launch_arguments()
-    assert [(one.name, one.conditionally_included) for one in found] == [
+    assert [(argument.name, argument.conditionally_included) for argument in found] == [
         ("always", False),
         ("maybe", True),
     ]

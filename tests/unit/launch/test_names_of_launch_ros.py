@@ -10,6 +10,7 @@ import pytest
 
 from zbot.launch import LaunchContext, LaunchDescription, LaunchService
 from zbot.launch.actions import LifecycleTransition, Node, SetROSLogDir
+from zbot.launch.actions.node import get_node_name_count
 from zbot.launch.actions.ros_names import (
     is_namespace_absolute,
     is_root_namespace,
@@ -17,7 +18,6 @@ from zbot.launch.actions.ros_names import (
 )
 from zbot.launch.errors import EntityTypeError
 from zbot.launch.frontend.parser import Parser
-from zbot.launch.node_names import get_node_name_count
 from zbot.launch.parameters import Parameter, ParameterFile, evaluate_parameters
 from zbot.launch.substitution import TextSubstitution
 
@@ -43,13 +43,13 @@ def test_namespaces_are_joined(base: str | None, inner: str | None, expected: st
 
 
 def test_absolute_and_relative_namespaces_are_recognized() -> None:
-    assert [is_namespace_absolute(one) for one in ("/", "/a", "", "a")] == [
+    assert [is_namespace_absolute(namespace) for namespace in ("/", "/a", "", "a")] == [
         True,
         True,
         False,
         False,
     ]
-    assert [is_root_namespace(one) for one in ("/", "/a", "")] == [True, False, False]
+    assert [is_root_namespace(namespace) for namespace in ("/", "/a", "")] == [True, False, False]
 
 
 def _node(**names: Any) -> Node:
@@ -128,8 +128,8 @@ def test_texts_of_parameters_are_read_as_yaml_or_stay_texts(text: str, expected:
 
 
 def test_transitions_have_labels_or_numbers() -> None:
-    for one in (3, "3", "activate"):
-        assert LifecycleTransition(["talker"], [one])._labels == ["activate"]
+    for transition in (3, "3", "activate"):
+        assert LifecycleTransition(["talker"], [transition])._labels == ["activate"]
     with pytest.raises(EntityTypeError):
         LifecycleTransition([], [1])
     with pytest.raises(EntityTypeError):

@@ -51,6 +51,7 @@ def path(tmp_path: Path) -> str:
     [
         ({"param_rewrites": {"use_sim_time": LaunchConfiguration("sim")}}, "use_sim_time", True),
         ({"param_rewrites": {"use_sim_time": "true"}}, "scan use_sim_time", True),
+        ({"param_rewrites": ""}, "alpha", 0.2),
         ({"param_rewrites": {"alpha": "3.5"}}, "alpha", "3.5"),
         ({"param_rewrites": {"alpha": "3.5"}, "convert_types": True}, "alpha", 3.5),
         ({"param_rewrites": {"frames": "none"}}, "frames", "none"),
@@ -70,6 +71,11 @@ def test_a_copy_of_the_file_has_new_values(
     for key in where.split():
         value = value[int(key) if key.isdigit() else key]
     assert value == expected
+
+
+def test_an_empty_key_adds_no_level(context: LaunchContext, path: str) -> None:
+    copy = RewrittenYaml(path, {}, root_key="").perform(context)
+    assert yaml.safe_load(Path(copy).read_text()) == yaml.safe_load(FILE)
 
 
 def test_an_unknown_parameter_is_added_only_by_its_whole_path(
@@ -140,8 +146,8 @@ def test_poses_of_robots_are_read_from_the_command_line(
 ) -> None:
     monkeypatch.setattr(sys, "argv", ["zbot", "launch", "robots.launch.py", word])
     poses = ParseMultiRobotPose("robots").value()
-    assert {name: (one["x"], one["yaw"]) for name, one in poses.items()} == expected
-    assert all(len(one) == 6 for one in poses.values())
+    assert {name: (pose["x"], pose["yaw"]) for name, pose in poses.items()} == expected
+    assert all(len(pose) == 6 for pose in poses.values())
 
 
 def test_a_pose_that_is_no_dictionary_is_shown(monkeypatch: pytest.MonkeyPatch) -> None:

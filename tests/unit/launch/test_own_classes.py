@@ -36,7 +36,7 @@ from zbot.launch.condition import (
     UnlessCondition,
     evaluate_condition_expression,
 )
-from zbot.launch.errors import ConditionError, LaunchArgumentError
+from zbot.launch.errors import ConditionError, LaunchUsageError
 from zbot.launch.event_handler import OnProcessExit, OnProcessIO
 from zbot.launch.frontend.registry import expose_action, expose_substitution
 from zbot.launch.frontend.substitution_text import parse
@@ -98,13 +98,13 @@ def test_a_loop_counts_from_zero_to_a_configured_number() -> None:
 
 @pytest.mark.parametrize("text", ["", "two", "1.5"])
 def test_a_loop_needs_a_whole_number(text: str) -> None:
-    with pytest.raises(LaunchArgumentError, match="whole number"):
+    with pytest.raises(LaunchUsageError, match="whole number"):
         ForLoop(text, function=recorder([])).visit(LaunchContext())
 
 
 @pytest.mark.parametrize("text", ["a", "[1]", "{a: 1, b"])
 def test_for_each_needs_dictionaries(text: str) -> None:
-    with pytest.raises(LaunchArgumentError, match="needs dictionaries"):
+    with pytest.raises(LaunchUsageError, match="needs dictionaries"):
         ForEach(text, function=recorder([])).visit(LaunchContext())
 
 
@@ -237,7 +237,7 @@ def test_arguments_are_checked() -> None:
 
 @pytest.mark.parametrize("options", [{"choices": []}, {"choices": ["a"], "default_value": "b"}])
 def test_the_default_of_an_argument_must_be_one_of_its_choices(options: Any) -> None:
-    with pytest.raises(LaunchArgumentError):
+    with pytest.raises(LaunchUsageError):
         DeclareLaunchArgument("name", **options)
 
 

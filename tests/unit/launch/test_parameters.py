@@ -150,8 +150,8 @@ def test_a_text_with_the_type_str_reaches_the_node_unchanged(
         {"x": text},
         Parameter("x", given, value_type=str),
     ]
-    for one in values:
-        assert _read_back(to_words(context, [one])) == {"x": text}
+    for value in values:
+        assert _read_back(to_words(context, [value])) == {"x": text}
 
 
 def test_a_list_of_texts_reaches_the_node_unchanged(context: LaunchContext) -> None:

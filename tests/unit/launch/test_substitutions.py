@@ -14,8 +14,12 @@ from zbot.launch.condition import (
     LaunchConfigurationNotEquals,
     UnlessCondition,
 )
-from zbot.launch.errors import ConditionError, EntityTypeError, SubstitutionError
-from zbot.launch.frontend.errors import SubstitutionSyntaxError
+from zbot.launch.errors import (
+    ConditionError,
+    EntityTypeError,
+    SubstitutionError,
+    SubstitutionSyntaxError,
+)
 from zbot.launch.frontend.substitution_text import parse
 from zbot.launch.frontend.tags import words
 from zbot.launch.substitution import normalize, perform
@@ -221,3 +225,25 @@ def test_conditions_are_evaluated(context: LaunchContext) -> None:
 def test_a_value_that_is_not_a_text_is_refused() -> None:
     with pytest.raises(EntityTypeError, match="not int: 5"):
         normalize(5)  # type: ignore[arg-type]
+
+
+def test_a_substitution_in_an_f_string_is_told(capsys: pytest.CaptureFixture[str]) -> None:
+    assert f"bot_{LaunchConfiguration('robot')}".startswith("bot_<")
+    assert capsys.readouterr().out == (
+        "[WARNING] [launch]: LaunchConfiguration is in an f-string, before it has its value: write "
+        "a list in place of the f-string, ['text', LaunchConfiguration(...)]\n"
+    )
+
+
+def test_a_comparison_with_a_text_is_told(capsys: pytest.CaptureFixture[str]) -> None:
+    robot = LaunchConfiguration("robot")
+    assert robot != "r2"
+    assert capsys.readouterr().out == (
+        "[WARNING] [launch]: LaunchConfiguration('robot') is compared with 'r2' before it has its "
+        "value, so they always differ: write condition=IfCondition(EqualsSubstitution("
+        "LaunchConfiguration('robot'), 'r2')) in the action\n"
+    )
+    assert robot == robot  # noqa: PLR0124 - it is the same object
+    assert robot != LaunchConfiguration("robot")
+    assert {robot: 1}[robot] == 1
+    assert capsys.readouterr().out == ""

@@ -10,8 +10,8 @@ import pytest
 from zbot.launch import LaunchContext
 from zbot.launch.actions import AppendEnvironmentVariable, ForEach, ForLoop, OpaqueFunction
 from zbot.launch.actions.timer import TimerAction
+from zbot.launch.errors import AttributeTypeError
 from zbot.launch.frontend import xml_file, yaml_file
-from zbot.launch.frontend.errors import AttributeTypeError
 from zbot.launch.frontend.parser import Parser
 from zbot.launch.frontend.ros_tags import node_options
 from zbot.launch.parameters import to_words
@@ -55,7 +55,7 @@ def test_prepend_stays_a_bool(prepend: bool) -> None:
     assert isinstance(action, AppendEnvironmentVariable)
     assert action.prepend is prepend
     context = LaunchContext()
-    context.environment = {"A": "a"}
+    context.environment["A"] = "a"
     action.visit(context)
     assert context.environment["A"] == ("b;a" if prepend else "a;b")
 

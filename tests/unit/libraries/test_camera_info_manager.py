@@ -89,13 +89,13 @@ def test_a_calibration_that_cannot_be_saved_is_an_answer(
     request, response = SetCameraInfo.Request(), SetCameraInfo.Response()
     assert not CameraInfoManager(node).setCameraInfo(request, response).success
     assert response.status_message == "Error storing camera calibration."
-    assert any("cannot write the calibration file" in one.message for one in logged)
+    assert any("cannot write the calibration file" in record.message for record in logged)
 
 
 def test_the_file_of_another_camera_is_named(tmp_path: Path, logged: list[Any]) -> None:
     (tmp_path / "left.yaml").write_text(FILE)
     loadCalibrationFile(str(tmp_path / "left.yaml"), "right")
-    assert any("[right] does not match name left" in one.message for one in logged)
+    assert any("[right] does not match name left" in record.message for record in logged)
 
 
 @pytest.mark.parametrize(
@@ -152,12 +152,12 @@ def test_wrong_urls_are_refused(node: zbot.Node) -> None:
 def test_variables_of_urls_are_replaced(tmp_path: Path, logged: list[Any]) -> None:
     assert resolveURL("file://${ROS_HOME}/${NAME}", "left") == f"file://{tmp_path}/home/left"
     assert resolveURL("file:///$a${LENS}", "left") == "file:///$a${LENS}"
-    assert any("unknown variable ${LENS}" in one.message for one in logged)
+    assert any("unknown variable ${LENS}" in record.message for record in logged)
 
 
 def test_names_of_cameras_have_letters_digits_and_underscores(node: zbot.Node) -> None:
     assert genCameraName("My cam-1") == "My_cam_1"
     assert genCameraName("") == "_"
     manager = CameraInfoManager(node)
-    assert [manager.setCameraName(one) for one in ("", "a b", "a_1")] == [False, False, True]
+    assert [manager.setCameraName(name) for name in ("", "a b", "a_1")] == [False, False, True]
     assert str(manager) == "[a_1]"

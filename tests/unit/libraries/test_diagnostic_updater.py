@@ -66,7 +66,10 @@ def test_values_of_any_type_are_added_as_text() -> None:
     stat = DiagnosticStatusWrapper()
     stat.add("volts", 12.5)
     stat.add("on", True)
-    assert [(one.key, one.value) for one in stat.values] == [("volts", "12.5"), ("on", "True")]
+    assert [(pair.key, pair.value) for pair in stat.values] == [
+        ("volts", "12.5"),
+        ("on", "True"),
+    ]
 
 
 @pytest.mark.parametrize(
@@ -142,7 +145,9 @@ def test_statuses_have_the_names_of_node_and_task(robot: Robot) -> None:
     robot.updater.force_update()
     starting, _, array = robot.sent
     assert starting.status[0].message == "Node starting up"
-    found = [(one.name, one.level, one.message, one.hardware_id) for one in array.status]
+    found = [
+        (status.name, status.level, status.message, status.hardware_id) for status in array.status
+    ]
     assert found == [
         ("robot: battery", WARN, "low", "serial 7"),
         ("robot: Heartbeat", OK, "Alive", "serial 7"),
@@ -150,7 +155,7 @@ def test_statuses_have_the_names_of_node_and_task(robot: Robot) -> None:
     assert robot.updater.removeByName("battery")
     assert not robot.updater.removeByName("battery")
     robot.updater.broadcast(ERROR, "going down")
-    assert [(one.name, one.message) for one in robot.sent[-1].status] == [
+    assert [(status.name, status.message) for status in robot.sent[-1].status] == [
         ("robot: Heartbeat", "going down")
     ]
 
@@ -165,14 +170,14 @@ def test_parameters_change_the_period_and_the_names(make_context: MakeContext) -
     robot.updater.add(Heartbeat())
     assert (robot.updater.period, robot.sent[-1].status[0].name) == (7.5, "/lab/robot: Heartbeat")
     robot.updater.period = 2.0
-    assert [one.timer_period_ns for one in robot.timers] == [2 * S_TO_NS]
+    assert [timer.timer_period_ns for timer in robot.timers] == [2 * S_TO_NS]
 
 
 def test_an_updater_without_hardware_id_says_so_once(robot: Robot, logged: list[Any]) -> None:
     robot.updater.setHardwareID("")
     robot.updater.update()
     robot.updater.update()
-    assert sum("No HW_ID was set" in one.message for one in logged) == 1
+    assert sum("No HW_ID was set" in record.message for record in logged) == 1
 
 
 def test_a_function_without_return_is_named(robot: Robot) -> None:

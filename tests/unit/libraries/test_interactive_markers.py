@@ -49,18 +49,18 @@ def scene(make_context: MakeContext) -> Scene:
 def shown(scene: Scene) -> dict[str, float]:
     response = GetInteractiveMarkers.Response()
     scene.server._on_request(GetInteractiveMarkers.Request(), response)
-    return {one.name: one.pose.position.x for one in response.markers}
+    return {marker.name: marker.pose.position.x for marker in response.markers}
 
 
 def test_changes_are_published_when_they_are_applied(scene: Scene) -> None:
-    assert [one.name for one in scene.sent[0].markers] == ["box"]
+    assert [sent_marker.name for sent_marker in scene.sent[0].markers] == ["box"]
     assert scene.server.setPose("box", pose(2.0))
     marker = scene.server.get("box")
     assert marker is not None
     assert (marker.pose.position.x, shown(scene)) == (2.0, {"box": 0.0})
     scene.server.applyChanges()
     scene.server.applyChanges()
-    assert [(len(one.markers), len(one.poses), one.seq_num) for one in scene.sent] == [
+    assert [(len(update.markers), len(update.poses), update.seq_num) for update in scene.sent] == [
         (1, 0, 1),
         (0, 1, 2),
     ]
@@ -116,7 +116,7 @@ def test_a_menu_calls_the_function_of_its_entry(scene: Scene) -> None:
     assert menu.apply(scene.server, "box")
     scene.server.applyChanges()
     (marker,) = scene.sent[-1].markers
-    assert [(one.title, one.id, one.parent_id) for one in marker.menu_entries] == [
+    assert [(entry.title, entry.id, entry.parent_id) for entry in marker.menu_entries] == [
         ("tools", 1, 0),
         ("[x] light", 2, 1),
     ]

@@ -66,7 +66,11 @@ def machine_in(state: LifecycleState) -> StateMachine:
 
 def test_the_transitions_are_those_of_the_table() -> None:
     assert {
-        (one.start.label, one.label): (one.transition_id, one.goal.label) for one in TRANSITIONS
+        (transition.start.label, transition.label): (
+            transition.transition_id,
+            transition.goal.label,
+        )
+        for transition in TRANSITIONS
     } == DOCUMENTED
     assert len(TRANSITIONS) == len(DOCUMENTED)
 
@@ -108,7 +112,7 @@ def test_states_have_the_numbers_of_lifecycle_msgs() -> None:
         **{name: value for name, value in vars(State).items() if "TRANSITION_STATE_" in name},
     }
     by_label = {name.rpartition("STATE_")[2].lower(): value for name, value in constants.items()}
-    assert {one.label: one.state_id for one in STATES} == by_label
+    assert {state.label: state.state_id for state in STATES} == by_label
 
 
 def test_transitions_have_the_numbers_of_lifecycle_msgs() -> None:
@@ -120,10 +124,12 @@ def test_transitions_have_the_numbers_of_lifecycle_msgs() -> None:
     assert sorted(outcomes.values()) == [n for n, _ in sorted(DOCUMENTED.values()) if n >= 10]
     for name in ("CONFIGURE", "CLEANUP", "ACTIVATE", "DEACTIVATE"):
         number = getattr(Transition, f"TRANSITION_{name}")
-        assert [one.label for one in TRANSITIONS if one.transition_id == number] == [name.lower()]
+        assert [
+            transition.label for transition in TRANSITIONS if transition.transition_id == number
+        ] == [name.lower()]
     for name in ("UNCONFIGURED", "INACTIVE", "ACTIVE"):
         number = getattr(Transition, f"TRANSITION_{name}_SHUTDOWN")
-        (found,) = [one for one in TRANSITIONS if one.transition_id == number]
+        (found,) = [transition for transition in TRANSITIONS if transition.transition_id == number]
         assert (found.start.label, found.label) == (name.lower(), "shutdown")
 
 
@@ -208,7 +214,7 @@ class RandomRequests(RuleBasedStateMachine):
     @invariant()
     def is_where_the_table_says(self) -> None:
         assert self.machine.state.label == self.state
-        labels = {one.label for one in transitions_from(self.machine.state)}
+        labels = {transition.label for transition in transitions_from(self.machine.state)}
         assert labels == {label for start, label in DOCUMENTED if start == self.state}
 
     @invariant()
@@ -220,5 +226,5 @@ TestLife = RandomRequests.TestCase
 
 
 def test_an_error_leads_to_unconfigured_or_finalized() -> None:
-    goals = [one.goal for one in transitions_from(ERROR_PROCESSING)]
+    goals = [transition.goal for transition in transitions_from(ERROR_PROCESSING)]
     assert goals == [UNCONFIGURED, FINALIZED, FINALIZED]

@@ -60,14 +60,9 @@ def sample(
 
 @dataclass
 class Channel:
-    """Zenoh's queue of samples. `recv` raises an error where the real one would wait."""
+    """Zenoh's queue of samples."""
 
     samples: deque[Any] = field(default_factory=deque)
-
-    def recv(self) -> Any:
-        if not self.samples:
-            raise zenoh.ZError("the channel is closed")
-        return self.samples.popleft()
 
     def try_recv(self) -> Any:
         return self.samples.popleft() if self.samples else None
@@ -96,9 +91,6 @@ class Context:
 
     def undeclare(self, token: EndpointToken) -> None:
         self.declared.remove(token.key)
-
-    def start_thread(self, *_: object) -> None:
-        """Start no thread: a test takes the samples itself."""
 
 
 def subscription(

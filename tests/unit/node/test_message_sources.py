@@ -120,6 +120,11 @@ def test_the_messages_of_a_publisher_with_another_type_are_refused_and_logged_on
     )
 
 
+def test_a_single_lost_message_is_counted_in_the_singular(logged: list[Record]) -> None:
+    LostMessages(endpoint_token(TOPIC, qos=QoSProfile(depth=5)), "listener").add(1)
+    assert logged[0].message.startswith("/chatter: 1 message lost: ")
+
+
 def test_only_the_first_loss_is_logged(logged: list[Record]) -> None:
     losses = LostMessages(endpoint_token(TOPIC, qos=QoSProfile(depth=5)), "listener")
     losses.add(95)

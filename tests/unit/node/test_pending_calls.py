@@ -12,8 +12,7 @@ from zbot.executor.callback_stack import running_callbacks
 from zbot.executor.ready_queue import ReadyQueue
 from zbot.node.errors import ServiceError
 from zbot.node.pending_calls import PendingCalls, ResponseFuture
-from zbot.node.service_reply import response_sample
-from zbot.node.service_request import ServiceRequest
+from zbot.node.service_request import ServiceRequest, response_sample
 from zbot.wire.attachment import pack
 from zbot.wire.error_reply import pack_error
 from zbot.wire.messagepack.codec import messagepack_codec_for

@@ -10,8 +10,9 @@ import pytest
 import zenoh
 
 from tests.unit.node.fakes import GID, TOPIC, Sample, sample, subscription
+from zbot.errors import WrongStateError
 from zbot.interfaces.content_filter import ContentFilterError
-from zbot.node.content_filter_options import ContentFilterOptions, NoContentFilterError
+from zbot.node.message_decoder import ContentFilterOptions
 from zbot.node.subscription import Subscription
 from zbot.qos import HistoryPolicy, QoSProfile
 from zbot.wire.serialization import deserialize_message
@@ -36,8 +37,8 @@ def nested(depth: int) -> bytes:
 
 
 def received(subscription: Subscription[Any], *samples: Any) -> None:
-    for one in samples:
-        assert subscription.execute(one) is None
+    for sample_given in samples:
+        assert subscription.execute(sample_given) is None
 
 
 # -- messages --------------------------------------------------------------------------------------
@@ -106,7 +107,6 @@ def test_the_depth_limits_the_samples_that_wait() -> None:
     listener = subscription(
         lambda message: numbers.append(message.data), msg_type=Int64, qos=QoSProfile(depth=5)
     )
-    listener._samples.is_watched = True
     channel: Any = listener.context
     channel.channel.samples.extend(sample(Int64(data=n), n) for n in range(1, 101))
     assert listener.has_work
@@ -164,7 +164,7 @@ def test_each_kind_of_refusal_is_logged_once(logged: list[Record]) -> None:
     for _ in range(2):
         received(listener, *(sample(packed({}), encoding=kind) for kind in (FLOAT32, INT8)))
     assert listener.refused_count == 4
-    assert [one.message.split(": ")[2].split(",")[0] for one in logged] == [
+    assert [record.message.split(": ")[2].split(",")[0] for record in logged] == [
         "it is std_msgs/msg/Float32",
         "it is std_msgs/msg/Int8",
     ]
@@ -223,7 +223,7 @@ def test_the_callback_receives_the_messages_that_match_the_filter(*, raw: bool) 
     listener = subscription(inbox.append, msg_type=Int64, raw=raw, content_filter=ABOVE_TWO)
     assert listener.is_cft_enabled
     received(listener, *numbers(0, 3, 2, 5))
-    messages = [deserialize_message(one, Int64) if raw else one for one in inbox]
+    messages = [deserialize_message(data, Int64) if raw else data for data in inbox]
     assert [message.data for message in messages] == [3, 5]
     assert listener.received_count == 2
 
@@ -231,7 +231,7 @@ def test_the_callback_receives_the_messages_that_match_the_filter(*, raw: bool) 
 def test_a_filter_can_be_changed_and_removed() -> None:
     listener = subscription(msg_type=Int64)
     assert not listener.is_cft_enabled
-    with pytest.raises(NoContentFilterError):
+    with pytest.raises(WrongStateError):
         listener.get_content_filter()
     listener.set_content_filter("data < %0", ["9"])
     assert listener.get_content_filter() == ("data < %0", ["9"])
@@ -255,7 +255,6 @@ def test_a_raw_message_that_the_filter_cannot_decode_is_refused() -> None:
 
 def waiting(*samples: Any, **facts: Any) -> Subscription[Any]:
     listener = subscription(qos=QoSProfile(history=HistoryPolicy.KEEP_ALL), **facts)
-    listener._samples.is_watched = True
     context: Any = listener.context
     context.channel.samples.extend(samples)
     return listener

@@ -38,7 +38,7 @@ def take(analyzers: AnalyzerGroup, now_s: float = 0.0, **levels: bytes) -> list[
 
 
 def levels(analyzers: Any, now_s: float = 0.0) -> dict[str, bytes]:
-    return {one.name: one.level for one in analyzers.report(now_s)}
+    return {status.name: status.level for status in analyzers.report(now_s)}
 
 
 @pytest.mark.parametrize(
@@ -67,9 +67,9 @@ def test_the_worst_level_is_that_of_the_summary() -> None:
     take(analyzers, m1=WARN, m2=OK)
     header, *others, robot = analyzers.report(0.0)
     assert (header.level, header.message, robot.level) == (WARN, "Warning", WARN)
-    assert [(one.key, one.value) for one in header.values] == [("m1", "M1"), ("m2", "M2")]
-    assert [one.name for one in others] == ["/Robot/Motors/m1", "/Robot/Motors/m2"]
-    assert [(one.key, one.value) for one in robot.values] == [("Motors", "Warning")]
+    assert [(pair.key, pair.value) for pair in header.values] == [("m1", "M1"), ("m2", "M2")]
+    assert [status.name for status in others] == ["/Robot/Motors/m1", "/Robot/Motors/m2"]
+    assert [(pair.key, pair.value) for pair in robot.values] == [("Motors", "Warning")]
 
 
 def test_old_statuses_are_stale() -> None:

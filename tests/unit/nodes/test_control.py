@@ -7,11 +7,11 @@ from typing import Any
 
 import pytest
 
+from zbot.description.urdf import Mimic
+from zbot.description.xml_text import DescriptionError
+from zbot_nodes.control.diff_drive_controller import SpeedLimiter
 from zbot_nodes.control.hardware import SimulatedHardware, read_components
-from zbot_nodes.control.speed_limiter import SpeedLimiter
 from zbot_nodes.control.trajectory import Point, Trajectory, problem, read_points
-from zbot_nodes.description.urdf import Mimic
-from zbot_nodes.description.xml_text import DescriptionError
 
 from builtin_interfaces.msg import Duration
 from trajectory_msgs.msg import JointTrajectory, JointTrajectoryPoint
@@ -36,12 +36,12 @@ def hardware(inside: str, **options: str) -> SimulatedHardware:
 
 
 def test_interfaces_are_read_with_their_initial_values() -> None:
-    (one,) = read_components(
+    (component,) = read_components(
         robot(control(WHEEL + '<gpio name="io"><state_interface name="x"/></gpio>'))
     )
-    assert (one.name, one.kind, one.is_mock) == ("hw", "system", True)
-    assert one.commands == ("w/velocity",)
-    assert one.states == {"w/position": 0.5, "w/velocity": 0.0, "io/x": 0.0}
+    assert (component.name, component.kind, component.is_mock) == ("hw", "system", True)
+    assert component.commands == ("w/velocity",)
+    assert component.states == {"w/position": 0.5, "w/velocity": 0.0, "io/x": 0.0}
     assert read_components(robot("")) == []
 
 
@@ -164,8 +164,8 @@ def test_positions_are_joined_by_lines() -> None:
     found = Trajectory(Point(0, (0.0,)), [Point(1, (2.0,)), Point(3, (0.0,))])
     assert found.end_s == 3
     sampled = [found.sample(time) for time in (0, 0.5, 1.0, 2.0, 9.0)]
-    assert [one.positions[0] for one in sampled] == [0, 1, 2, 1, 0]
-    assert [one.velocities for one in sampled] == [(2,), (2,), (2,), (-1,), (0,)]
+    assert [point.positions[0] for point in sampled] == [0, 1, 2, 1, 0]
+    assert [point.velocities for point in sampled] == [(2,), (2,), (2,), (-1,), (0,)]
     assert found.sample(0.5, is_smooth=False).positions == (0.0,)
 
 

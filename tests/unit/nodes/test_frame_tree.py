@@ -35,7 +35,7 @@ def test_a_tree_is_written_for_graphviz() -> None:
 
 def test_a_tree_is_drawn_with_children_below_their_parent() -> None:
     root = ET.fromstring(tree("map odom", "odom base", "odom arm", "x y").to_svg())
-    texts = {one.text: one for one in root.iter("{http://www.w3.org/2000/svg}text")}
+    texts = {element.text: element for element in root.iter("{http://www.w3.org/2000/svg}text")}
     assert {"map", "odom", "base", "arm", "x", "y", "from a <robot>"} <= set(texts)
     place = {
         name: (float(texts[name].get("x", 0)), float(texts[name].get("y", 0))) for name in texts

@@ -6,9 +6,9 @@ import math
 
 import pytest
 
+from zbot.description.urdf import Mimic, read_urdf
+from zbot.description.xml_text import DescriptionError
 from zbot_nodes.description.joint_values import Defaults, JointValue, JointValues
-from zbot_nodes.description.urdf import Mimic, read_urdf
-from zbot_nodes.description.xml_text import DescriptionError
 
 from sensor_msgs.msg import JointState
 
@@ -50,14 +50,14 @@ def test_zero_is_between_the_limits() -> None:
 
 def test_soft_limits_are_used_on_request() -> None:
     soft = '<safety_controller soft_lower_limit="0.5" soft_upper_limit="9" k_velocity="1"/>'
-    one = joint("a", "revolute", soft)
-    assert (values(one).free["a"].lower, values(one).free["a"].upper) == (0.5, 2)
-    assert values(one, Defaults(use_soft_limits=False)).free["a"].lower == -1
+    robot_joint = joint("a", "revolute", soft)
+    assert (values(robot_joint).free["a"].lower, values(robot_joint).free["a"].upper) == (0.5, 2)
+    assert values(robot_joint, Defaults(use_soft_limits=False)).free["a"].lower == -1
 
 
 def test_defaults_choose_which_values_exist() -> None:
-    one = joint("a", "revolute")
-    message = filled(values(one, Defaults(positions=False, velocities=True, efforts=True)))
+    robot_joint = joint("a", "revolute")
+    message = filled(values(robot_joint, Defaults(positions=False, velocities=True, efforts=True)))
     assert list(message.position) == []
     assert (list(message.velocity), list(message.effort)) == ([0.0], [0.0])
 
@@ -87,11 +87,11 @@ def test_rules_without_a_free_joint_are_refused(rules: dict[str, Mimic], reason:
 
 
 def test_joints_move_back_and_forth_between_their_limits() -> None:
-    one = JointValue(-0.5, 1.0, 0.0, position=0.75)
+    value = JointValue(-0.5, 1.0, 0.0, position=0.75)
     seen = []
     for _ in range(6):
-        one.advance(0.5)
-        seen.append(one.position)
+        value.advance(0.5)
+        seen.append(value.position)
     assert seen == [1.0, 0.5, 0.0, -0.5, -0.5, 0.0]
     turning = JointValue(-1.0, 1.0, 0.0, is_continuous=True, position=0.75)
     turning.advance(0.5)

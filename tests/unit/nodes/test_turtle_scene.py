@@ -8,8 +8,7 @@ import zlib
 import pytest
 
 import zbot  # noqa: F401 - makes the message packages importable
-from zbot_nodes.turtlesim.drawing import Drawing, Line, Pen
-from zbot_nodes.turtlesim.picture import png
+from zbot_nodes.turtlesim.drawing import Drawing, Line, Pen, png
 from zbot_nodes.turtlesim.scene import Scene
 from zbot_nodes.turtlesim.world import SIZE, TurtleWorld
 

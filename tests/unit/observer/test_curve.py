@@ -7,7 +7,7 @@ import pytest
 
 import zbot  # noqa: F401 - makes the message packages importable
 from zbot.interfaces.field_path import FieldPath, FieldPathError
-from zbot.observer.curve import Curves, numeric_fields, split_curve, value_at
+from zbot.observer.curve import Curves, curve_tree, numeric_fields, split_curve, value_at
 from zbot.observer.errors import ViewerError
 from zbot.observer.watch import Record
 
@@ -152,3 +152,23 @@ def test_last_curve_of_a_topic_releases_it() -> None:
     assert not watcher.watches["/cmd"].is_released
     curves.remove("/cmd.linear.y")
     assert watcher.watches["/cmd"].is_released
+
+
+def test_fields_are_below_their_topic_and_their_message() -> None:
+    found = curve_tree({"/imu": ["rate", "linear.x", "linear.y", "covariance[0]"], "/chatter": []})
+    linear = {
+        "id": "/imu/linear",
+        "label": "linear",
+        "children": [
+            {"id": "/imu.linear.x", "label": "x"},
+            {"id": "/imu.linear.y", "label": "y"},
+        ],
+    }
+    covariance = {
+        "id": "/imu/covariance",
+        "label": "covariance",
+        "children": [{"id": "/imu.covariance[0]", "label": "[0]"}],
+    }
+    rate = {"id": "/imu.rate", "label": "rate"}
+    imu = {"id": "/imu", "label": "/imu", "children": [rate, linear, covariance]}
+    assert found == [imu, {"id": "/chatter", "label": "/chatter"}]

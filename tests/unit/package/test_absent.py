@@ -22,7 +22,7 @@ from zbot.package.unavailable import unavailable_executable, unavailable_package
 if TYPE_CHECKING:
     from zbot.package.errors import NotRunnableError
 
-NAME = "ros_gz_sim"
+NAME = "stage_ros2"
 SHARE = Path(sys.prefix, "share", NAME)
 
 
@@ -40,7 +40,7 @@ def test_a_launch_gets_the_folders_of_a_package_that_is_not_here() -> None:
         assert get_package_share_directory(NAME) == str(SHARE)
         assert get_resource("packages", NAME) == ("", sys.prefix)
         assert get_packages_with_prefixes()[NAME] == sys.prefix
-    assert [one.name for one in reports] == [NAME] * 5
+    assert [report.name for report in reports] == [NAME] * 5
     assert not SHARE.exists()
 
 

@@ -184,8 +184,8 @@ def test_one_bad_package_does_not_stop_the_others(
         "setup(entry_points={'console_scripts': ['talk = good.talk:main']})"
     )
     monkeypatch.setenv("ZBOT_WORKSPACE", str(tmp_path))
-    found = {one.name: one for one in workspace_packages()}
-    assert [one.name for one in found["good"].executables] == ["talk"]
+    found = {package.name: package for package in workspace_packages()}
+    assert [executable.name for executable in found["good"].executables] == ["talk"]
     assert found["setup"].fault.endswith("setup.py: its expressions are too large to evaluate")
     assert found["CMakeLists"].fault.endswith("CMakeLists.txt: its variables are too large")
     assert found["good"].fault == ""

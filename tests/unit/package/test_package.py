@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
+from zbot.interfaces.location import package_folder
 from zbot.package import (
     PackageNameError,
     PackageNotFoundError,
@@ -21,7 +22,12 @@ from zbot.package import (
 from zbot.package.finder import Origin, all_packages, find_package
 from zbot.package.symlink_install import SymlinkInstallError
 from zbot.package.user_folders import cache_folder, home_folder
-from zbot.package.workspace import package_folders, set_workspace_variable
+from zbot.package.workspace import (
+    current_workspace,
+    package_folders,
+    packages_by_name,
+    set_workspace_variable,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -224,6 +230,26 @@ def test_files_have_the_places_of_cmake(write: Callable[..., Path]) -> None:
     assert (package_prefix("robot") / "lib" / "robot" / "node.py").read_text() == "scripts/node.py"
 
 
+@pytest.mark.parametrize(
+    ("build_type", "place"),
+    [("ament_python", "by_python"), ("ament_cmake", "by_cmake"), ("", "both")],
+)
+def test_the_build_type_decides_between_two_build_files(
+    write: Callable[..., Path], build_type: str, place: str
+) -> None:
+    folder = write(
+        "start/a.launch.py",
+        setup="('share/robot/by_python', glob('start/*'))",
+        cmake="install(FILES start/a.launch.py DESTINATION share/robot/by_cmake)",
+    )
+    manifest = (folder / "package.xml").read_text()
+    export = f"<export><build_type>{build_type}</build_type></export></package>"
+    (folder / "package.xml").write_text(manifest.replace("</package>", export))
+    listed = _listed(package_share("robot"))
+    places = {"by_python", "by_cmake"} if place == "both" else {place}
+    assert set(listed) == {f"{one}/a.launch.py" for one in places}
+
+
 def test_links_follow_the_sources(write: Callable[..., Path]) -> None:
     folder = write("launch/a.launch.py", "config/x", setup="('share/robot', glob('launch/*'))")
     share = package_share("robot")
@@ -349,6 +375,40 @@ def test_the_workspace_of_a_program_is_used_from_any_folder(
     assert os.environ["ZBOT_WORKSPACE"] == str(folder.parent)
 
 
+def test_a_program_finds_packages_beside_its_own(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    robot = _packages_beside_each_other(tmp_path)
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("ZBOT_WORKSPACE", "")
+    set_workspace_variable(robot)
+    monkeypatch.chdir(robot / "robot")
+    assert sorted(packages_by_name()) == ["arm", "robot"]
+    assert package_folder("robot_words") == tmp_path / "robot_words"
+
+
+def test_a_package_finds_the_packages_of_its_repository(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    robot = _packages_beside_each_other(tmp_path)
+    monkeypatch.chdir(robot / "robot")
+    assert sorted(packages_by_name()) == ["robot"]  # other packages may lie beside it by chance
+    (tmp_path / ".git").mkdir()
+    assert sorted(packages_by_name()) == ["arm", "robot"]
+    assert package_folder("robot_words") == tmp_path / "robot_words"
+    assert [folder for folder, _ in current_workspace()] == [robot]
+
+
+def _packages_beside_each_other(folder: Path) -> Path:
+    """Write packages without a folder `src`, and return the folder of the package `robot`."""
+    for name in ("arm", "robot"):
+        (folder / name / name).mkdir(parents=True)
+        (folder / name / "package.xml").write_text(MANIFEST.format(name))
+    (folder / "robot_words" / "msg").mkdir(parents=True)
+    (folder / "robot_words" / "msg" / "Word.msg").write_text("string data\n")
+    return folder / "robot"
+
+
 def test_a_workspace_given_by_a_variable_is_the_only_one(
     write: Callable[..., Path], monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -434,3 +494,18 @@ def test_a_linked_repository_is_found_once(tmp_path: Path, monkeypatch: pytest.M
     (found,) = package_folders()
     assert found.samefile(folder)
     assert found.is_relative_to(source)
+
+
+@pytest.mark.parametrize("manifest", ["", "src/robots/arm/package.xml", "install/setup.bash"])
+def test_a_folder_src_of_checkouts_is_no_workspace(
+    manifest: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name in ("tool", "other"):
+        (tmp_path / "src" / name).mkdir(parents=True)
+        (tmp_path / "src" / name / "pyproject.toml").write_text(f"[project]\nname = '{name}'\n")
+    if manifest:
+        (tmp_path / manifest).parent.mkdir(parents=True)
+        (tmp_path / manifest).write_text(MANIFEST.format("arm"))
+    monkeypatch.chdir(tmp_path / "src" / "tool")
+    assert ("other" in packages_by_name()) == bool(manifest)
+    assert "tool" in packages_by_name()

@@ -44,8 +44,8 @@ VALUES: list[tuple[Any, Parameter.Type]] = [
 
 
 def test_the_types_have_the_numbers_of_the_message() -> None:
-    for one in Type:
-        assert getattr(ParameterType, f"PARAMETER_{one.name}") == one
+    for type_ in Type:
+        assert getattr(ParameterType, f"PARAMETER_{type_.name}") == type_
 
 
 @pytest.mark.parametrize(("value", "expected"), VALUES)
@@ -164,9 +164,9 @@ def test_a_file_gives_a_nodes_parameters(
 ) -> None:
     (tmp_path / "p.yaml").write_text(FILE)
     found = parameter_dict_from_yaml_file(str(tmp_path / "p.yaml"), wildcard, nodes)
-    values = {name: parameter_value_to_python(one.value) for name, one in found.items()}
+    values = {name: parameter_value_to_python(parameter.value) for name, parameter in found.items()}
     assert values == expected
-    assert all(name == one.name for name, one in found.items())
+    assert all(name == parameter.name for name, parameter in found.items())
 
 
 def test_a_namespace_is_put_before_the_names(tmp_path: Path) -> None:
@@ -182,3 +182,16 @@ def test_a_file_without_the_node_is_refused(tmp_path: Path) -> None:
         parameter_dict_from_yaml_file(str(path), target_nodes=["x"])
     with pytest.raises(ParametersFileError, match="No such file"):
         parameter_dict_from_yaml_file(str(tmp_path / "none.yaml"))
+
+
+def test_a_parameter_in_place_of_its_value_is_a_mistake() -> None:
+    parameter, switch = Parameter("mode", value="fast"), Parameter("debug", value=False)
+    with pytest.warns(UserWarning, match=r"e\.g\. get_parameter\('mode'\)\.value == 'fast'"):
+        assert parameter != "fast"
+    with pytest.warns(UserWarning, match=r"its value is False: write get_parameter\('debug'\)\."):
+        assert switch
+    assert parameter
+    assert parameter == parameter  # noqa: PLR0124 - the same object
+    assert parameter != Parameter("mode", value="fast")
+    assert parameter != None  # noqa: E711 - a program may ask whether it has a parameter
+    assert len({parameter, switch}) == 2

@@ -23,7 +23,7 @@ RECORDED: dict[str, Any] = json.loads(
 
 def shown(value: Any) -> Any:
     if isinstance(value, list):
-        return [shown(one) for one in value]
+        return [shown(item) for item in value]
     kind = {bool: "b", int: "i", float: "f", str: "s"}[type(value)]
     return f"{kind}:{value if isinstance(value, str) else repr(value)}"
 

@@ -15,7 +15,6 @@ from hypothesis.stateful import (
 
 from zbot.parameters.errors import (
     InvalidParameterException,
-    InvalidParameterTypeException,
     InvalidParameterValueException,
     ParameterAlreadyDeclaredException,
     ParameterDeclarationError,
@@ -24,7 +23,7 @@ from zbot.parameters.errors import (
     ParameterNotDeclaredException,
     ParameterUninitializedException,
 )
-from zbot.parameters.parameter import Parameter
+from zbot.parameters.parameter import InvalidParameterTypeException, Parameter
 from zbot.parameters.store import Changes, Declaration, ParameterStore, prefixes_of
 from zbot.parameters.validation import Descriptor, Range
 
@@ -46,9 +45,9 @@ def set_to(where: ParameterStore, **values: Any) -> str:
 
 
 def test_an_override_wins_over_the_default_and_widens() -> None:
-    one = store(rate=2)
-    assert repr(declare(one, "rate", 1.0)) == "2.0"
-    assert one.get("rate").type_ is Type.DOUBLE
+    parameters = store(rate=2)
+    assert repr(declare(parameters, "rate", 1.0)) == "2.0"
+    assert parameters.get("rate").type_ is Type.DOUBLE
 
 
 def test_an_override_may_be_ignored() -> None:
@@ -64,125 +63,133 @@ def test_an_override_of_another_type_is_refused() -> None:
         declare(store(rate="fast"), "rate", 1.0)
 
 
+@pytest.mark.parametrize("value", [True, 7, 0.5])
+def test_a_text_without_quotes_is_refused(value: object) -> None:
+    with pytest.raises(InvalidParameterTypeException, match="'STRING'; put it into quotes, or"):
+        declare(store(name=value), "name", "anna")
+
+
 def test_a_number_with_a_comma_is_refused_with_a_point() -> None:
     with pytest.raises(InvalidParameterTypeException, match=r"write 1\.5, with"):
         declare(store(rate="1,5"), "rate", 1.0)
-    one = store()
-    declare(one, "rate", 1.0)
-    assert set_to(one, rate="1,5").endswith("and is 1.0; write 1.5, with a point")
+    with pytest.raises(InvalidParameterTypeException, match=r"write 1\.5, without quotes"):
+        declare(store(rate="1.5"), "rate", 1.0)
+    parameters = store()
+    declare(parameters, "rate", 1.0)
+    assert set_to(parameters, rate="1,5").endswith("and is 1.0; write 1.5, with a point")
 
 
 def test_an_override_out_of_range_refuses_the_declaration() -> None:
-    one = store(rate=20)
+    parameters = store(rate=20)
     with pytest.raises(InvalidParameterValueException, match=r"out of range\. Min: 0, Max: 10"):
-        declare(one, "rate", 1, integer_range=Range(0, 10))
-    assert not one.values
-    assert not one.descriptors
+        declare(parameters, "rate", 1, integer_range=Range(0, 10))
+    assert not parameters.values
+    assert not parameters.descriptors
 
 
 def test_all_declarations_are_checked_before_the_first_one() -> None:
-    one = store()
+    parameters = store()
     with pytest.raises(InvalidParameterException):
-        one.declare([Declaration("a", 1), Declaration("", 1)])
+        parameters.declare([Declaration("a", 1), Declaration("", 1)])
     with pytest.raises(ParameterDeclarationError, match=r"'b': give it a value, a Parameter\.Type"):
-        one.declare([Declaration("a", 1), Declaration("b")])
+        parameters.declare([Declaration("a", 1), Declaration("b")])
     with pytest.raises(ParameterDeclarationError, match="not both"):
-        declare(one, "c", Type.BOOL, dynamic_typing=True)
+        declare(parameters, "c", Type.BOOL, dynamic_typing=True)
     with pytest.raises(ParameterDeclarationError, match="NOT_SET"):
-        declare(one, "c", Type.NOT_SET)
-    declare(one, "d", 1)
+        declare(parameters, "c", Type.NOT_SET)
+    declare(parameters, "d", 1)
     with pytest.raises(ParameterAlreadyDeclaredException, match="already declared: 'd'"):
-        one.declare([Declaration("a", 1), Declaration("d", 1)])
-    assert list(one.values) == ["d"]
+        parameters.declare([Declaration("a", 1), Declaration("d", 1)])
+    assert list(parameters.values) == ["d"]
 
 
 def test_a_parameter_declared_by_type_has_to_be_set_before_it_is_read() -> None:
-    one = store()
-    declare(one, "port", Type.INTEGER)
+    parameters = store()
+    declare(parameters, "port", Type.INTEGER)
     with pytest.raises(
         ParameterUninitializedException, match=r"'port' is not initialized: set it, .* -p port:="
     ):
-        one.get("port")
-    assert "expected 'integer' got 'string'" in set_to(one, port="usb")
-    assert not set_to(one, port=3)
-    assert one.get("port").value == 3
+        parameters.get("port")
+    assert "expected 'integer' got 'string'" in set_to(parameters, port="usb")
+    assert not set_to(parameters, port=3)
+    assert parameters.get("port").value == 3
 
 
 def test_a_read_only_parameter_takes_its_override_and_never_changes() -> None:
-    one = store(port=7)
-    assert declare(one, "port", 1, read_only=True) == 7
-    assert set_to(one, port=8) == "Trying to set a read-only parameter: port."
+    parameters = store(port=7)
+    assert declare(parameters, "port", 1, read_only=True) == 7
+    assert set_to(parameters, port=8) == "Trying to set a read-only parameter: port."
     with pytest.raises(ParameterImmutableException):
-        one.undeclare("port")
+        parameters.undeclare("port")
 
 
 def test_an_unknown_name_gets_a_suggestion() -> None:
-    one = store()
-    declare(one, "speed", 1)
+    parameters = store()
+    declare(parameters, "speed", 1)
     with pytest.raises(
         ParameterNotDeclaredException,
         match=r"undeclared parameter\(s\): 'sped'; did you mean 'speed'\?",
     ):
-        one.get("sped")
+        parameters.get("sped")
     with pytest.raises(ParameterNotDeclaredException):
-        one.undeclare("sped")
+        parameters.undeclare("sped")
 
 
 def test_parameters_are_set_all_or_none() -> None:
-    one = store()
-    declare(one, "a", 1)
-    declare(one, "b", 1)
-    assert set_to(one, a=2, b="x").startswith("Wrong parameter type")
-    assert one.get("a").value == 1
+    parameters = store()
+    declare(parameters, "a", 1)
+    declare(parameters, "b", 1)
+    assert set_to(parameters, a=2, b="x").startswith("Wrong parameter type")
+    assert parameters.get("a").value == 1
     with pytest.raises(ParameterNotDeclaredException):
-        set_to(one, a=2, c=3)
-    assert one.get("a").value == 1
+        set_to(parameters, a=2, c=3)
+    assert parameters.get("a").value == 1
 
 
 def test_callbacks_are_called_last_added_first_and_may_replace_or_refuse() -> None:
-    one = store()
-    declare(one, "speed", 1.0)
-    declare(one, "gear", 1)
+    parameters = store()
+    declare(parameters, "speed", 1.0)
+    declare(parameters, "gear", 1)
     calls: list[str] = []
-    one.pre_set.append(lambda given: [*given, Parameter("gear", value=2)])
-    one.on_set.append(lambda _: calls.append("first") or "")  # type: ignore[func-returns-value]
-    one.on_set.insert(0, lambda given: "too fast" if given[0].value > 9 else "")
-    one.post_set.append(lambda given: calls.append(f"{[p.name for p in given]}"))
-    assert set_to(one, speed=10) == "too fast"
+    parameters.pre_set.append(lambda given: [*given, Parameter("gear", value=2)])
+    parameters.on_set.append(lambda _: calls.append("first") or "")  # type: ignore[func-returns-value]
+    parameters.on_set.insert(0, lambda given: "too fast" if given[0].value > 9 else "")
+    parameters.post_set.append(lambda given: calls.append(f"{[p.name for p in given]}"))
+    assert set_to(parameters, speed=10) == "too fast"
     assert calls == []
-    assert set_to(one, speed=5) == ""
+    assert set_to(parameters, speed=5) == ""
     assert calls == ["first", "['speed', 'gear']"]
-    assert one.get("gear").value == 2
+    assert parameters.get("gear").value == 2
 
 
 def test_a_pre_set_callback_that_empties_the_list_refuses() -> None:
-    one = store()
-    declare(one, "a", 1)
-    one.pre_set.append(lambda _: [])
-    assert set_to(one, a=2).startswith("parameter list cannot be empty")
+    parameters = store()
+    declare(parameters, "a", 1)
+    parameters.pre_set.append(lambda _: [])
+    assert set_to(parameters, a=2).startswith("parameter list cannot be empty")
 
 
 def test_undeclared_parameters_may_be_allowed() -> None:
-    one = ParameterStore(lambda _: None, allow_undeclared=True)
-    assert one.get("x").type_ is Type.NOT_SET
-    assert one.type_of("x") is Type.NOT_SET
-    assert set_to(one, x=1) == set_to(one, x="now a string") == ""
-    assert one.describe("x") == Descriptor(Type.STRING, dynamic_typing=True)
-    assert one.describe("y") == Descriptor()
+    parameters = ParameterStore(lambda _: None, allow_undeclared=True)
+    assert parameters.get("x").type_ is Type.NOT_SET
+    assert parameters.type_of("x") is Type.NOT_SET
+    assert set_to(parameters, x=1) == set_to(parameters, x="now a string") == ""
+    assert parameters.describe("x") == Descriptor(Type.STRING, dynamic_typing=True)
+    assert parameters.describe("y") == Descriptor()
 
 
 def test_a_new_descriptor_needs_a_value_that_complies() -> None:
-    one = store()
-    declare(one, "a", 50)
+    parameters = store()
+    declare(parameters, "a", 50)
     limits = Descriptor(integer_range=Range(0, 10))
     with pytest.raises(InvalidParameterValueException, match="out of range"):
-        one.set_descriptor("a", limits, None)
-    assert one.describe("a").integer_range is None
-    assert one.set_descriptor("a", limits, Parameter("a", value=5)).value == 5
-    assert one.describe("a") == Descriptor(Type.INTEGER, integer_range=Range(0, 10))
-    one.set_descriptor("a", Descriptor(read_only=True), None)
+        parameters.set_descriptor("a", limits, None)
+    assert parameters.describe("a").integer_range is None
+    assert parameters.set_descriptor("a", limits, Parameter("a", value=5)).value == 5
+    assert parameters.describe("a") == Descriptor(Type.INTEGER, integer_range=Range(0, 10))
+    parameters.set_descriptor("a", Descriptor(read_only=True), None)
     with pytest.raises(ParameterImmutableException):
-        one.set_descriptor("a", limits, None)
+        parameters.set_descriptor("a", limits, None)
 
 
 NAMES = ["a", "cam", "cam.fps", "cam.lens.zoom", "camera", "cam.lens.iris"]
@@ -203,22 +210,22 @@ NAMES = ["a", "cam", "cam.fps", "cam.lens.zoom", "camera", "cam.lens.iris"]
 def test_names_are_listed_by_group_and_depth(
     prefixes: list[str], depth: int, expected: list[str]
 ) -> None:
-    one = store()
+    parameters = store()
     for name in NAMES:
-        declare(one, name, 1)
-    assert one.names(prefixes, depth) == expected
+        declare(parameters, name, 1)
+    assert parameters.names(prefixes, depth) == expected
 
 
 def test_parameters_of_a_group_are_returned_without_its_prefix() -> None:
-    one = store()
+    parameters = store()
     for name in NAMES:
-        declare(one, name, name)
+        declare(parameters, name, name)
     assert list(prefixes_of(NAMES)) == ["cam", "cam.lens"]
-    assert {name: p.value for name, p in one.in_group("cam.lens").items()} == {
+    assert {name: p.value for name, p in parameters.in_group("cam.lens").items()} == {
         "zoom": "cam.lens.zoom",
         "iris": "cam.lens.iris",
     }
-    assert list(one.in_group("")) == NAMES
+    assert list(parameters.in_group("")) == NAMES
 
 
 @dataclass
@@ -248,7 +255,7 @@ def model_widened(value: Any, type_: Parameter.Type) -> Any:
     if type_ is Type.DOUBLE and type(value) is int:
         return float(value)
     if type_ is Type.DOUBLE_ARRAY and isinstance(value, list):
-        return [float(one) for one in value]
+        return [float(item) for item in value]
     return value
 
 
@@ -286,16 +293,18 @@ class ParameterRules(RuleBasedStateMachine):
         self.store.post_set.append(lambda given: self.announced.append([p.name for p in given]))
 
     def replay(self, changes: Changes) -> None:
-        for one in changes.new:
-            assert self.replayed.get(one.name) is None
-        for one in changes.changed:
-            assert self.replayed[one.name] is not None
-        self.replayed |= {one.name: one.value for one in (*changes.new, *changes.changed)}
-        for one in changes.deleted:
-            self.replayed.pop(one.name, None)
+        for parameter in changes.new:
+            assert self.replayed.get(parameter.name) is None
+        for parameter in changes.changed:
+            assert self.replayed[parameter.name] is not None
+        self.replayed |= {
+            parameter.name: parameter.value for parameter in (*changes.new, *changes.changed)
+        }
+        for parameter in changes.deleted:
+            self.replayed.pop(parameter.name, None)
 
     def veto(self, given: list[Parameter[Any]]) -> str:
-        return "no" if any(one.name == self.vetoed for one in given) else ""
+        return "no" if any(parameter.name == self.vetoed for parameter in given) else ""
 
     @rule(name=st.one_of(st.none(), names))
     def a_callback_refuses_from_now_on(self, name: str | None) -> None:
@@ -407,7 +416,7 @@ class ParameterRules(RuleBasedStateMachine):
     def the_node_is_what_the_model_says(self) -> None:
         if not hasattr(self, "model"):
             return
-        found = {name: one.value for name, one in self.store.values.items()}
+        found = {name: value.value for name, value in self.store.values.items()}
         assert found == {name: known.value for name, known in self.model.items()} == self.replayed
         assert self.announced == []
         for name, known in self.model.items():

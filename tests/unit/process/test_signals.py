@@ -11,7 +11,7 @@ import pytest
 
 from zbot.errors import ExternalShutdownException, NotInitializedError
 from zbot.process import signals
-from zbot.process.signals import MainThread, SignalExit, SignalHandlerOptions
+from zbot.process.signals import Interrupted, MainThread, SignalExit, SignalHandlerOptions
 from zbot.threads.foreign_call import without_interruption
 from zbot.threads.weak_set import WeakSet
 
@@ -40,6 +40,7 @@ def context(monkeypatch: pytest.MonkeyPatch) -> Iterator[Context]:
     monkeypatch.setattr(signals, "contexts", WeakSet[Any]())
     monkeypatch.setattr(signals, "guard_conditions", WeakSet[Any]())
     monkeypatch.setattr(MainThread, "spins", 0)
+    monkeypatch.setattr(sys, "excepthook", sys.excepthook)
     handlers = {number: signal.getsignal(number) for number in (INT, TERM)}
     made = Context()
     signals.contexts.add(made)
@@ -148,6 +149,21 @@ def test_ctrl_c_raises_a_keyboard_interrupt_without_a_traceback() -> None:
     assert error is not None
     assert issubclass(error, KeyboardInterrupt)
     assert issubclass(error, SystemExit)
+
+
+def test_the_hook_of_ctrl_c_gives_other_exceptions_to_the_hook_before(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    others: list[BaseException] = []
+    monkeypatch.setattr(sys, "excepthook", lambda _, value, __: others.append(value))
+    monkeypatch.setattr(signals, "_NEEDS_HOOK", True)
+    signals.install()
+    assert [raised(INT), raised(INT)] == [Interrupted] * 2
+    mistake = ValueError()
+    for error in (Interrupted(INT), mistake):
+        sys.excepthook(type(error), error, None)
+    assert others == [mistake]
+    assert signals._Process.ends_by == INT
 
 
 def test_ctrl_c_at_a_prompt_raises_pythons_keyboard_interrupt(

@@ -23,7 +23,7 @@ class FakeNode:
 
     def get_parameters(self, request: Any) -> Any:
         found = [Parameter(name, value=self.values[name]) for name in self._known(request.names)]
-        return SimpleNamespace(values=[one.to_parameter_msg().value for one in found])
+        return SimpleNamespace(values=[parameter.to_parameter_msg().value for parameter in found])
 
     def describe_parameters(self, request: Any) -> Any:
         types = {name: Parameter(name, value=self.values[name]).type_ for name in self.values}
@@ -33,8 +33,8 @@ class FakeNode:
         return SimpleNamespace(descriptors=described)
 
     def set_parameters(self, request: Any) -> Any:
-        for one in request.parameters:
-            parameter = Parameter.from_parameter_msg(one)
+        for message in request.parameters:
+            parameter = Parameter.from_parameter_msg(message)
             self.values[parameter.name] = parameter.value
         result = SetParametersResult(successful=not self.is_read_only)
         return SimpleNamespace(results=[result] * len(request.parameters))

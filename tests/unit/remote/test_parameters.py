@@ -36,7 +36,7 @@ def test_names_are_sorted_and_values_come_by_name() -> None:
     client = remote(FakeNode(rate=5, name="a"))
     assert client.names("/robot") == ["name", "rate"]
     values = client.values("/robot", ["rate", "name"])
-    assert {name: one.value for name, one in values.items()} == {"rate": 5, "name": "a"}
+    assert {name: value.value for name, value in values.items()} == {"rate": 5, "name": "a"}
 
 
 def test_a_parameter_that_the_node_lacks_is_named() -> None:
@@ -80,4 +80,4 @@ def test_a_number_of_json_gets_the_type_of_the_nodes_number(
 def test_a_list_of_a_file_becomes_bytes_if_the_nodes_value_is_bytes() -> None:
     client = remote(FakeNode(key=[b"\x01"], sizes=[1]))
     made = client.from_file("/robot", {"key": [1, 2], "sizes": [1, 2], "new": [3]})
-    assert [one.value for one in made] == [[b"\x01", b"\x02"], [1, 2], [3]]
+    assert [parameter.value for parameter in made] == [[b"\x01", b"\x02"], [1, 2], [3]]

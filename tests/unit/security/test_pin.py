@@ -176,9 +176,9 @@ def test_at_most_forty_guesses_per_minute_are_possible(server: PinServer, clock:
 
 def test_guesses_prepared_at_once_count_each(server: PinServer) -> None:
     prepared = [claim(server, Secret(f"{number:06d}")) for number in range(30)]
-    for one in prepared:
+    for given in prepared:
         with pytest.raises(PinError):
-            server.admit(one)
+            server.admit(given)
     assert server.wrong == 10
 
 
@@ -189,7 +189,7 @@ def test_the_right_pin_does_not_count_as_a_guess(server: PinServer) -> None:
 
 def test_forty_laptops_can_join_at_once(server: PinServer) -> None:
     claims = [claim(server) for _ in range(40)]
-    assert all(server.admit(one).request == REQUEST for one in claims)
+    assert all(server.admit(prepared_claim).request == REQUEST for prepared_claim in claims)
 
 
 BAD_TEXTS = [None, 5, "", "41", "xyz", ["1"], {"a": 1}, "f" * 1_000_000, "\ud800", "é" * 66]

@@ -66,7 +66,7 @@ def length_of(name: str) -> int:
 
         return forward
 
-    Join().run(**{one: measure(one) for one in ("hello", "challenge", "claim", "answer")})
+    Join().run(**{step: measure(step) for step in ("hello", "challenge", "claim", "answer")})
     return lengths[name]
 
 

@@ -181,8 +181,8 @@ def test_points_vectors_and_poses_are_transformed() -> None:
     buffer = Buffer()
     buffer.set_transform_static(make_transform("map", "laser", 0.0, (1.0, 0.0, 0.0), QUARTER))
     point, vector, pose = PointStamped(), Vector3Stamped(), PoseStamped()
-    for one in (point, vector, pose):
-        one.header.frame_id = "laser"
+    for stamped in (point, vector, pose):
+        stamped.header.frame_id = "laser"
     point.point.x = vector.vector.x = pose.pose.position.x = 2.0
     there = buffer.transform(point, "map")
     assert isinstance(there, PointStamped)

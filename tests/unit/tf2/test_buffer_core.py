@@ -196,12 +196,14 @@ def test_the_tree_can_be_printed(core: BufferCore) -> None:
     assert core.all_frames_as_yaml() == "[]"
 
 
-def test_a_loop_of_frames_ends(core: BufferCore) -> None:
+@pytest.mark.parametrize("time", [NOW, at(1)])
+def test_a_loop_of_frames_is_an_error_of_the_lookup(core: BufferCore, time: zbot.Time) -> None:
     core.set_transform(make_transform("a", "b"))
     core.set_transform(make_transform("b", "a"))
     core.set_transform(make_transform("map", "c"))
-    with pytest.raises(ConnectivityException):
-        core.lookup_transform_core("a", "c", NOW)
+    with pytest.raises(LookupException, match="The tf tree is invalid because it contains a loop"):
+        core.lookup_transform_core("a", "c", time)
+    assert not core._is_possible("a", "c", time)
 
 
 @given(motions)

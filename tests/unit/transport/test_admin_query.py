@@ -1,10 +1,23 @@
 from __future__ import annotations
 
+from types import SimpleNamespace
+from typing import TYPE_CHECKING, Any
+
 import pytest
 
-from zbot.graph.snapshot import Process, process_of
 from zbot.json_reader import JsonError
-from zbot.transport.admin_query import RouterFacts, router_facts
+from zbot.transport.admin_query import (
+    Process,
+    RouterFacts,
+    all_tokens,
+    process_of,
+    router_facts,
+)
+
+if TYPE_CHECKING:
+    from typing_extensions import Self
+
+    from zbot.log.record import Record
 
 FACTS = b'{"host": "desk", "pid": %b, "started": %b, "version": "1", "command": %b}'
 
@@ -61,3 +74,35 @@ def test_a_process_is_described() -> None:
 def test_a_process_needs_a_valid_number(pid: bytes) -> None:
     assert process_of("a1", facts(pid=pid)) is None
     assert process_of("a1", facts(started=b"-1")) is None
+
+
+class BusyRouter:
+    """Session whose router does not answer the first queries in time."""
+
+    def __init__(self, late: int) -> None:
+        self.late = late
+        self.limits_s: list[float] = []
+
+    def liveliness(self) -> Self:
+        return self
+
+    def get(self, key: str, _queue: object, *, timeout: float) -> list[Any]:
+        self.limits_s.append(timeout)
+        found = SimpleNamespace(ok=SimpleNamespace(key_expr=f"{key}/token"))
+        return [found] if len(self.limits_s) > self.late else [SimpleNamespace(ok=None)]
+
+
+def test_a_busy_router_is_asked_again_for_tokens(logged: list[Record]) -> None:
+    router: Any = BusyRouter(late=1)
+    assert all_tokens(router, ["a", "b"]) == ["a/token", "b/token"]
+    first, again = router.limits_s[0], router.limits_s[-1]
+    assert router.limits_s == [first, first, again, again]
+    assert again > first
+    assert not logged
+
+
+def test_a_router_that_does_not_answer_is_told(logged: list[Record]) -> None:
+    router: Any = BusyRouter(late=4)
+    assert all_tokens(router, ["a", "b"]) == []
+    (line,) = logged
+    assert line.message == "the router did not answer within 10 s: some nodes may be missing"

@@ -56,7 +56,9 @@ def test_the_port_of_the_own_hub_is_the_one_at_joining(monkeypatch: pytest.Monke
     membership.save(replace(STUDENT, hub_port=7500))
     monkeypatch.setenv("ZBOT_HUB_PORT", "7501")
     assert config.hub_port() == 7500
-    assert [one.setting for one in environment.differences()] == ["ZBOT_HUB_PORT=7501"]
+    assert [difference.setting for difference in environment.differences()] == [
+        "ZBOT_HUB_PORT=7501"
+    ]
 
 
 @pytest.mark.parametrize(
@@ -80,8 +82,8 @@ def test_settings_that_differ_from_the_class_are_listed(
     membership.save(replace(STUDENT, role=role))
     monkeypatch.setenv(*variable)
     found = environment.differences()
-    assert [one.setting for one in found] == settings
-    assert not any(one.hides for one in found)
+    assert [difference.setting for difference in found] == settings
+    assert not any(difference.hides for difference in found)
 
 
 @pytest.mark.parametrize(
@@ -102,7 +104,7 @@ def test_a_configuration_that_connects_elsewhere_hides_nodes(
     (tmp_path / "far.json5").write_text(f"{{ connect: {{ endpoints: {endpoints} }} }}")
     monkeypatch.setenv("ZENOH_CONFIG", str(tmp_path / "far.json5"))
     monkeypatch.delenv("ZBOT_HUB_PORT")
-    assert [one.hides for one in environment.differences()] == [True] * (not is_seen)
+    assert [difference.hides for difference in environment.differences()] == [True] * (not is_seen)
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows has no file modes")

@@ -8,7 +8,7 @@ import pytest
 
 from zbot.transport import rmw_choice
 from zbot.transport.config import SessionConfig, setting
-from zbot.transport.errors import ConfigError, SettingError
+from zbot.transport.errors import SettingError
 from zbot.transport.rmw_choice import RMW_VARIABLE, RMW_ZENOH, dialect_of_rmw
 from zbot.transport.rmw_config import RmwConfig, endpoints, is_local, router_attempts
 from zbot.wire.dialect import CLASSROOM, NATIVE
@@ -101,7 +101,7 @@ def test_an_invalid_override_is_refused_with_one_sentence(
     text: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("ZENOH_CONFIG_OVERRIDE", text)
-    with pytest.raises(ConfigError, match="ZENOH_CONFIG_OVERRIDE"):
+    with pytest.raises(SettingError, match="ZENOH_CONFIG_OVERRIDE"):
         RmwConfig().session({})
 
 
@@ -109,7 +109,7 @@ def test_a_file_that_does_not_exist_is_refused_with_one_sentence(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setenv("ZENOH_SESSION_CONFIG_URI", "no/such/file")
-    with pytest.raises(ConfigError, match="no/such/file"):
+    with pytest.raises(SettingError, match="no/such/file"):
         RmwConfig()
 
 

@@ -1,14 +1,18 @@
 from __future__ import annotations
 
 import os
+import signal
+import subprocess
+import sys
 from dataclasses import replace
+from types import SimpleNamespace
 from typing import TYPE_CHECKING
 
 import pytest
 
 from zbot.transport import membership, running_programs
 from zbot.transport.membership import Membership
-from zbot.transport.running_programs import Registration, RunningProgram
+from zbot.transport.running_programs import Registration, RunningProgram, is_stopped
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -118,5 +122,20 @@ def test_nodes_of_other_domains_are_named_with_their_domain(
     assert running_programs.elsewhere_text(5) == (
         "this machine runs /talker in domain 17: set ZBOT_DOMAIN_ID=17"
     )
+    in_class = SimpleNamespace(role="student")
+    monkeypatch.setattr(membership, "load", lambda: in_class)
+    assert running_programs.elsewhere_text(5) == "this machine runs /talker in domain 17"
     monkeypatch.setattr(running_programs, "running", lambda: programs[:1])
     assert running_programs.elsewhere_text(17) == ""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows cannot stop a process")
+def test_a_process_is_stopped_until_it_continues() -> None:
+    with subprocess.Popen([sys.executable, "-c", "input()"], stdin=subprocess.PIPE) as process:
+        assert not is_stopped(process.pid)
+        process.send_signal(signal.SIGSTOP)
+        os.waitpid(process.pid, os.WUNTRACED)
+        assert is_stopped(process.pid)
+        process.send_signal(signal.SIGCONT)
+        process.communicate(b"")
+    assert not is_stopped(process.pid)

@@ -224,6 +224,15 @@ def test_selectors_match_the_tokens_of_ros_2() -> None:
         assert zenoh.KeyExpr(namesakes).includes(zenoh.KeyExpr(key))
 
 
+def test_a_type_selector_matches_the_endpoints_of_ros_2() -> None:
+    tokens = [(key, ROS2.parse_token(key)) for key in RECORDED]
+    endpoints = [(key, token) for key, token in tokens if isinstance(token, EndpointToken)]
+    assert endpoints
+    for key, token in endpoints:
+        selector = ROS2.type_selector(token.domain, token.kind, token.type_name)
+        assert zenoh.KeyExpr(selector).includes(zenoh.KeyExpr(key))
+
+
 def test_an_attachment_of_another_form_is_refused_with_a_reason() -> None:
     assert "no attachment" in ROS2.attachment_refusal(None)
     assert "78 bytes" in ROS2.attachment_refusal(78)

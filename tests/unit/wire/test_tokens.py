@@ -19,6 +19,7 @@ from zbot.wire.tokens import (
     namesake_selector,
     parse_token,
     token_selector,
+    type_selector,
 )
 
 ZID = "aac3178e146ba6f1fc6e6a4085e77f21"
@@ -135,3 +136,20 @@ def test_a_namesake_selector_matches_all_tokens_with_the_same_name() -> None:
     assert selector.includes(zenoh.KeyExpr(ENDPOINT_KEY.replace("/MP/", "/MS/")))
     other = replace(endpoint, name="/other", key="")
     assert not selector.intersects(zenoh.KeyExpr(other.key))
+
+
+def test_a_type_selector_matches_all_endpoints_of_a_kind_and_type() -> None:
+    selector = zenoh.KeyExpr(type_selector(endpoint.domain, endpoint.kind, endpoint.type_name))
+    assert selector.includes(zenoh.KeyExpr(ENDPOINT_KEY))
+    of_same_type = (
+        replace(endpoint, name="/other", key=""),
+        replace(endpoint, node="camera", key=""),
+        replace(endpoint, type_hash="RIHS01_0", key=""),
+    )
+    assert all(selector.includes(zenoh.KeyExpr(token.key)) for token in of_same_type)
+    others = (
+        replace(endpoint, type_name="a/msg/B", key=""),
+        replace(endpoint, kind=EntityKind.SERVICE, key=""),
+        replace(endpoint, domain=8, key=""),
+    )
+    assert not any(selector.intersects(zenoh.KeyExpr(token.key)) for token in others)

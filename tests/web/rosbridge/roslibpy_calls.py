@@ -89,7 +89,7 @@ def publish(ros: Any) -> None:
     twist = roslibpy.Topic(ros, "/turtle1/cmd_vel", "geometry_msgs/Twist")
     moved = threading.Event()
     pose = roslibpy.Topic(ros, "/turtle1/pose", "turtlesim/Pose")
-    pose.subscribe(lambda one: moved.set() if one["linear_velocity"] > 0 else None)
+    pose.subscribe(lambda seen: moved.set() if seen["linear_velocity"] > 0 else None)
     for _ in range(PATIENCE_S * 10):
         twist.publish(roslibpy.Message({"linear": {"x": 1.0}}))
         if moved.wait(0.1):
@@ -186,13 +186,13 @@ def main(address: str) -> None:
     ros = roslibpy.Ros(address)
     ros.run(timeout=PATIENCE_S)
     wrong = 0
-    for one in CALLS:
+    for check in CALLS:
         try:
-            one(ros)
-            print(f"{one.__name__:30} ok", flush=True)
+            check(ros)
+            print(f"{check.__name__:30} ok", flush=True)
         except Exception:  # noqa: BLE001 - each call is one line of the table
             wrong += 1
-            print(f"{one.__name__:30} {traceback.format_exc()}", flush=True)
+            print(f"{check.__name__:30} {traceback.format_exc()}", flush=True)
     ros.close()
     print("all ok" if not wrong else f"{wrong} calls failed", flush=True)
     ros.terminate()

@@ -1,4 +1,4 @@
-"""Links between hubs. They use plain TCP, or TLS with the certificates of a keystore."""
+"""Links between hubs, which use plain TCP or TLS, and the identity of the hub at their end."""
 
 from __future__ import annotations
 
@@ -10,6 +10,8 @@ from zbot.classroom.hub.address import EVERYWHERE, Address, own_addresses
 from zbot.transport.session import hub_endpoint
 
 if TYPE_CHECKING:
+    import zenoh
+
     from zbot.security.keystore import Identity
 
 
@@ -108,3 +110,24 @@ class Link:
 
 
 PLAINTEXT = Link()
+
+
+def certificate_identity(fingerprint: str) -> str:
+    """Return the identity of a hub that has shown a certificate."""
+    return f"certificate/{fingerprint}"
+
+
+def dialled_identity(session: zenoh.Session) -> str:
+    """Return the address that a hub's client is connected to, such as `tcp/192.168.1.10:7447`.
+
+    A host name is not enough, because only the laptop knows it. The link has the IP address.
+    """
+    return next((str(link.dst) for link in session.info.links()), "")
+
+
+def own_identities(session: zenoh.Session) -> set[str]:
+    """Return the addresses of a hub at which other sessions are connected now.
+
+    The laptop that asks for admission is one of these sessions.
+    """
+    return {str(link.src) for link in session.info.links()}

@@ -17,22 +17,27 @@ from dataclasses import asdict, dataclass
 from typing import IO, TYPE_CHECKING
 
 from zbot.classroom.errors import already_joined_error, hub_start_error
+from zbot.errors import ZbotError
 from zbot.json_reader import read_json_object
 from zbot.security.secret import make_private_folder, write_private
 from zbot.threads.deadline import poll
 from zbot.transport import background_process, config, router_process
 from zbot.transport.errors import SettingError
 from zbot.transport.membership import folder
-from zbot.transport.process_space import process_space
+from zbot.transport.process_facts import process_space
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Callable, Iterator
     from pathlib import Path
 
 READY = "ready"
 _STOP_TIMEOUT_S = 5.0
 _PAUSE_S = 0.02
 _LOCK_TIMEOUT_S = 0.2
+# Zenoh accepts all links in one thread, and receives in two. If a laptop is out of reach when its
+# link is closed, the thread stands still for 10 s (docs/design/zenoh-faults.md). These are enough
+# threads for a class of thirty. They cost 1 MB.
+_ZENOH_THREADS = {"ZENOH_RUNTIME": "(acc: (worker_threads: 32), rx: (worker_threads: 32))"}
 
 
 @dataclass(frozen=True)
@@ -110,7 +115,12 @@ def start(role: str) -> None:
     write_private(log_path(), b"")
     with log_path().open("a", encoding="utf-8") as log:
         process = background_process.start(
-            "zbot.classroom", role, stdout=subprocess.PIPE, stderr=log, cwd=folder()
+            "zbot.classroom",
+            role,
+            variables=_ZENOH_THREADS,
+            stdout=subprocess.PIPE,
+            stderr=log,
+            cwd=folder(),
         )
     assert process.stdout is not None
     with process.stdout as lines:
@@ -126,6 +136,19 @@ def report_ready() -> None:
     print(READY, flush=True)
     sys.stdout = sys.stderr
     os.dup2(2, 1)
+
+
+def exit_code(run: Callable[[], None]) -> int:
+    """Run the work of a process in the background, and return its exit code.
+
+    An error is printed for the program that has started the process.
+    """
+    try:
+        run()
+    except ZbotError as error:
+        print(error, flush=True)
+        return 1
+    return 0
 
 
 def end_router() -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import functools
+import secrets
 import socket
 import time
 from dataclasses import replace
@@ -15,6 +16,7 @@ from zbot.classroom.errors import (
     already_joined_error,
     not_joined_error,
     other_class_error,
+    own_class_error,
 )
 from zbot.classroom.hub import running_hub
 from zbot.classroom.hub.address import Address, own_addresses, parse_address
@@ -25,7 +27,7 @@ from zbot.classroom.join_code import decode, looks_like_code
 from zbot.classroom.join_request import JoinRequest
 from zbot.classroom.student.link_problem import is_accepted
 from zbot.classroom.student.lobby import release, request_membership
-from zbot.classroom.student.machine_id import machine_id, new_machine_id, save_machine_id
+from zbot.security.secret import make_private_folder, write_private
 from zbot.threads.deadline import Deadline, poll
 from zbot.transport import membership
 from zbot.transport.config import hub_port
@@ -44,6 +46,7 @@ _RESUMED_S = 3.0
 _LINK_PAUSE_S = 0.05
 _NOTICED_S = 5.0  # a hub notices within 4 s that a laptop is away
 _PAUSE_S = 0.5
+_MACHINE_BYTES = 8
 
 
 class Joined(NamedTuple):
@@ -215,7 +218,9 @@ def _check_not_joined() -> None:
     """
     present, hub = membership.load(), running_hub.find()
     is_over = hub is None or not hub_facts(hub.pid).get("linked", False)
-    if present is not None and (present.role == "teacher" or not is_over):
+    if present is not None and present.role == "teacher":
+        raise own_class_error(present.class_name)
+    if present is not None and not is_over:
         raise already_joined_error(f"has joined {present.class_name or present.host}")
     if present is None and hub is not None:
         raise already_joined_error("runs a hub")
@@ -253,3 +258,24 @@ def leave() -> Left | None:
         return None
     is_released = present.role != "student" or release(present)
     return Left(present, is_released=is_released)
+
+
+def new_machine_id() -> str:
+    """Return a random identifier."""
+    return secrets.token_hex(_MACHINE_BYTES)
+
+
+def machine_id() -> str:
+    """Return the identifier of this user's machine. It is random and stored in a file."""
+    try:
+        return (membership.folder() / "machine").read_text(encoding="utf-8").strip()
+    except FileNotFoundError:
+        made = new_machine_id()
+        save_machine_id(made)
+        return made
+
+
+def save_machine_id(machine: str) -> None:
+    """Let this machine have an identifier from now on."""
+    make_private_folder(membership.folder())
+    write_private(membership.folder() / "machine", machine.encode())

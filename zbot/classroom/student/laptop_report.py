@@ -70,8 +70,9 @@ class LaptopReport:
         """Ask the class for its notices, and for what only the owner of the number may know.
 
         The owner gets the nodes of this laptop that the class sees, the numbers of the other
-        students with the same name, and whether the class sees this laptop. Return `None` if the
-        class does not answer. A class does not answer a laptop that it does not accept.
+        students with the same name, and whether the class sees this laptop. `sensors` says whether
+        pages may publish the sensors of browsers. Return `None` if the class does not answer. A
+        class does not answer a laptop that it does not accept.
         """
         number = self._joined.number
         question = {"number": number, "proof": proof(self._joined.claim, "nodes")}
@@ -86,6 +87,7 @@ class LaptopReport:
             "nodes": answers[0].get("nodes"),
             "namesakes": answers[0].get("namesakes"),
             "here": answers[0].get("here"),
+            "sensors": answers[0].get("sensors"),
         }
 
     def _facts(self, _question: dict[str, Any]) -> dict[str, Any]:

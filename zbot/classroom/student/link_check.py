@@ -22,8 +22,8 @@ from zbot.classroom.student.visibility import names_of
 from zbot.log import get_logger
 from zbot.threads.foreign_call import called_by_zenoh
 from zbot.transport import admin_query
-from zbot.transport.config import MEETING_PORT
-from zbot.transport.session import LOOPBACK, open_hub_client
+from zbot.transport.meeting_port import LOOPBACK, meeting_port
+from zbot.transport.session import open_hub_client
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -155,7 +155,7 @@ class LinkCheck:
 
         If the router is not linked with the hub, return nothing: the router dials again.
         """
-        router = open_hub_client(f"tcp/{LOOPBACK}:{MEETING_PORT + self._domain}")
+        router = open_hub_client(f"tcp/{LOOPBACK}:{meeting_port(self._domain)}")
         if router is None:
             return frozenset(), set()
         with router:

@@ -4,18 +4,16 @@ from __future__ import annotations
 
 import re
 import time
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from typing import TYPE_CHECKING, Any
 
 from zbot.classroom.errors import ClassroomError, NoHubError, RefusedError, SilentHubError
 from zbot.classroom.hub.address import Address
-from zbot.classroom.hub.identity import certificate_identity, dialled_identity
-from zbot.classroom.hub.link import PLAINTEXT, Link
+from zbot.classroom.hub.link import PLAINTEXT, Link, certificate_identity, dialled_identity
 from zbot.classroom.hub.probe import problem_at
 from zbot.classroom.hub.queries import ask
-from zbot.classroom.join_request import proof
-from zbot.classroom.keys import ADMISSION_KEY
-from zbot.classroom.student_name import clean_name
+from zbot.classroom.join_request import clean_name, proof
+from zbot.classroom.keys import ADMISSION_KEY, HUB_KEY
 from zbot.security.access import LOBBY, LOBBY_SECRET, credentials
 from zbot.security.pin import PinClient, WrongPinError
 from zbot.security.secret import Secret
@@ -44,6 +42,8 @@ _REOPENED_PAUSE_S = 0.5
 _SILENT_S = 0.4  # a program that is not a hub usually closes the connection sooner
 _MOST_FRUITLESS = 3  # attempts at a hub or a class that does not answer
 _MAX_SENTENCE_LENGTH = 500
+_MAX_VERSION = 40
+_VERSION_TIMEOUT_S = 1.0
 _GREETINGS = 3
 _GREETING_PAUSE_S = 0.2
 # These override the user name of a class that this machine has joined before.
@@ -159,7 +159,8 @@ class _JoinQueries:
     def join(self, request: JoinRequest, ask_pin: AskPin) -> Membership:
         hello = self._greeting()
         if hello is None:
-            return Membership("partner", self._address.host, self._address.port)
+            host, port = self._address.host, self._address.port
+            return Membership("partner", host, port, version=self._hub_version())
         class_name = str(hello.get("class"))
         pin = ask_pin(clean_name(class_name)) if hello.get("pin") else ""
         if pin is None:
@@ -171,9 +172,15 @@ class _JoinQueries:
         sealed = self._ask("claim", client.claim(challenge, asdict(request)))
         given = client.opened(sealed)
         try:
-            return membership_from(self._address, given)
+            joined = membership_from(self._address, given)
         except (KeyError, TypeError, ValueError) as exc:
             raise NoHubError(self._address.host, self._address.port) from exc
+        return replace(joined, version=_version(hello))
+
+    def _hub_version(self) -> str:
+        """Return the version of zbot of a hub without a class, or `""` if it does not say it."""
+        found = ask(self._session, f"{HUB_KEY}/*", timeout_s=_VERSION_TIMEOUT_S)
+        return _version(found[0]) if found else ""
 
     def _greeting(self) -> dict[str, Any] | None:
         """Return the class's answer to `hello`, or `None` if the hub has no class."""
@@ -195,6 +202,11 @@ class _JoinQueries:
         if not answers:
             raise SilentHubError(self._address.host, self._address.port)
         return _checked(answers[0])
+
+
+def _version(answer: dict[str, Any]) -> str:
+    """Return the version of zbot in an answer, or `""` if the answer does not have it."""
+    return single_line(str(answer.get("version", "")), _MAX_VERSION)
 
 
 def _wait_s(answer: dict[str, Any]) -> float | None:

@@ -28,6 +28,7 @@ class ClassRecord:
     pin: str = field(default="", repr=False)
     keystore: str = ""  #: folder of the teacher's certificate (empty without certificates)
     is_open: bool = False  #: whether students may publish in the shared space
+    has_sensors: bool = True  #: whether pages may publish the sensors of browsers
     shares: list[tuple[int, int]] = field(default_factory=list)  #: (owner, reader) of a domain
     notices: list[dict[str, Any]] = field(default_factory=list)
 

@@ -63,6 +63,7 @@ class ClassCommands:
             "next": self._next,
             "share": self._share,
             "open": self._open,
+            "sensors": self._sensors,
             "close": self._close,
             "robot": self._robot,
             "give": self._give,
@@ -195,6 +196,12 @@ class ClassCommands:
         self._record.is_open = bool(question.get("on", True))
         self._apply()
         return {"open": self._record.is_open}
+
+    def _sensors(self, question: Document) -> Document:
+        """Allow or forbid that pages publish the sensors of browsers. The pages ask for this."""
+        self._record.has_sensors = bool(question.get("on", True))
+        self._record.save()
+        return {"sensors": self._record.has_sensors}
 
 
 def _expected(given: object) -> dict[int, str]:

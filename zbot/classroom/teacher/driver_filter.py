@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+from functools import partial
 from typing import TYPE_CHECKING
 
 import zenoh
@@ -10,8 +11,8 @@ import zenoh
 from zbot.classroom.hub.queries import ask, document_of
 from zbot.classroom.keys import COMMAND_KEY, ROBOTS_KEY
 from zbot.classroom.teacher.robots import driver_in
+from zbot.graph.token_changes import TokenChanges
 from zbot.threads.deadline import Deadline
-from zbot.threads.foreign_call import called_by_zenoh
 from zbot.transport import membership
 from zbot.wire.tokens import token_selector
 
@@ -54,20 +55,29 @@ class DriverFilter:
         self.driver: int | None = None
         self._sessions: set[str] = set()  # Zenoh ids of the driver's programs
         self._tokens: set[str] = set()
-        self._watch: zenoh.Subscriber[None] | None = None
+        self._watch: TokenChanges | None = None
         self._lock = threading.RLock()
         self._is_over = threading.Event()
         self._thread = threading.Thread(target=self._poll, name="zbot robot driver", daemon=True)
 
     def start(self) -> None:
         """Begin to ask the class who drives."""
-        receiver = self._context.receiver(self._on_drivers)
+        receiver = self._context.receiver(self._on_drivers, may_wait=True)
         self._drivers = self._context.session.declare_subscriber(ROBOTS_KEY, receiver)
         self._thread.start()
 
     def admits(self, name: str, gid: bytes) -> bool:
         """Return whether a message or a request of this publisher or client may pass."""
         del name
+        if self._is_of_driver(gid):
+            return True
+        # A program's first message may be here before its tokens were noted.
+        self._context.graph.catch_up()
+        if (watch := self._watch) is not None:
+            watch.catch_up()
+        return self._is_of_driver(gid)
+
+    def _is_of_driver(self, gid: bytes) -> bool:
         sender = self._context.graph.find(gid)
         return sender is not None and sender.zid in self._sessions
 
@@ -93,7 +103,6 @@ class DriverFilter:
                 self._set(None)
             self._is_over.wait(_ASK_S)
 
-    @called_by_zenoh
     def _on_drivers(self, sample: zenoh.Sample) -> None:
         self._set(driver_in(document_of(sample.payload), self._robot))
 
@@ -106,18 +115,19 @@ class DriverFilter:
             had_sessions = bool(self._sessions)
             self._sessions, self._tokens = set(), set()
             if number is not None:
-                self._watch = self._context.session.liveliness().declare_subscriber(
-                    token_selector(number),
-                    self._context.receiver(lambda sample: self._note(number, sample)),
-                    history=True,
+                self._watch = TokenChanges(
+                    self._context.session,
+                    partial(self._note, number),
+                    self._context.receiver,
+                    self._context.start_thread,
                 )
-        # This is outside of the lock: `undeclare` may wait for a callback that waits for the lock.
+                self._watch.follow(token_selector(number))
+        # This is outside of the lock: `close` may wait for a callback that waits for the lock.
         if watch is not None and not self._context.is_closed:
-            watch.undeclare()
+            watch.close()
         if had_sessions:
             self._stop()
 
-    @called_by_zenoh
     def _note(self, number: int, sample: zenoh.Sample) -> None:
         """Note a token of the driver's domain."""
         key = str(sample.key_expr)

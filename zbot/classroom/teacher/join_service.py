@@ -10,9 +10,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from zbot.classroom.errors import ClassroomError, ReopeningError
+from zbot.classroom.errors import RefusedError
 from zbot.classroom.join_request import Document, JoinRequest
-from zbot.classroom.teacher.student_number import SimilarNameError, TakenError
 from zbot.errors import SetupError
 from zbot.security.pin import PinServer, TooManyGuessesError, WrongPinError
 from zbot.security.secret import Secret
@@ -22,29 +21,6 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from zbot.classroom.teacher.student_list import StudentList
-
-
-class CopiedMachineError(ClassroomError):
-    """A connected laptop has the identifier of the laptop that joins."""
-
-    def __init__(self, number: int, name: str) -> None:
-        self.number, self.name = number, name
-        super().__init__(
-            f"the laptop of {name} (number {number}) is connected and has the identifier of this "
-            "laptop: both may have been copied from one image"
-        )
-
-
-# The value of `refused` in a reply, for each kind of error. The first match counts.
-_REFUSALS: tuple[tuple[type[SetupError], str], ...] = (
-    (WrongPinError, "pin"),
-    (TooManyGuessesError, "wait"),
-    (ReopeningError, "wait"),
-    (TakenError, "taken"),
-    (SimilarNameError, "similar"),
-    (CopiedMachineError, "copied"),
-    (SetupError, "question"),
-)
 
 
 class JoinService:
@@ -57,7 +33,7 @@ class JoinService:
         is_own_hub: Takes the identity of the hub that a laptop has connected to (see
             `hub_identity`), and returns whether this hub is the class's hub.
         credentials: Takes a number and returns the credentials that its laptop needs for the hub.
-            If the hub does not accept them yet, it raises `ReopeningError`.
+            If the hub does not accept them yet, it raises `RefusedError`.
         changed: Called with a student's number after the list has changed.
     """
 
@@ -93,9 +69,9 @@ class JoinService:
         try:
             return step(question)
         except SetupError as error:
-            kind = next(word for known, word in _REFUSALS if isinstance(error, known))
             wait_s = getattr(error, "wait_s", None)
             known = getattr(error, "known", None)
+            kind = _kind(error)
             return {"refused": kind, "sentence": str(error), "wait_s": wait_s, "known": known}
 
     def _hello(self, _question: Document) -> Document:
@@ -120,7 +96,11 @@ class JoinService:
     def _check_copied(self, machine: str) -> None:
         for student in self._students.students():
             if student.machine == machine and self._students.laptop(student.number).is_here:
-                raise CopiedMachineError(student.number, student.name)
+                raise RefusedError(
+                    "copied",
+                    f"the laptop of {student.name} (number {student.number}) is connected and has "
+                    "the identifier of this laptop: both may have been copied from one image",
+                )
 
     def _release(self, question: Document) -> Document:
         student = self._students.owner(question, "release")
@@ -132,3 +112,12 @@ class JoinService:
 
     def _member(self, question: Document) -> Document:
         return {"member": self._students.owner(question, "member") is not None}
+
+
+def _kind(error: SetupError) -> str:
+    """Return the value of `refused` in the reply about an error."""
+    if isinstance(error, RefusedError):
+        return error.kind
+    if isinstance(error, TooManyGuessesError):
+        return "wait"
+    return "pin" if isinstance(error, WrongPinError) else "question"

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any
 import zenoh
 
 from zbot.classroom.hub.queries import document_of
+from zbot.classroom.join_request import clean_name
 from zbot.classroom.keys import facts_key, here_key
-from zbot.classroom.student_name import clean_name
 from zbot.classroom.teacher.running_nodes import RunningNodes
 from zbot.threads.deadline import Deadline
 from zbot.threads.foreign_call import called_by_zenoh

@@ -30,8 +30,9 @@ from zbot.security.pin import random_pin
 from zbot.threads.deadline import Deadline, poll
 from zbot.transport import membership
 from zbot.transport.config import hub_port
+from zbot.transport.meeting_port import LOOPBACK
 from zbot.transport.membership import Membership
-from zbot.transport.session import LOOPBACK, open_hub_client
+from zbot.transport.session import open_hub_client
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -67,6 +68,7 @@ class ClassOptions:
     new_pin: bool = False  #: whether the class gets another PIN
     expected: dict[int, str] | None = None  #: names of students by number
     keystore: Path | None = None  #: folder of this machine's certificate; by default plain TCP
+    sensors: bool | None = None  #: whether pages may publish the sensors of browsers
 
 
 def start(options: ClassOptions) -> tuple[Membership, ClassRecord]:
@@ -95,6 +97,9 @@ def start(options: ClassOptions) -> tuple[Membership, ClassRecord]:
         raise other_class_error(present.class_name)
     record = load_record()
     _check_options(present, record, options, runs=runs)
+    if runs and options.sensors is not None:
+        command({"op": "sensors", "on": options.sensors})
+        record = load_record()
     if runs and not options.new_pin:
         return present, record
     running_hub.stop()
@@ -136,6 +141,8 @@ def _open(
     if options.new_pin or (options.with_pin and not record.pin):
         record.pin = options.pin or random_pin().reveal()
     record.students.expected = options.expected or record.students.expected
+    if options.sensors is not None:
+        record.has_sensors = options.sensors
     host = next(iter(own_addresses()), LOOPBACK)
     record.keystore = Link.named(options.keystore).keystore or record.keystore
     Link(record.keystore).check_listening(host)

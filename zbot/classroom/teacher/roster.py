@@ -7,7 +7,7 @@ import io
 from typing import TYPE_CHECKING
 
 from zbot.classroom.errors import ClassValueError
-from zbot.classroom.student_name import clean_name
+from zbot.classroom.join_request import clean_name
 from zbot.errors import shortened
 from zbot.transport.config import MAX_DOMAIN_ID
 

@@ -8,10 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 import zenoh
 
-from zbot.classroom.errors import ReopeningError
+from zbot.classroom.errors import RefusedError
 from zbot.classroom.hub.address import EVERYWHERE, Address
-from zbot.classroom.hub.identity import certificate_identity, own_identities
-from zbot.classroom.hub.link import Link
+from zbot.classroom.hub.link import Link, certificate_identity, own_identities
 from zbot.classroom.hub.router import HubSettings
 from zbot.classroom.keys import ADMISSION_KEY, COMMAND_KEY, NOTICES_KEY
 from zbot.classroom.teacher.accepted_identities import AcceptedIdentities
@@ -35,6 +34,7 @@ if TYPE_CHECKING:
 # A laptop ends its hub before it releases its number. If the hub of a former owner is still linked
 # after this time, it does not end by itself.
 _LEAVING_S = 2.0
+_REOPENING_S = 0.5  # after this time, a laptop may ask a hub again that was opened again
 
 
 class RunningClass:
@@ -121,7 +121,10 @@ class RunningClass:
 
     def _answer_student(self, question: Document) -> Document:
         """Return the notices. The owner of a number also gets the names of its nodes."""
-        found: Document = {"notices": self._record.notices}
+        found: Document = {
+            "notices": self._record.notices,
+            "sensors": self._record.has_sensors,
+        }
         student = self._students.owner(question, "nodes")
         if student is not None:
             self._students.note_linked(student.number)
@@ -163,11 +166,12 @@ class RunningClass:
         """Return the credentials of a number's owner.
 
         Raises:
-            ReopeningError: The hub accepts them only after it was reopened. It is reopened now.
+            RefusedError: The hub accepts them only after it was reopened. It is reopened now.
         """
         if not self._accepted.accepts(number):
             self._apply()
-            raise ReopeningError
+            text = "the class is being opened again: try again in a moment"
+            raise RefusedError("wait", text, wait_s=_REOPENING_S)
         given = self._students.identity(number)
         # Without a PIN, the hub's id is enough, because a Zenoh program then needs no secret.
         return given._asdict() if self._record.pin else {"hub_id": given.hub_id}

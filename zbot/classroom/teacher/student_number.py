@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from zbot.classroom.errors import ClassroomError, ClassValueError
+from zbot.classroom.errors import ClassroomError, ClassValueError, RefusedError
 from zbot.classroom.teacher.student import Student
 from zbot.errors.suggestion import nearest
 from zbot.transport.config import MAX_DOMAIN_ID
@@ -15,28 +15,6 @@ if TYPE_CHECKING:
     from zbot.classroom.join_request import JoinRequest
 
 NUMBERS = range(1, MAX_DOMAIN_ID + 1)  #: all numbers that a class can give, which are domains
-
-
-class TakenError(ClassroomError):
-    """Another student has the number."""
-
-    def __init__(self, number: int, holder: str) -> None:
-        self.number, self.holder = number, holder
-        super().__init__(
-            f"number {number} is taken by {holder}: choose another with --number, leave --number "
-            "out, or ask the teacher to free it with `zbot class free NUMBER`"
-        )
-
-
-class SimilarNameError(ClassroomError, ValueError):
-    """A name is not in the list of students, but a similar name is."""
-
-    def __init__(self, name: str, known: str) -> None:
-        self.name, self.known = name, known
-        super().__init__(
-            f'the teacher\'s list has no "{name}", but "{known}": type --name "{known}", '
-            "or add --new-student if you are somebody else"
-        )
 
 
 def validated_number(value: object) -> int:
@@ -68,10 +46,10 @@ def student_for(
 
     Raises:
         ClassValueError: The number is out of range.
-        TakenError: Another laptop has the number, or the list keeps it for another name.
+        RefusedError: Another laptop has the number, or the list keeps it for another name. Its
+            kind is `taken`. Or the name is not in the list, but a similar name is, and no other
+            laptop has the number of the similar name. The kind is `similar`.
         ClassroomError: No number is free.
-        SimilarNameError: The name is not in the list, but a similar name is. No other laptop has
-            the number of the similar name.
     """
     name = request.name
     if name and not request.is_new:
@@ -79,12 +57,20 @@ def student_for(
     number = _number(request, students, expected)
     owner = students.get(number)
     if owner is not None and owner.machine != request.machine:
-        raise TakenError(number, owner.name)
+        raise _taken_error(number, owner.name)
     kept_for = expected.get(number)
     if kept_for and name and name.casefold() != kept_for.casefold():
-        raise TakenError(number, kept_for)
+        raise _taken_error(number, kept_for)
     shown = kept_for or name or _name_of_host(request.host, number, students)
     return Student(number, shown, request.machine, request.host)
+
+
+def _taken_error(number: int, holder: str) -> RefusedError:
+    return RefusedError(
+        "taken",
+        f"number {number} is taken by {holder}: choose another with --number, leave --number "
+        "out, or ask the teacher to free it with `zbot class free NUMBER`",
+    )
 
 
 def _check_similar(
@@ -98,7 +84,9 @@ def _check_similar(
     everybody = {listed.casefold() for listed in expected.values()}
     guess = nearest(name.casefold(), missing)
     if guess is not None and name.casefold() not in everybody:
-        raise SimilarNameError(name, missing[guess])
+        known = missing[guess]
+        text = f'the teacher\'s list has no "{name}", but "{known}": type --name "{known}", '
+        raise RefusedError("similar", text + "or add --new-student if you are somebody else", known)
 
 
 def _name_of_host(host: str, number: int, students: Mapping[int, Student]) -> str:

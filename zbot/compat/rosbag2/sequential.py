@@ -10,6 +10,7 @@ from zbot.bag.definition import ENCODING, definition_text
 from zbot.bag.description import SORT_KEYS, contributions, description, topic_names
 from zbot.bag.errors import BagReadError, BagWriteError
 from zbot.bag.metadata import METADATA_FILE, metadata_text, read_metadata, read_metadata_file
+from zbot.bag.options import StorageOptions
 from zbot.bag.reader import Reader
 from zbot.bag.writer import STORAGES, Writer
 from zbot.compat.rosbag2.storage import (
@@ -20,7 +21,6 @@ from zbot.compat.rosbag2.storage import (
     MessageDefinition,
     ReadOrder,
     StorageFilter,
-    StorageOptions,
     TopicMetadata,
     bag_metadata,
     to_own_metadata,
@@ -112,12 +112,12 @@ class SequentialReader:
     def get_all_topics_and_types(self) -> list[TopicMetadata]:
         """Return the topics."""
         topics = self._opened().topics.values()
-        return [topic_metadata(number, one) for number, one in enumerate(topics, 1)]
+        return [topic_metadata(number, topic) for number, topic in enumerate(topics, 1)]
 
     def get_all_message_definitions(self) -> list[MessageDefinition]:
         """Return the definitions of all message types."""
         bag = self._opened()
-        types = {one.type_name: one.type_hash for one in bag.topics.values()}
+        types = {topic.type_name: topic.type_hash for topic in bag.topics.values()}
         return [
             MessageDefinition(name, *bag.definition(name), type_hash)
             for name, type_hash in types.items()

@@ -16,23 +16,6 @@ if TYPE_CHECKING:
 
 
 @dataclass
-class StorageOptions:
-    """Where and how a bag is stored."""
-
-    uri: str
-    storage_id: str = ""
-    max_bagfile_size: int = 0
-    max_bagfile_duration: int = 0
-    max_cache_size: int = 0
-    storage_preset_profile: str = ""
-    storage_config_uri: str = ""
-    snapshot_mode: bool = False
-    start_time_ns: int = -1
-    end_time_ns: int = -1
-    custom_data: dict[str, str] = field(default_factory=dict)
-
-
-@dataclass
 class ConverterOptions:
     """Serialization of the messages. The serialization is always `cdr`."""
 
@@ -109,22 +92,20 @@ class StorageFilter:
 
     def selection(self) -> Selection:
         """Return the same rules for zbot's readers."""
-        events = [one.removesuffix("/_service_event") for one in self.services_events]
-        is_narrow = bool(self.topics or events or self.actions or self.regex)
-        out = [one.removesuffix("/_service_event") for one in self.exclude_service_events]
-        return Selection(
-            all_topics=not is_narrow,
+        return Selection.narrowed(
             topics=frozenset(self.topics),
-            regex=self.regex,
-            all_services=not is_narrow,
-            services=frozenset(events),
-            all_actions=not is_narrow,
+            services=_services(self.services_events),
             actions=frozenset(self.actions),
+            regex=self.regex,
             exclude_topics=frozenset(self.exclude_topics),
-            exclude_services=frozenset(out),
+            exclude_services=_services(self.exclude_service_events),
             exclude_actions=frozenset(self.exclude_actions),
             exclude_regex=self.regex_to_exclude,
         )
+
+
+def _services(events: list[str]) -> frozenset[str]:
+    return frozenset(event.removesuffix("/_service_event") for event in events)
 
 
 @dataclass
@@ -222,19 +203,19 @@ def bag_metadata(found: own.BagMetadata) -> BagMetadata:
         relative_file_paths=list(found.paths),
         files=[
             FileInformation(
-                one.path,
-                Time(nanoseconds=one.start_ns),
-                Duration(nanoseconds=one.duration_ns),
-                one.message_count,
+                file.path,
+                Time(nanoseconds=file.start_ns),
+                Duration(nanoseconds=file.duration_ns),
+                file.message_count,
             )
-            for one in found.files
+            for file in found.files
         ],
         duration=Duration(nanoseconds=found.duration_ns),
         starting_time=Time(nanoseconds=found.start_ns),
         message_count=found.message_count,
         topics_with_message_count=[
-            TopicInformation(topic_metadata(number, one.topic), one.message_count)
-            for number, one in enumerate(found.topics, 1)
+            TopicInformation(topic_metadata(number, topic.topic), topic.message_count)
+            for number, topic in enumerate(found.topics, 1)
         ],
         compression_format=found.compression_format,
         compression_mode=found.compression_mode,
@@ -248,17 +229,19 @@ def to_own_metadata(given: BagMetadata) -> own.BagMetadata:
     return own.BagMetadata(
         storage_id=given.storage_identifier,
         topics=tuple(
-            own.TopicInformation(to_own_topic(one.topic_metadata), one.message_count)
-            for one in given.topics_with_message_count
+            own.TopicInformation(
+                to_own_topic(information.topic_metadata), information.message_count
+            )
+            for information in given.topics_with_message_count
         ),
         files=tuple(
             own.FileInformation(
-                one.path,
-                one.starting_time.nanoseconds,
-                one.duration.nanoseconds,
-                one.message_count,
+                file.path,
+                file.starting_time.nanoseconds,
+                file.duration.nanoseconds,
+                file.message_count,
             )
-            for one in given.files
+            for file in given.files
         ),
         paths=tuple(given.relative_file_paths),
         start_ns=given.starting_time.nanoseconds,

@@ -9,11 +9,9 @@ from typing import TYPE_CHECKING
 
 from zbot.bag import conversion, player, recorder
 from zbot.bag.errors import BagValueError
+from zbot.bag.options import StorageOptions
 from zbot.bag.player_services import PlayerServices
 from zbot.bag.reader import Reader
-from zbot.bag.snapshot_buffer import SnapshotBuffer
-from zbot.bag.writer import Writer
-from zbot.compat.rosbag2.storage import StorageOptions
 from zbot.context import Context
 from zbot.executor.single_threaded_executor import SingleThreadedExecutor
 from zbot.executor.spin_thread import SpinThread
@@ -23,7 +21,7 @@ from zbot.node.node import Node
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
 
-    from zbot.compat.rosbag2.transport_options import PlayOptions, RecordOptions
+    from zbot.bag.options import PlayOptions, RecordOptions
 
 _LEVELS = {
     "debug": LoggingSeverity.DEBUG,
@@ -58,8 +56,8 @@ class _Cancellations:
     def cancel(self) -> None:
         """Cancel all recordings or playbacks."""
         with self._lock:
-            for one in self._running:
-                one.cancel()
+            for cancellation in self._running:
+                cancellation.cancel()
 
 
 class _Cancellation:
@@ -142,11 +140,14 @@ class Player:
         if isinstance(storage_options, StorageOptions):
             storage_options = [storage_options]
         with _PLAYBACKS.one() as cancellation, contextlib.ExitStack() as stack:
-            bags = [stack.enter_context(Reader(one.uri, one.storage_id)) for one in storage_options]
+            bags = [
+                stack.enter_context(Reader(options.uri, options.storage_id))
+                for options in storage_options
+            ]
             node = stack.enter_context(
                 _node(f"{play_options.node_prefix}{_PLAYER_NAME}", self._level)
             )
-            playing = player.Player(node, bags, play_options.to_own())
+            playing = player.Player(node, bags, play_options)
             PlayerServices(node, playing)
             stack.enter_context(SpinThread(node, "zbot bag services"))
             if burst is not None:
@@ -185,17 +186,7 @@ class Recorder:
             node = stack.enter_context(
                 _node(name, self._level, use_sim_time=record_options.use_sim_time)
             )
-            recording = recorder.Recorder(
-                node,
-                _writer(storage_options, record_options),
-                record_options.selection(),
-                discovery=record_options.discovery(),
-                overrides=record_options.topic_qos_profile_overrides,
-                max_cache_bytes=storage_options.max_cache_size,
-                is_paused=record_options.start_paused,
-                uses_sim_time=record_options.use_sim_time,
-                snapshots=_snapshots(storage_options),
-            )
+            recording = recorder.Recorder(node, storage_options, record_options)
             stack.callback(recording.stop)
             executor = SingleThreadedExecutor(context=node.context)
             executor.add_node(node)
@@ -223,7 +214,10 @@ def bag_rewrite(input_options: Sequence[StorageOptions], output_options_path: st
     """
     outputs = conversion.read_outputs(Path(output_options_path))
     with contextlib.ExitStack() as stack:
-        bags = [stack.enter_context(Reader(one.uri, one.storage_id)) for one in input_options]
+        bags = [
+            stack.enter_context(Reader(options.uri, options.storage_id))
+            for options in input_options
+        ]
         for output in outputs:
             conversion.convert(bags, output)
 
@@ -251,20 +245,3 @@ def _node(name: str, level: LoggingSeverity, *, use_sim_time: bool = False) -> I
         yield node
     finally:
         context.shutdown()
-
-
-def _writer(storage: StorageOptions, record: RecordOptions) -> Writer:
-    return Writer(
-        storage.uri,
-        storage_id=storage.storage_id or "mcap",
-        max_bytes=storage.max_bagfile_size,
-        max_duration_s=storage.max_bagfile_duration,
-        preset=storage.storage_preset_profile or "zstd",
-        compress_files=record.compression_mode.lower() == "file",
-        compress_messages=record.compression_mode.lower() == "message",
-        custom_data=storage.custom_data,
-    )
-
-
-def _snapshots(storage: StorageOptions) -> SnapshotBuffer | None:
-    return SnapshotBuffer(storage.max_cache_size, 0) if storage.snapshot_mode else None

@@ -168,7 +168,7 @@ def parse_value_string(type_: Type, value_string: str) -> Any:
 
 def _plain(value: Any) -> Any:
     if isinstance(value, tuple):
-        return [_plain(one) for one in value]
+        return [_plain(item) for item in value]
     return value[0] if isinstance(value, bytes) else value
 
 
@@ -236,10 +236,10 @@ class MessageSpecification(_Declared):
         self.msg_name = msg_name
         self.fields, self.constants = list(fields), list(constants)
         for declared, kind in ((self.fields, Field), (self.constants, Constant)):
-            for one in declared:
-                if not isinstance(one, kind):
-                    raise ArgumentTypeError("an item", f"a {kind.__name__}", one)
-            names = [one.name for one in declared]
+            for item in declared:
+                if not isinstance(item, kind):
+                    raise ArgumentTypeError("an item", f"a {kind.__name__}", item)
+            names = [item.name for item in declared]
             twice = sorted({name for name in names if names.count(name) > 1})
             if twice:
                 raise ValueError(f"{self.base_type} has more than one {', '.join(twice)}")
@@ -389,8 +389,8 @@ def _message(parsed: spec.MessageSpec) -> MessageSpecification:
         declared[constant.name] = other = Constant.__new__(Constant)
         other.type, other.name = constant.type.text, constant.name
         other.value, other.annotations = _plain(constant.value), {}
-    fields = [one for one in declared.values() if isinstance(one, Field)]
-    constants = [one for one in declared.values() if isinstance(one, Constant)]
+    fields = [item for item in declared.values() if isinstance(item, Field)]
+    constants = [item for item in declared.values() if isinstance(item, Constant)]
     message = MessageSpecification(package, name, fields, constants)
     _annotate(message, declared, parsed.text)
     return message

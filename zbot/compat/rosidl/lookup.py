@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 from zbot.errors import WrongValueError
 from zbot.interfaces import registry
 from zbot.interfaces.errors import UnknownInterfaceError, UnknownPackageError
-from zbot.interfaces.kinds import KINDS
 from zbot.interfaces.location import interface_files, package_folder
+from zbot.names import KINDS
 from zbot.package import package_prefix
 
 if TYPE_CHECKING:

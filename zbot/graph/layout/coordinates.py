@@ -126,7 +126,7 @@ def _target(
     """Return the wanted y of a vertex, and the weight of this y."""
     if vertex in fixed:
         return fixed[vertex], _STAYS
-    near = [one for side in sides for one in pulls[side]]
+    near = [pull for side in sides for pull in pulls[side]]
     total = sum(weight for _, weight in near)
     if not total:
         return y[vertex], 0.1
@@ -148,7 +148,7 @@ def column_bounds(
     present = [layer for layer in widths if layer in before]
     first = present[0] if present else next(iter(widths), 0)
     right = None
-    for layer in [one for one in widths if one >= first]:
+    for layer in [layer for layer in widths if layer >= first]:
         left, width = 0.0 if right is None else right + gap, widths[layer]
         if layer in before:
             left, width = max(before[layer][0], left), max(width, _span(before[layer]))
@@ -156,7 +156,7 @@ def column_bounds(
         right = left + width
         found[layer] = (left, right)
     left = found[first][0] if found else 0.0
-    for layer in sorted((one for one in widths if one < first), reverse=True):
+    for layer in sorted((layer for layer in widths if layer < first), reverse=True):
         found[layer] = (left - gap - widths[layer], left - gap)
         left -= gap + widths[layer]
     return found

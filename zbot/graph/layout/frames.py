@@ -30,7 +30,9 @@ def frame_outlines(
         for layer, row in graph.rows.items():
             for path, inner in _blocks(graph, row, depth).items():
                 nested = [
-                    one[layer] for p, one in slices.items() if p[:-1] == path and layer in one
+                    by_layer[layer]
+                    for p, by_layer in slices.items()
+                    if p[:-1] == path and layer in by_layer
                 ]
                 spot = _around(graph, y, columns[layer], inner, nested)
                 slices.setdefault(path, {})[layer] = spot
@@ -39,7 +41,7 @@ def frame_outlines(
         for path, by_layer in slices.items()
         for part in _parts(by_layer, columns)
     ]
-    return tuple(sorted(found, key=lambda one: (one.depth, one.name, one.slices)))
+    return tuple(sorted(found, key=lambda frame: (frame.depth, frame.name, frame.slices)))
 
 
 def _blocks(graph: LayeredGraph, row: list[int], depth: int) -> dict[tuple[str, ...], list[int]]:
@@ -60,12 +62,12 @@ def _around(
 ) -> _Slice:
     middle = (column[0] + column[1]) / 2
     half = max(graph.width[vertex] for vertex in vertices) / 2
-    lefts = [middle - half, *(one[0] for one in nested)]
+    lefts = [middle - half, *(spot[0] for spot in nested)]
     tops = [y[vertex] - graph.height[vertex] / 2 for vertex in vertices]
-    rights = [middle + half, *(one[2] for one in nested)]
+    rights = [middle + half, *(spot[2] for spot in nested)]
     bottoms = [y[vertex] + graph.height[vertex] / 2 for vertex in vertices]
-    top = min(tops + [one[1] for one in nested])
-    bottom = max(bottoms + [one[3] for one in nested])
+    top = min(tops + [spot[1] for spot in nested])
+    bottom = max(bottoms + [spot[3] for spot in nested])
     return (
         min(lefts) - FRAME_PAD,
         top - FRAME_PAD - FRAME_TITLE,

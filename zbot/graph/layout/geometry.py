@@ -103,7 +103,10 @@ class Layout:
     def moved(self, dx: float, dy: float) -> Layout:
         """Return a moved copy."""
         return Layout(
-            {key: replace(one, x=one.x + dx, y=one.y + dy) for key, one in self.places.items()},
+            {
+                key: replace(place, x=place.x + dx, y=place.y + dy)
+                for key, place in self.places.items()
+            },
             tuple(route.moved(dx, dy) for route in self.routes),
             tuple(frame.moved(dx, dy) for frame in self.frames),
             {layer: (left + dx, right + dx) for layer, (left, right) in self.columns.items()},
@@ -115,8 +118,10 @@ class Layout:
     def bounds(self) -> tuple[float, float, float, float]:
         """Left, top, right and bottom of the whole layout. They are 0 if the layout is empty."""
         spots = [(x, y, x, y) for route in self.routes for x, y in route.points]
-        spots += [(one.left, one.top, one.right, one.bottom) for one in self.places.values()]
-        spots += [one for frame in self.frames for one in frame.slices]
+        spots += [
+            (place.left, place.top, place.right, place.bottom) for place in self.places.values()
+        ]
+        spots += [spot for frame in self.frames for spot in frame.slices]
         if not spots:
             return (0.0, 0.0, 0.0, 0.0)
         lefts, tops, rights, bottoms = zip(*spots, strict=True)

@@ -140,7 +140,7 @@ def _components(items: Sequence[Item], arcs: list[Arc]) -> list[int]:
     members: dict[int, list[int]] = {}
     for vertex in range(len(items)):
         members.setdefault(root(vertex), []).append(vertex)
-    found = sorted(members.values(), key=lambda one: (-len(one), one[0]))
+    found = sorted(members.values(), key=lambda vertices: (-len(vertices), vertices[0]))
     component = [0] * len(items)
     for number, vertices in enumerate(found):
         for vertex in vertices:
@@ -155,7 +155,9 @@ def _most_layers(size: int) -> int:
 
 def _wrapped(arcs: list[Arc], layer: list[int], most: int) -> list[bool]:
     """Wrap the layers at the limit, like lines of text. Return for each arc if it points back."""
-    rank = [(one % most, one, vertex) for vertex, one in enumerate(layer)]
+    rank = [
+        (layer_number % most, layer_number, vertex) for vertex, layer_number in enumerate(layer)
+    ]
     return [rank[start] > rank[end] for start, end, _ in arcs]
 
 
@@ -186,9 +188,9 @@ def _bands(heights: list[int], spans: list[int], count: int) -> tuple[float, lis
         band_of.append(band)
         filled[band] += height
     widths = [
-        max((span for span, band in zip(spans, band_of, strict=True) if band == one), default=0)
-        for one in range(count)
+        max((span for span, band in zip(spans, band_of, strict=True) if band == number), default=0)
+        for number in range(count)
     ]
-    starts = [sum(widths[:one]) for one in range(count)]
+    starts = [sum(widths[:number]) for number in range(count)]
     shape = (sum(widths) * _COLUMN) / (max(filled) * _ROW)
     return max(shape / _SHAPE, _SHAPE / shape), [starts[band] for band in band_of]

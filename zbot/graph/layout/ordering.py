@@ -40,7 +40,11 @@ def order_around(graph: LayeredGraph, fixed: Mapping[int, float]) -> int:
     for _ in range(4):
         for row in graph.rows.values():
             for vertex in row:
-                near = [y[one] for one in graph.left[vertex] + graph.right[vertex] if one in placed]
+                near = [
+                    y[neighbour]
+                    for neighbour in graph.left[vertex] + graph.right[vertex]
+                    if neighbour in placed
+                ]
                 if vertex not in fixed and near:
                     y[vertex] = sum(near) / len(near)
                     placed.add(vertex)
@@ -63,10 +67,10 @@ def _initial_order(graph: LayeredGraph) -> None:
         for vertex in graph.rows[layer]:
             stack = [vertex]
             while stack:
-                one = stack.pop()
-                if one not in met:
-                    met[one] = float(len(met))
-                    stack += reversed(graph.right[one])
+                reached = stack.pop()
+                if reached not in met:
+                    met[reached] = float(len(met))
+                    stack += reversed(graph.right[reached])
     for row in graph.rows.values():
         _sort(graph, row, met)
 
@@ -80,7 +84,9 @@ def _sweep(graph: LayeredGraph, *, to_the_right: bool) -> None:
         pull = {}
         for position, vertex in enumerate(row):
             near = neighbours[vertex]
-            mean = sum(place.get(one, 0.0) for one in near) / len(near) if near else None
+            mean = (
+                sum(place.get(neighbour, 0.0) for neighbour in near) / len(near) if near else None
+            )
             pull[vertex] = position if mean is None else mean
         _sort(graph, row, pull)
         place.update((vertex, float(position)) for position, vertex in enumerate(row))
@@ -122,7 +128,7 @@ def _between(graph: LayeredGraph, row: list[int], following: list[int]) -> int:
             total += len(seen) - bisect_right(seen, end)
             insort(seen, end)
             continue
-        ends = sorted([place[one] for one in near])
+        ends = sorted([place[neighbour] for neighbour in near])
         for end in ends:
             total += len(seen) - bisect_right(seen, end)
         for end in ends:

@@ -50,6 +50,6 @@ from zbot.launch.actions.ros_names import SetRemap as SetRemap
 from zbot.launch.actions.ros_names import SetROSLogDir as SetROSLogDir
 from zbot.launch.actions.ros_names import SetRosLogDir as SetRosLogDir
 from zbot.launch.actions.ros_names import SetUseSimTime as SetUseSimTime
-from zbot.launch.actions.ros_timer import ROSTimer as ROSTimer
-from zbot.launch.actions.ros_timer import RosTimer as RosTimer
+from zbot.launch.actions.timer import ROSTimer as ROSTimer
+from zbot.launch.actions.timer import RosTimer as RosTimer
 from zbot.launch.actions.timer import TimerAction as TimerAction

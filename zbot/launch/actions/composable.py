@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 from zbot.launch.action import Action
 from zbot.launch.actions.node import Node
-from zbot.launch.left_out import leave_out
+from zbot.launch.not_runnable import leave_out
 from zbot.launch.substitution import describe, is_a_substitution, normalize, perform
 from zbot.package.bundled_nodes import BUNDLED_COMPONENTS
 from zbot.package.errors import NotRunnableError
@@ -64,14 +64,6 @@ class ComposableNode:
         )
 
 
-class _NotRunnableContainerError(NotRunnableError):
-    """A container cannot run in zbot, or some of its components cannot run."""
-
-    def __init__(self, container: str, plugins: Sequence[str]) -> None:
-        details = f" of {', '.join(plugins)}" if plugins else ""
-        super().__init__(f"the container '{container}'{details}", COMPONENTS)
-
-
 def _load(
     context: LaunchContext, container: str, descriptions: Iterable[ComposableNode]
 ) -> list[LaunchDescriptionEntity]:
@@ -82,17 +74,19 @@ def _load(
     """
     nodes: list[LaunchDescriptionEntity] = []
     plugins = []
-    for one in descriptions:
-        if one.condition is not None and not one.condition.evaluate(context):
+    for description in descriptions:
+        if description.condition is not None and not description.condition.evaluate(context):
             continue
-        plugin = perform(context, one.node_plugin)
-        node = one.bundled(plugin)
+        plugin = perform(context, description.node_plugin)
+        node = description.bundled(plugin)
         if node is None:
             plugins.append(plugin)
         else:
             nodes.append(node)
     if plugins or not nodes:
-        leave_out(context, _NotRunnableContainerError(container, plugins))
+        details = f" of {', '.join(plugins)}" if plugins else ""
+        error = NotRunnableError(f"the container '{container}'{details}", COMPONENTS)
+        leave_out(context, error)
     return nodes
 
 

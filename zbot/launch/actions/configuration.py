@@ -160,10 +160,11 @@ class ReplaceEnvironmentVariables(Action):
 
     def execute(self, context: LaunchContext) -> None:
         """Replace the environment."""
-        context.environment = {
+        variables = {
             perform(context, name): perform(context, value)
             for name, value in self.environment.items()
         }
+        context.environment.replace(variables)
 
 
 class PushEnvironment(Action):
@@ -187,4 +188,4 @@ class ResetEnvironment(Action):
 
     def execute(self, context: LaunchContext) -> None:
         """Restore the environment."""
-        context.environment = dict(os.environ)
+        context.environment.reset()

@@ -5,7 +5,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from zbot.launch.action import Action
-from zbot.launch.errors import LaunchArgumentError
+from zbot.launch.errors import (
+    LaunchUsageError,
+    missing_argument_error,
+    no_choice_error,
+    no_default_error,
+)
 from zbot.launch.substitution import describe, normalize, perform
 
 if TYPE_CHECKING:
@@ -25,7 +30,7 @@ class DeclareLaunchArgument(Action):
         choices: The valid values. None means that any value is valid.
 
     Raises:
-        LaunchArgumentError: The list of choices is empty, or the default is not a choice.
+        LaunchUsageError: The list of choices is empty, or the default is not a choice.
     """
 
     def __init__(
@@ -46,11 +51,9 @@ class DeclareLaunchArgument(Action):
         is_value = isinstance(default_value, (bool, int, float))
         given = str(default_value) if is_value else default_value
         if self.choices is not None and not self.choices:
-            raise LaunchArgumentError(
-                f"launch argument '{name}' has no choices: leave `choices` out"
-            )
+            raise LaunchUsageError(f"launch argument '{name}' has no choices: leave `choices` out")
         if self.choices is not None and isinstance(given, str) and given not in self.choices:
-            raise LaunchArgumentError.no_default(name, given, self.choices)
+            raise no_default_error(name, given, self.choices)
         self.default_value = None if given is None else normalize(given)
         self._description_text = description or ""
         self._conditionally_included = False
@@ -59,16 +62,17 @@ class DeclareLaunchArgument(Action):
         """Set the argument's launch configuration to the default, if no value was given.
 
         Raises:
-            LaunchArgumentError: A required argument was not given, or the value is not a choice.
+            LaunchUsageError: A required argument was not given, or the value is not a choice.
         """
         configurations = context.launch_configurations
+        context.declared.add(self.name)
         if self.name not in configurations:
             if self.default_value is None:
-                raise LaunchArgumentError.missing(self.name, self._description_text)
+                raise missing_argument_error(self.name, self._description_text)
             configurations[self.name] = perform(context, self.default_value)
         value = str(configurations[self.name])
         if self.choices is not None and value not in self.choices:
-            raise LaunchArgumentError.no_choice(self.name, value, self.choices)
+            raise no_choice_error(self.name, value, self.choices)
 
     @property
     def conditionally_included(self) -> bool:

@@ -89,6 +89,7 @@ class ExecuteLocal(Action):
         self.return_code: int | None = None
         self._cached: dict[int, list[bytes]] = {1: [], 2: []}
         self._task: asyncio.Task[None] | None = None
+        self._supervisor: Supervisor | None = None
 
     @property
     def name(self) -> Any:
@@ -132,7 +133,7 @@ class ExecuteLocal(Action):
     def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
         """Return the actions of `on_exit`. The list is empty if `on_exit` is a function."""
         parts = self.on_exit if isinstance(self.on_exit, (list, tuple)) else ()
-        return [one for one in parts if isinstance(one, LaunchDescriptionEntity)]
+        return [part for part in parts if isinstance(part, LaunchDescriptionEntity)]
 
     def execute(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity] | None:
         """Start the program, unless the launch is ending.
@@ -153,13 +154,21 @@ class ExecuteLocal(Action):
         except NotRunnableError:
             self._skip(context)
             raise
-        supervisor = Supervisor(self, context, prepared, self._policy(context))
+        supervisor = self._supervisor = Supervisor(self, context, prepared, self._policy(context))
         reaction = _reaction(self.on_exit, context)
         if reaction is not None:
             context.register_event_handler(OnProcessExit(target_action=self, on_exit=reaction))
         self.process_details = supervisor.details()
         self._task = supervisor.start()
         return None
+
+    def restart(self) -> None:
+        """Stop the program and start it again. If it has ended, only start it.
+
+        `on_exit` is not executed when a running program stops for this.
+        """
+        if self._supervisor is not None:
+            self._task = self._supervisor.restart()
 
     def _skip(self, context: LaunchContext) -> None:
         """Emit events for the start and exit of a left-out program, if it normally ends soon.
@@ -267,13 +276,13 @@ def _reaction(given: Any, context: LaunchContext) -> Reaction:
     if given is None or callable(given) or isinstance(given, LaunchDescriptionEntity):
         return cast("Reaction", given)
     parts = [given] if isinstance(given, (str, Substitution)) else given
-    return [entity for one in parts for entity in _exit_actions(one, context)]
+    return [entity for part in parts for entity in _exit_actions(part, context)]
 
 
-def _exit_actions(one: Any, context: LaunchContext) -> list[LaunchDescriptionEntity]:
-    if not isinstance(one, (str, Substitution)):
-        return [] if one is None else [one]
-    word = perform(context, one)
+def _exit_actions(part: Any, context: LaunchContext) -> list[LaunchDescriptionEntity]:
+    if not isinstance(part, (str, Substitution)):
+        return [] if part is None else [part]
+    word = perform(context, part)
     if word not in {_SHUTDOWN, ""}:
         raise EntityTypeError("on_exit", f"an action, '{_SHUTDOWN}' or an empty text", word)
     return [Shutdown(reason="process ended")] if word else []

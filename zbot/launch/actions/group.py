@@ -14,6 +14,7 @@ from zbot.launch.actions.configuration import (
     ResetLaunchConfigurations,
     SetLaunchConfiguration,
 )
+from zbot.launch.entity import entity_list
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping, Sequence
@@ -44,7 +45,7 @@ class GroupAction(Action):
         **options: Any,
     ) -> None:
         super().__init__(**options)
-        self.actions = list(actions)
+        self.actions = entity_list("GroupAction", actions)
         self.scoped, self.forwarding = scoped, forwarding
         self.launch_configurations = dict(launch_configurations or {})
 

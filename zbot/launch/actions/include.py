@@ -10,9 +10,10 @@ from zbot.launch.arguments import declared_arguments
 from zbot.launch.description import LaunchDescription
 from zbot.launch.errors import (
     EntityTypeError,
-    LaunchArgumentError,
     LaunchFileError,
     include_loop_error,
+    missing_argument_error,
+    missing_in_include_error,
 )
 from zbot.launch.source import LaunchDescriptionSource, file_locals
 from zbot.launch.substitution import is_a_substitution, normalize, perform
@@ -73,7 +74,7 @@ class IncludeLaunchDescription(Action):
         Raises:
             AbsentFileError: The file is in a well-known package that does not run in zbot.
             LaunchError: The file includes itself without end.
-            LaunchArgumentError: The include does not give a required argument of the file.
+            LaunchUsageError: The include does not give a required argument of the file.
             LaunchFileError: A required argument is missing, and this include is not in a launch
                 file. The error shows the line that declares the argument.
         """
@@ -88,7 +89,7 @@ class IncludeLaunchDescription(Action):
             key = perform(context, normalize(name))
             given[key] = perform(context, _text(value))
             sets.append(SetLaunchConfiguration(key, given[key]))
-        self._check(description, given)
+        self._check(context, description, given)
         if path is None:
             return [*sets, description]
         extensions = {
@@ -107,20 +108,24 @@ class IncludeLaunchDescription(Action):
         chain: tuple[tuple[str, str], ...] = context.get_locals_as_dict().get("include_chain", ())
         if link in chain or len(chain) >= _MAX_DEPTH:
             start = chain.index(link) if link in chain else max(0, len(chain) - 3)
-            raise include_loop_error([one for one, _ in (*chain[start:], link)])
+            raise include_loop_error([file for file, _ in (*chain[start:], link)])
         return (*chain, link)
 
-    def _check(self, description: LaunchDescription, given: Mapping[str, str]) -> None:
+    def _check(
+        self, context: LaunchContext, description: LaunchDescription, given: Mapping[str, str]
+    ) -> None:
         # As in ROS 2's launch, this check runs before the first action of the file. The check
         # ignores arguments of the including file that have the same name.
-        for found in declared_arguments(description, follow_includes=False):
+        declared = declared_arguments(description, follow_includes=False)
+        context.declared.update(found.action.name for found in declared)
+        for found in declared:
             action = found.action
             if action.default_value is None and not found.conditional and action.name not in given:
                 if self.origin is not None:
-                    raise LaunchArgumentError.missing_in_include(action.name, given)
+                    raise missing_in_include_error(action.name, given)
                 is_described = action.description != "no description given"
                 described = action.description if is_described else ""
-                error = LaunchArgumentError.missing(action.name, described)
+                error = missing_argument_error(action.name, described)
                 raise error if action.origin is None else LaunchFileError.at(action.origin, error)
 
     def describe(self) -> str:

@@ -2,23 +2,26 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from zbot.launch.action import Action
 from zbot.launch.actions.node import Node
 from zbot.launch.errors import EntityTypeError
+from zbot.launch.event import Event
 from zbot.launch.event_handler import EventHandler
-from zbot.launch.lifecycle_event import ChangeState, OnStateTransition, StateTransition
 from zbot.launch.process_event import matches_action
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Callable, Iterable
 
     from zbot.launch.context import LaunchContext
+    from zbot.launch.event_handler import Reaction
     from zbot.launch.frontend.entity import Entity
     from zbot.launch.frontend.parser import Parser
     from zbot.launch.ros_node import LaunchNode
     from zbot.launch.substitution import SomeSubstitutionsType
+
+    NodeMatcher: TypeAlias = Callable[[Any], bool]
 
 #: The number and the goal state of each transition. The keys are the labels of the transitions.
 _GOALS = {
@@ -31,6 +34,93 @@ _GOALS = {
     "active_shutdown": (7, "finalized"),
 }
 _LABELS = {number: label for label, (number, _) in _GOALS.items()}
+
+
+class ChangeState(Event):
+    """Request for a transition of managed nodes.
+
+    Args:
+        lifecycle_node_matcher: Selects the nodes, e.g. `matches_action(node)`.
+        transition_id: A constant of `lifecycle_msgs.msg.Transition`.
+    """
+
+    name = "launch_ros.events.lifecycle.ChangeState"
+
+    def __init__(self, *, lifecycle_node_matcher: NodeMatcher, transition_id: int) -> None:
+        self.lifecycle_node_matcher, self.transition_id = lifecycle_node_matcher, transition_id
+
+
+class StateTransition(Event):
+    """A managed node changed its state.
+
+    Args:
+        action: The node.
+        msg: The node's `lifecycle_msgs.msg.TransitionEvent`.
+    """
+
+    name = "launch_ros.events.lifecycle.StateTransition"
+
+    def __init__(self, *, action: LifecycleNode, msg: Any) -> None:
+        self.action, self.msg = action, msg
+
+    @property
+    def transition(self) -> str:
+        """The label of the transition."""
+        return str(self.msg.transition.label)
+
+    @property
+    def start_state(self) -> str:
+        """The label of the state before the transition."""
+        return str(self.msg.start_state.label)
+
+    @property
+    def goal_state(self) -> str:
+        """The label of the state after the transition."""
+        return str(self.msg.goal_state.label)
+
+
+class OnStateTransition(EventHandler):
+    """Reacts when a managed node changes its state.
+
+    Args:
+        entities: The reaction.
+        target_lifecycle_node: The node. None means any node.
+        transition: The label of the transition. None means any transition.
+        start_state: The label of the state before the transition. None means any state.
+        goal_state: The label of the state after the transition. None means any state.
+    """
+
+    def __init__(
+        self,
+        *,
+        entities: Reaction,
+        target_lifecycle_node: LifecycleNode | None = None,
+        transition: str | None = None,
+        start_state: str | None = None,
+        goal_state: str | None = None,
+        **options: Any,
+    ) -> None:
+        self._target = target_lifecycle_node
+        self._wanted = {
+            "transition": transition,
+            "start_state": start_state,
+            "goal_state": goal_state,
+        }
+        super().__init__(matcher=self._matches_target, entities=entities, **options)
+
+    def _matches_target(self, event: Event) -> bool:
+        if not isinstance(event, StateTransition):
+            return False
+        if self._target is not None and event.action is not self._target:
+            return False
+        wanted = self._wanted.items()
+        return all(value is None or getattr(event, name) == value for name, value in wanted)
+
+
+def matches_node_name(node_name: str) -> NodeMatcher:
+    """Return a matcher that selects nodes by their full name."""
+    full = node_name if node_name.startswith("/") else f"/{node_name}"
+    return lambda action: getattr(action, "node_name", None) == full
 
 
 class LifecycleNode(Node):
@@ -116,7 +206,7 @@ class LifecycleTransition(Action):
     ) -> None:
         super().__init__(**options)
         self._nodes = list(lifecycle_node_names)
-        self._labels = [_label(one) for one in transition_ids]
+        self._labels = [_label(transition_id) for transition_id in transition_ids]
         for what, given in (("nodes", self._nodes), ("transitions", self._labels)):
             if not given:
                 raise EntityTypeError(f"the {what} of a LifecycleTransition", "at least one", given)
@@ -124,7 +214,7 @@ class LifecycleTransition(Action):
     def execute(self, context: LaunchContext) -> None:
         """Request the first transition of each node. Handlers request the next transitions."""
         for node in self._nodes:
-            matcher = matches_action(node) if isinstance(node, Node) else _by_name(node)
+            matcher = matches_action(node) if isinstance(node, Node) else matches_node_name(node)
             for before, label in zip(self._labels, self._labels[1:], strict=False):
                 self._emit_after(context, matcher, _GOALS[before][1], label)
             self._emit(context, matcher, self._labels[0])
@@ -147,12 +237,6 @@ class LifecycleTransition(Action):
                 handle_once=True,
             )
         )
-
-
-def _by_name(name: str) -> Any:
-    from zbot.launch.lifecycle_event import matches_node_name  # noqa: PLC0415 - only used here
-
-    return matches_node_name(name)
 
 
 def _label(transition: int | str) -> str:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.launch.action import Action
 from zbot.launch.actions.opaque import OpaqueFunction
-from zbot.launch.errors import LaunchArgumentError
+from zbot.launch.errors import LaunchUsageError
 from zbot.launch.substitution import describe, normalize, perform
 from zbot.launch.substitutions.value import ForEachVar
 from zbot.yaml_reader import YamlError, read_yaml
@@ -27,7 +27,7 @@ def loop_iteration(
     values: Mapping[str, Any], entities: Iterable[LaunchDescriptionEntity]
 ) -> list[LaunchDescriptionEntity]:
     """Return the entities of one iteration, and actions that set and remove its locals."""
-    seen = {ForEachVar.get_local_arg_name(key): one for key, one in values.items()}
+    seen = {ForEachVar.get_local_arg_name(key): value for key, value in values.items()}
     # Three functions do this, as in ROS 2's launch, because launch's tests compare each entity.
     opened = [OpaqueFunction(function=_open), OpaqueFunction(function=_fill, args=(seen,))]
     return [*opened, *entities, OpaqueFunction(function=_close)]
@@ -68,7 +68,7 @@ class ForEach(Action):
         """Return the entities for all dictionaries, in the order of the dictionaries.
 
         Raises:
-            LaunchArgumentError: A part is not a dictionary.
+            LaunchUsageError: A part is not a dictionary.
         """
         text = perform(context, self.input_values)
         parts = [part for part in text.split(SEPARATOR) if part.strip()]
@@ -103,13 +103,13 @@ class ForLoop(Action):
         """Return a `ForEach` action for the numbers.
 
         Raises:
-            LaunchArgumentError: The length is not a whole number.
+            LaunchUsageError: The length is not a whole number.
         """
         text = perform(context, self.length)
         try:
             length = int(text)
         except ValueError:
-            raise LaunchArgumentError(f"a ForLoop needs a whole number, not '{text}'") from None
+            raise LaunchUsageError(f"a ForLoop needs a whole number, not '{text}'") from None
         numbers = SEPARATOR.join(f"{{i: {number}}}" for number in range(length))
         return [ForEach(numbers, function=self.function)]
 
@@ -125,5 +125,5 @@ def _values(text: str) -> dict[str, Any]:
         values = None
     if not isinstance(values, dict):
         shown = " ".join(text.split())
-        raise LaunchArgumentError(f"a ForEach needs dictionaries like {{name: a}}, not '{shown}'")
+        raise LaunchUsageError(f"a ForEach needs dictionaries like {{name: a}}, not '{shown}'")
     return values

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections import Counter
 from shlex import quote
 from subprocess import list2cmdline
 from typing import TYPE_CHECKING, Any
@@ -16,7 +17,6 @@ from zbot.launch.actions.ros_names import (
     join_namespace,
 )
 from zbot.launch.errors import EntityTypeError
-from zbot.launch.node_names import add_node_name
 from zbot.launch.parameters import normalize_parameters, to_words
 from zbot.launch.substitution import describe, normalize, perform
 from zbot.package.workspace import FIRST_VARIABLE, VARIABLE, search_roots
@@ -33,6 +33,8 @@ if TYPE_CHECKING:
     from zbot.launch.frontend.parser import Parser
     from zbot.launch.parameters import SomeParameters
     from zbot.launch.substitution import SomeSubstitutionsType, Substitution
+
+_KEY = "unique_ros_node_names"  # launch_ros uses the same key
 
 
 class Node(ExecuteProcess):
@@ -74,7 +76,7 @@ class Node(ExecuteProcess):
         # Tests of launch_ros read these two attributes as `_Node__parameters` and
         # `_Node__remappings`.
         self.__parameters = normalize_parameters(parameters or ())
-        self.__remappings = [_pair(one) for one in remappings or ()]
+        self.__remappings = [_pair(remapping) for remapping in remappings or ()]
         self.arguments = [normalize(word) for word in _listed(arguments)]
         self.ros_arguments = [normalize(word) for word in _listed(ros_arguments)]
         self._name = _optional(name)
@@ -146,7 +148,7 @@ class Node(ExecuteProcess):
             if context.find_program is not None:
                 context.find_program(package, executable)
             words = self._quoted([*zbot_command(), "run", package, executable])
-        words += [perform(context, word) for word in self.arguments]
+        words += self._own_words(context)
         description = self.process_description
         name = perform(context, description.name) if description.name else ""
         name = name or executable.replace("\\", "/").rpartition("/")[2]
@@ -155,6 +157,18 @@ class Node(ExecuteProcess):
             roots = os.pathsep.join(str(root.absolute()) for root, _ in search_roots())
             prepared.env.update({VARIABLE: roots, FIRST_VARIABLE: "1"})
         return prepared
+
+    def _own_words(self, context: LaunchContext) -> list[str]:
+        words = [perform(context, word) for word in self.arguments]
+        for word in words:
+            first, *others = word.split() or [""]
+            if others and first.startswith("-") and "=" not in first:
+                context.writer.warning(
+                    "launch_ros",
+                    f"arguments: {word!r} is given as one word; write an item for each word: "
+                    f"arguments={word.split()}",
+                )
+        return words
 
     def _quoted(self, words: list[str]) -> list[str]:
         """Quote words if a shell runs them. `arguments` and `ros_arguments` stay unquoted."""
@@ -210,3 +224,25 @@ def _listed(words: Any) -> list[Any]:
     if words is None:
         return []
     return [words] if isinstance(words, str) or hasattr(words, "perform") else list(words)
+
+
+def _counts(context: LaunchContext) -> Counter[str]:
+    counts: Counter[str] | None = context.get_locals_as_dict().get(_KEY)
+    if counts is None:
+        counts = Counter()
+        context.extend_globals({_KEY: counts})
+    return counts
+
+
+def add_node_name(context: LaunchContext, node_name: str) -> None:
+    """Count a node, and log a warning if its name was counted before."""
+    counts = _counts(context)
+    counts[node_name] += 1
+    if counts[node_name] > 1:
+        text = f"there are now at least {counts[node_name]} nodes with the name {node_name}"
+        context.writer.warning("launch_ros", f"{text} created within this launch context")
+
+
+def get_node_name_count(context: LaunchContext, node_name: str) -> int:
+    """Return the number of started nodes that have a given name."""
+    return _counts(context)[node_name]

@@ -6,6 +6,8 @@ import asyncio
 from typing import TYPE_CHECKING, Any
 
 from zbot.launch.action import Action
+from zbot.launch.actions.ros_names import PARAMETERS
+from zbot.launch.entity import entity_list
 from zbot.launch.errors import EntityTypeError
 from zbot.launch.event import TimerEvent
 from zbot.launch.event_handler import EventHandler, OnShutdown
@@ -17,6 +19,8 @@ if TYPE_CHECKING:
     from zbot.launch.context import LaunchContext
     from zbot.launch.entity import LaunchDescriptionEntity
     from zbot.launch.substitution import SomeSubstitutionsType
+
+_INTERVAL_S = 0.02
 
 
 class TimerAction(Action):
@@ -38,7 +42,7 @@ class TimerAction(Action):
     ) -> None:
         super().__init__(**options)
         self.period: Any = period if isinstance(period, (int, float)) else normalize(period)
-        self.actions = list(actions)
+        self.actions = entity_list("TimerAction", actions)
         self.cancel_on_shutdown = cancel_on_shutdown
         self._done: asyncio.Future[None] | None = None
         self._task: asyncio.Task[Any] | None = None
@@ -101,3 +105,39 @@ def _seconds(period: Any, context: LaunchContext) -> float:
         return max(0.0, float(text))
     except ValueError:
         raise EntityTypeError("period", "a number of seconds", text) from None
+
+
+class RosTimer(TimerAction):
+    """Execute actions after a period of ROS time. See `TimerAction`.
+
+    The time comes from `/clock` if `SetUseSimTime` or `SetParameter` sets `use_sim_time` to true.
+    """
+
+    _is_simulated = False
+
+    def execute(self, context: LaunchContext) -> None:
+        """Start the timer."""
+        self._is_simulated = _is_simulated(context)
+        super().execute(context)
+
+    async def _sleep(self, seconds: float, context: LaunchContext) -> None:
+        from zbot.launch.ros_node import launch_node  # noqa: PLC0415 - imports Zenoh
+        from zbot.parameters.parameter import Parameter  # noqa: PLC0415 - few files need it
+
+        node = launch_node(context).node
+        # Check again, because actions that follow this timer in the launch file have run now.
+        if self._is_simulated or _is_simulated(context):
+            node.set_parameters([Parameter("use_sim_time", value=True)])
+        clock = node.get_clock()
+        end = clock.now().nanoseconds + int(seconds * 1e9)
+        while clock.now().nanoseconds < end:
+            await asyncio.sleep(min(_INTERVAL_S, seconds))
+
+
+def _is_simulated(context: LaunchContext) -> bool:
+    given = context.launch_configurations.get(PARAMETERS, ())
+    pairs: dict[str, object] = dict(pair for pair in given if isinstance(pair, tuple))
+    return pairs.get("use_sim_time") is True
+
+
+ROSTimer = RosTimer

@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import Any, get_args
 
 from zbot.launch.argument_names import question_about
-from zbot.launch.errors import CoercionError
-from zbot.launch.frontend.errors import (
+from zbot.launch.errors import (
     AttributeTypeError,
+    CoercionError,
     InvalidFrontendLaunchFileError,
     MissingAttributeError,
 )
@@ -82,7 +82,7 @@ class Entity:
 
     def _missing(self, name: str) -> MissingAttributeError:
         reason = f"`{self.type_name}` needs the attribute '{name}'"
-        wrong = [one for one in self.attributes if question_about(one, [name])]
+        wrong = [attribute for attribute in self.attributes if question_about(attribute, [name])]
         hint = f"write {name}, not {wrong[0]}" if wrong else ""
         return MissingAttributeError(self.path, self.line, reason, hint)
 

@@ -7,8 +7,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from zbot.errors.suggestion import question, similar_names
 from zbot.launch import substitutions as subs
-from zbot.launch.errors import LaunchUsageError
-from zbot.launch.frontend.errors import SubstitutionSyntaxError
+from zbot.launch.errors import LaunchUsageError, SubstitutionSyntaxError
 from zbot.launch.substitution import TextSubstitution
 
 if TYPE_CHECKING:
@@ -163,7 +162,7 @@ def make_substitution(name: str, arguments: list[list[Substitution]]) -> Substit
         return _EXPOSED[name](arguments)
     if name not in _FACTORIES:
         near = similar_names(name, [*_FACTORIES, *_EXPOSED])
-        hint = question((f"$({one} ...)" for one in near), "; ")
+        hint = question((f"$({similar} ...)" for similar in near), "; ")
         raise SubstitutionSyntaxError(f"there is no substitution '$({name} ...)'{hint}")
     make, least, largest = _FACTORIES[name]
     if not least <= len(arguments) <= largest:

@@ -32,14 +32,14 @@ _TYPES: dict[str, Any] = {**TYPES_BY_NAME, "double": float, "string": str}
 
 def _parameters(entity: Entity, parser: Parser) -> list[Any]:
     found: list[Any] = []
-    for one in entity.children_of_type("param"):
-        file = text(one, parser, "from")
+    for child in entity.children_of_type("param"):
+        file = text(child, parser, "from")
         if file is None:
-            found.append(_named(one, parser))
+            found.append(_named(child, parser))
         else:
-            substitutes = boolean(one, "allow_substs", default=False)
+            substitutes = boolean(child, "allow_substs", default=False)
             found.append(ParameterFile(file, allow_substs=substitutes))
-        one.assert_entity_completely_parsed()
+        child.assert_entity_completely_parsed()
     return found
 
 
@@ -49,9 +49,9 @@ def _named(entity: Entity, parser: Parser) -> dict[Any, Any]:
     if not nested:
         return {tuple(name): _value(entity, parser)}
     values: dict[Any, Any] = {}
-    for one in nested:
-        values.update(_named(one, parser))
-        one.assert_entity_completely_parsed()
+    for child in nested:
+        values.update(_named(child, parser))
+        child.assert_entity_completely_parsed()
     return {tuple(name): values}
 
 
@@ -69,7 +69,7 @@ def _value(entity: Entity, parser: Parser) -> Any:
     elif isinstance(value, str):
         value = parse(value, parser)
     elif kind is not None:
-        value = [parse(one, parser) for one in value]
+        value = [parse(item, parser) for item in value]
     if kind is None:
         return value
     if kind not in _TYPES:
@@ -102,8 +102,8 @@ def _scalar(value: str, parser: Parser) -> Any:
 
 def _remaps(entity: Entity, parser: Parser) -> list[Any]:
     return [
-        (required_text(one, parser, "from"), required_text(one, parser, "to"))
-        for one in entity.children_of_type("remap")
+        (required_text(child, parser, "from"), required_text(child, parser, "to"))
+        for child in entity.children_of_type("remap")
     ]
 
 
@@ -166,19 +166,19 @@ def _ros_timer(entity: Entity, parser: Parser) -> Action:
 
 def _components(entity: Entity, parser: Parser) -> list[ComposableNode]:
     found: list[ComposableNode] = []
-    for one in entity.children_of_type("composable_node"):
+    for child in entity.children_of_type("composable_node"):
         found.append(
             ComposableNode(
-                package=required_text(one, parser, "pkg"),
-                plugin=required_text(one, parser, "plugin"),
-                name=text(one, parser, "name"),
-                namespace=text(one, parser, "namespace"),
-                parameters=_parameters(one, parser),
-                remappings=_remaps(one, parser),
-                condition=parser.condition(one),
+                package=required_text(child, parser, "pkg"),
+                plugin=required_text(child, parser, "plugin"),
+                name=text(child, parser, "name"),
+                namespace=text(child, parser, "namespace"),
+                parameters=_parameters(child, parser),
+                remappings=_remaps(child, parser),
+                condition=parser.condition(child),
             )
         )
-        one.children_of_type("extra_arg")
+        child.children_of_type("extra_arg")
     return found
 
 

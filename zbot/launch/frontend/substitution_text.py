@@ -11,8 +11,7 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING, Any
 
-from zbot.launch.errors import CoercionError
-from zbot.launch.frontend.errors import SubstitutionSyntaxError
+from zbot.launch.errors import CoercionError, SubstitutionSyntaxError
 from zbot.launch.frontend.registry import make_substitution
 from zbot.launch.substitution import TextSubstitution
 from zbot.launch.typed_value import is_instance_of_valid_type
@@ -46,8 +45,8 @@ def parse_if_substitutions(value: Any) -> Any:
         SubstitutionSyntaxError: A text does not follow the grammar.
     """
     if isinstance(value, list):
-        items = [parse_if_substitutions(one) for one in value]
-        if not is_instance_of_valid_type([one for one in items if not isinstance(one, list)]):
+        items = [parse_if_substitutions(item) for item in value]
+        if not is_instance_of_valid_type([item for item in items if not isinstance(item, list)]):
             raise CoercionError(f"the items of a list must have one type: {value}")
         return items
     if not isinstance(value, str):

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 from zbot.launch import actions
 from zbot.launch.actions.loop import loop_iteration
-from zbot.launch.frontend.errors import SubstitutionSyntaxError
+from zbot.launch.errors import SubstitutionSyntaxError
 from zbot.launch.frontend.registry import action, expose_action
 from zbot.launch.source import AnyLaunchDescriptionSource
 from zbot.launch.substitution import TextSubstitution
@@ -117,8 +117,8 @@ def process_options(entity: Entity, parser: Parser) -> dict[str, Any]:
 
 def _named_values(entity: Entity, parser: Parser, tag: str) -> dict[Any, list[Substitution]]:
     return {
-        required_text(one, parser, "name")[0]: required_text(one, parser, "value")
-        for one in entity.children_of_type(tag)
+        required_text(child, parser, "name")[0]: required_text(child, parser, "value")
+        for child in entity.children_of_type(tag)
     }
 
 
@@ -165,8 +165,8 @@ def _argument(entity: Entity, parser: Parser) -> Action:
 @action("include")
 def _include(entity: Entity, parser: Parser) -> Action:
     pairs = [
-        (required_text(one, parser, "name"), required_text(one, parser, "value"))
-        for one in (*entity.children_of_type("arg"), *entity.children_of_type("let"))
+        (required_text(child, parser, "name"), required_text(child, parser, "value"))
+        for child in (*entity.children_of_type("arg"), *entity.children_of_type("let"))
     ]
     source = AnyLaunchDescriptionSource(required_text(entity, parser, "file"))
     return actions.IncludeLaunchDescription(source, launch_arguments=pairs)
@@ -174,9 +174,9 @@ def _include(entity: Entity, parser: Parser) -> Action:
 
 @action("group")
 def _group(entity: Entity, parser: Parser) -> Action:
-    inside = [one for one in entity.children if one.type_name != "keep"]
+    inside = [child for child in entity.children if child.type_name != "keep"]
     return actions.GroupAction(
-        [parser.parse_action(one) for one in inside],
+        [parser.parse_action(child) for child in inside],
         scoped=boolean(entity, "scoped", default=True),
         forwarding=boolean(entity, "forwarding", default=True),
         launch_configurations=_named_values(entity, parser, "keep"),

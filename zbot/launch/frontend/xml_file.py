@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 from xml.parsers import expat
 
+from zbot.launch.errors import InvalidFrontendLaunchFileError
 from zbot.launch.frontend.entity import Entity
-from zbot.launch.frontend.errors import InvalidFrontendLaunchFileError
 from zbot.terminal.typographic import advice
 
 if TYPE_CHECKING:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from zbot.launch.errors import InvalidFrontendLaunchFileError
 from zbot.launch.frontend.entity import Entity
-from zbot.launch.frontend.errors import InvalidFrontendLaunchFileError
 from zbot.yaml_reader import YamlError, compose_yaml, construct_yaml
 
 if TYPE_CHECKING:
@@ -65,7 +65,7 @@ class _Reader:
                 if key == _CHILDREN:
                     children += self._children(value)
                 elif self._has_mappings(value):
-                    children += [self._entity(key, one) for one in value.value]
+                    children += [self._entity(key, item) for item in value.value]
                 elif self._is_mapping(value):
                     children.append(self._entity(key, value))
                 else:

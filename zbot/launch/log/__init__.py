@@ -82,7 +82,7 @@ class LaunchConfig:
         self.close()
         old = {id(handler) for handler in self.file_handlers.values()}
         for logger in self._loggers.values():
-            logger.handlers[:] = [one for one in logger.handlers if id(one) not in old]
+            logger.handlers[:] = [handler for handler in logger.handlers if id(handler) not in old]
         self.file_handlers.clear()
 
     @property
@@ -262,7 +262,9 @@ def get_output_loggers(
             _add(logger, launch_config.get_log_file_handler(name), "{message}")
         if "own_log" in both:
             _add(logger, launch_config.get_log_file_handler(f"{process_name}.log"), "{message}")
-    stdout, stderr = (launch_config.logger(f"{process_name}-{one}") for one in ("stdout", "stderr"))
+    stdout, stderr = (
+        launch_config.logger(f"{process_name}-{stream}") for stream in ("stdout", "stderr")
+    )
     return stdout, stderr
 
 

@@ -110,7 +110,9 @@ def show(line: str, colour: str = "") -> None:
     # `| head`.
     try:
         if _is_terminal():
-            parts = (escape_control_characters(one, keep_colours=True) for one in line.split("\r"))
+            parts = (
+                escape_control_characters(part, keep_colours=True) for part in line.split("\r")
+            )
             line = "\r".join(parts)
         print(f"{colour}{line}{_RESET}" if colour else line, flush=True)
     except (OSError, ValueError):

@@ -4,19 +4,25 @@ from __future__ import annotations
 
 import os
 import shlex
+import signal
 import subprocess
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from zbot.launch.errors import SubstitutionError
+from zbot.launch.process_group import send
 from zbot.launch.substitution import Substitution, describe, normalize, perform
 from zbot.package.absent import absent_file
 from zbot.package.errors import PACKAGE_NOT_FOUND, AbsentFileError
 from zbot.package.unavailable import unavailable_package
 from zbot.package.zbot_command import find_on_path
+from zbot.threads.foreign_call import without_interruption
 
 if TYPE_CHECKING:
     from zbot.launch.context import LaunchContext
     from zbot.launch.substitution import SomeSubstitutionsType
+
+
+_SIGKILL: Final = int(getattr(signal, "SIGKILL", signal.SIGTERM))
 
 
 class Command(Substitution):
@@ -62,9 +68,7 @@ class Command(Substitution):
         try:
             words = shlex.split(line, posix=os.name != "nt")
             words[0] = find_on_path(words[0], context.environment) or words[0]
-            return subprocess.run(  # noqa: S603 - the user's own launch file
-                words, capture_output=True, text=True, check=False, env=context.environment
-            )
+            return _run_to_end(words, context)
         except (OSError, ValueError, IndexError) as error:
             reason = getattr(error, "strerror", None) or str(error)
             raise SubstitutionError(f"cannot run command '{line}': {reason}") from error
@@ -72,6 +76,32 @@ class Command(Substitution):
     def describe(self) -> str:
         """Return the command line."""
         return f"Command({describe(self.command)})"
+
+
+def _run_to_end(words: list[str], context: LaunchContext) -> subprocess.CompletedProcess[str]:
+    """Run a command. If a signal ends the launch meanwhile, end the command and its children."""
+    # Ctrl-C in a terminal reaches the children of the command, and they may ask the user.
+    has_group = context.noninteractive and os.name != "nt"
+    # An interruption would leave a child that nobody ends.
+    child = without_interruption(
+        subprocess.Popen,
+        words,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        env=context.environment,
+        start_new_session=has_group,
+    )
+    with child:
+        try:
+            output, errors = child.communicate()
+        except BaseException:
+            if has_group:
+                send(child.pid, _SIGKILL)
+            else:
+                child.kill()
+            raise
+    return subprocess.CompletedProcess(words, child.returncode, output, errors)
 
 
 def _absent_file(line: str, output: str) -> AbsentFileError | None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
-from zbot.launch.errors import ArgumentCountError, SubstitutionError
+from zbot.launch.errors import SubstitutionError, argument_count_error
 from zbot.launch.substitution import (
     Substitution,
     describe_list,
@@ -107,10 +107,10 @@ class _TextOperation(_Operation):
         """Return the class and the constructor options for `$(name value)`.
 
         Raises:
-            ArgumentCountError: The number of arguments is not one.
+            WrongArgumentsError: The number of arguments is not one.
         """
         if len(data) != 1:
-            raise ArgumentCountError(cls.__name__, 1, len(data))
+            raise argument_count_error(cls.__name__, 1, len(data))
         return cls, {"value": data[0]}
 
 

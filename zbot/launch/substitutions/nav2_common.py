@@ -90,7 +90,7 @@ class RewrittenYaml(_FileSubstitution):
         out_dir: SomeSubstitutionsType | None = None,
     ) -> None:
         super().__init__(source_file)
-        self._params = _normalized(param_rewrites)
+        self._params = _normalized(param_rewrites or {})  # also `""`, as launch files of Nav2 write
         self._root_key = [] if root_key is None else normalize(root_key)
         self._keys = _normalized(key_rewrites or {})
         self._values = _normalized(value_rewrites or {})

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.errors.suggestion import did_you_mean
 from zbot.launch.errors import SubstitutionError
+from zbot.launch.log import get_logger
 from zbot.launch.substitution import Substitution, describe, normalize, perform
 from zbot.log.log_file import get_logging_directory
 
@@ -51,6 +52,22 @@ class LaunchConfiguration(Substitution):
     def describe(self) -> str:
         """Return its name."""
         return f"LaunchConfig({describe(self.variable_name)})"
+
+    __hash__ = Substitution.__hash__
+
+    def __eq__(self, other: object) -> bool:
+        """Return whether this is the same object. A comparison with a text is probably a mistake.
+
+        The launch file that compares runs before the configuration has its value.
+        """
+        if isinstance(other, str):
+            name = f"LaunchConfiguration({describe(self.variable_name)})"
+            advice = f"condition=IfCondition(EqualsSubstitution({name}, {other!r}))"
+            get_logger("launch").warning(
+                f"{name} is compared with {other!r} before it has its value, so they always "
+                f"differ: write {advice} in the action"
+            )
+        return self is other
 
 
 class EnvironmentVariable(Substitution):

@@ -80,10 +80,10 @@ def assertExitCodes(  # noqa: N802 - launch_testing's name
     found = resolve_processes(
         proc_info, process=process, cmd_args=cmd_args, strict_proc_matching=strict_proc_matching
     )
-    for one in found:
-        code: int | None = getattr(proc_info[one], "returncode", None)
+    for action in found:
+        code: int | None = getattr(proc_info[action], "returncode", None)
         if code not in allowable_exit_codes and _as_shell(code) not in allowable_exit_codes:
-            raise AssertionError(f"process {name_of(one)} exited with code {code}")
+            raise AssertionError(f"process {name_of(action)} exited with code {code}")
 
 
 def _as_shell(code: int | None) -> int | None:

@@ -55,7 +55,7 @@ def check_controllers_running(
 
     def have_state() -> bool:
         found = list_controllers(node, manager, _MANAGER_S).controller
-        states.update((one.name, one.state) for one in found)
+        states.update((controller.name, controller.state) for controller in found)
         return all(states.get(name) == state for name in cnames)
 
     if not poll(have_state, timeout, _PERIOD_S):

@@ -6,19 +6,12 @@ import re
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import ArgumentTypeError
+from zbot.errors import ArgumentTypeError, WrongValueError
 from zbot.launch.testing.error import LaunchTestError
 from zbot.launch.testing.output_text import without_escapes
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
-
-
-class ChoiceError(LaunchTestError, ValueError):
-    """A function needs exactly one of two arguments, but it got none or both."""
-
-    def __init__(self, text: str, lines: str) -> None:
-        super().__init__(f"expect_output takes either {text} or {lines}")
 
 
 def expect_output(
@@ -46,14 +39,14 @@ def expect_output(
             `expected_lines`, without a list, must match every line of the output.
 
     Raises:
-        ChoiceError: Exactly one of `text` and `lines` is required. The same is true for
+        WrongValueError: Exactly one of `text` and `lines` is required. The same is true for
             `expected_text` and `expected_lines`.
         ArgumentTypeError: The expected argument is not a text, a pattern or a list of them.
     """
     if (text is None) == (lines is None):
-        raise ChoiceError("text", "lines")
+        raise WrongValueError("expect_output takes either text or lines")
     if (expected_text is None) == (expected_lines is None):
-        raise ChoiceError("expected_text", "expected_lines")
+        raise WrongValueError("expect_output takes either expected_text or expected_lines")
     whole = "\n".join(lines or ()) if text is None else text.replace("\r\n", "\n")
     if strip_ansi_escape_sequences:
         whole = without_escapes(whole)
@@ -89,8 +82,8 @@ def _has_text(expected: Any, text: str, *, strict: bool) -> bool:
     if strict and isinstance(expected, str):
         return text == expected
     end = 0
-    for one in _each("expected_text", expected):
-        pattern = re.compile(re.escape(one)) if isinstance(one, str) else one
+    for wanted in _each("expected_text", expected):
+        pattern = re.compile(re.escape(wanted)) if isinstance(wanted, str) else wanted
         found = pattern.match(text, end) if strict else pattern.search(text, end)
         if found is None:
             return False
@@ -104,9 +97,11 @@ def _has_lines(expected: Any, lines: Sequence[str], *, strict: bool) -> bool:
     if strict and hasattr(expected, "match"):
         return all(expected.match(line) for line in lines)
     place = 0
-    for one in _each("expected_lines", expected):
+    for wanted in _each("expected_lines", expected):
         within = lines[place : place + 1] if strict else lines[place:]
-        step = next((n for n, line in enumerate(within, start=1) if _matches_line(one, line)), None)
+        step = next(
+            (n for n, line in enumerate(within, start=1) if _matches_line(wanted, line)), None
+        )
         if step is None:
             return False
         place += step
@@ -117,7 +112,7 @@ def _each(name: str, expected: Any) -> Iterable[Any]:
     if isinstance(expected, str) or hasattr(expected, "match"):
         return (expected,)
     several = list(expected) if hasattr(expected, "__iter__") else []
-    if several and all(isinstance(one, str) or hasattr(one, "match") for one in several):
+    if several and all(isinstance(item, str) or hasattr(item, "match") for item in several):
         return several
     raise ArgumentTypeError(name, "a text, a pattern or several of these", expected)
 

@@ -36,16 +36,16 @@ def has_expected(expected: Any, text: str) -> bool:
     if hasattr(expected, "search"):
         return expected.search(text) is not None
     if isinstance(expected, (list, tuple)) and expected:
-        if all(isinstance(one, str) for one in expected):
+        if all(isinstance(part, str) for part in expected):
             return _has_lines(expected, text)
-        if all(hasattr(one, "search") for one in expected):
+        if all(hasattr(part, "search") for part in expected):
             return _has_patterns(expected, text)
     raise ArgumentTypeError("expected_output", "a text, a pattern or a list of these", expected)
 
 
 def _has_lines(expected: Sequence[str], text: str) -> bool:
     lines = iter(text.splitlines())
-    return all(one in lines for one in expected)  # each `in` continues after the last line found
+    return all(line in lines for line in expected)  # each `in` continues after the last line found
 
 
 def _has_patterns(expected: Sequence[Any], text: str) -> bool:
@@ -85,13 +85,14 @@ def basic_output_filter(
     if filtered_prefixes is None:
         filtered_prefixes = get_default_filtered_prefixes()
     prefixes = tuple(map(_to_text, filtered_prefixes))
-    patterns = [re.compile(_to_text(one)) for one in filtered_patterns or ()]
+    patterns = [re.compile(_to_text(pattern)) for pattern in filtered_patterns or ()]
 
     def keep(text: str) -> str:
         return "".join(
             line
             for line in text.splitlines(keepends=True)
-            if not line.startswith(prefixes) and not any(one.match(line) for one in patterns)
+            if not line.startswith(prefixes)
+            and not any(pattern.match(line) for pattern in patterns)
         )
 
     return keep

@@ -48,9 +48,11 @@ def resolve_processes(
     if process is None:
         found = known
     elif isinstance(process, ExecuteLocal):
-        found = [one for one in known if one is process]
+        found = [action for action in known if action is process]
     elif isinstance(process, str):
-        found = [one for one in known if process in name_of(one) and _has_args(one, cmd_args)]
+        found = [
+            action for action in known if process in name_of(action) and _has_args(action, cmd_args)
+        ]
     else:
         raise ArgumentTypeError("process", "an ExecuteProcess or a name", process)
     if not found:

@@ -48,7 +48,7 @@ class OutputRecord:
 
     def __getitem__(self, key: ExecuteLocal | str) -> list[ProcessIO]:
         """Return the output events of a process. The key is its action or its full label."""
-        return [one for one in self if key in (one.process_name, one.action)]
+        return [piece for piece in self if key in (piece.process_name, piece.action)]
 
     def processes(self) -> list[ExecuteLocal]:
         """Return the actions of the processes that were started."""
@@ -63,7 +63,7 @@ class OutputRecord:
     def text_of(self, process: ExecuteLocal, stream: str = "both") -> str:
         """Return the output of a process on `stdout`, `stderr` or `both`."""
         wanted = {"stdout": (1,), "stderr": (2,)}.get(stream, (1, 2))
-        pieces = b"".join(one.text for one in self[process] if one.fd in wanted)
+        pieces = b"".join(piece.text for piece in self[process] if piece.fd in wanted)
         return pieces.decode(errors="replace")
 
     def has(
@@ -86,8 +86,8 @@ class OutputRecord:
         found = resolve_processes(
             self, process=process, cmd_args=cmd_args, strict_proc_matching=strict_proc_matching
         )
-        for one in found:
-            text = self.text_of(one, stream)
+        for action in found:
+            text = self.text_of(action, stream)
             text = without_escapes(text) if strip_ansi_escape_sequences else text
             if has_expected(expected_output, output_filter(text) if output_filter else text):
                 return True

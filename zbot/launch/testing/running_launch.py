@@ -6,13 +6,13 @@ import asyncio
 import threading
 from typing import TYPE_CHECKING, Any
 
-from zbot.launch.actions.testing import ReadyToTest, ReadyToTestEvent
 from zbot.launch.event import Shutdown
 from zbot.launch.event_handler import EventHandler
 from zbot.launch.process_event import ProcessExited, ProcessIO, ProcessStarted
 from zbot.launch.service import LaunchService
 from zbot.launch.testing.error import LaunchTestError
 from zbot.launch.testing.record import ExitRecord, OutputRecord
+from zbot.launch.testing.test_action import ReadyToTest, ReadyToTestEvent
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator, Mapping

@@ -131,8 +131,8 @@ class TestRun:
         for name in self._parameters:
             if name not in taken:
                 raise LaunchTestError(f"Could not find an argument of {_FUNCTION}() for '{name}'")
-        for name, one in taken.items():
-            if name not in self._parameters and one.default is one.empty:
+        for name, parameter in taken.items():
+            if name not in self._parameters and parameter.default is parameter.empty:
                 raise LaunchTestError(f"{_FUNCTION}() has an unexpected extra argument '{name}'")
 
     def normalized_test_description(
@@ -183,10 +183,10 @@ class TestRun:
         return unittest.TextTestRunner(verbosity=verbosity).run(suite)
 
     def _cases(self, *, after: bool) -> Iterator[type[unittest.TestCase]]:
-        for one in vars(self._module).values():
-            is_case = isinstance(one, type) and issubclass(one, unittest.TestCase)
-            if is_case and getattr(one, "__post_shutdown_test__", False) is after:
-                yield one
+        for member in vars(self._module).values():
+            is_case = isinstance(member, type) and issubclass(member, unittest.TestCase)
+            if is_case and getattr(member, "__post_shutdown_test__", False) is after:
+                yield member
 
 
 def _bound(

@@ -24,11 +24,11 @@ class RunResult(unittest.TestResult):
 
     def include(self, results: Iterable[unittest.TestResult]) -> None:
         """Add the counts of other results."""
-        for one in results:
-            self.testsRun += one.testsRun
-            self.failures += one.failures
-            self.errors += one.errors
-            self.skipped += one.skipped
+        for result in results:
+            self.testsRun += result.testsRun
+            self.failures += result.failures
+            self.errors += result.errors
+            self.skipped += result.skipped
 
     def mark_incomplete(self) -> None:
         """Mark the result as failed, because the launch ended before all its tests had run."""

@@ -9,6 +9,8 @@ import math
 from numbers import Real
 from typing import TYPE_CHECKING, Any
 
+from zbot.errors import require_numpy
+
 from geometry_msgs.msg import Point32, Polygon, Quaternion
 
 if TYPE_CHECKING:
@@ -43,6 +45,7 @@ class _Grid:
         origin: Pose,
         data: Any,
     ) -> None:
+        require_numpy("the costmap")
         import numpy as np  # noqa: PLC0415 - part of an extra
 
         self.size_x, self.size_y = size
@@ -263,7 +266,7 @@ class FootprintCollisionChecker:
 
         Return `LETHAL_OBSTACLE` if a corner is outside of the costmap.
         """
-        cells = [self.worldToMapValidated(one.x, one.y) for one in footprint.points]
+        cells = [self.worldToMapValidated(point.x, point.y) for point in footprint.points]
         cost = 0.0
         for (x0, y0), (x1, y1) in zip(cells, cells[1:] + cells[:1], strict=True):
             if x0 is None or y0 is None or x1 is None or y1 is None:
@@ -278,8 +281,8 @@ class FootprintCollisionChecker:
         """Return the highest cost on an outline that is turned by `theta` and moved to a place."""
         cos, sin = math.cos(theta), math.sin(theta)
         moved = [
-            Point32(x=x + one.x * cos - one.y * sin, y=y + one.x * sin + one.y * cos)
-            for one in footprint.points
+            Point32(x=x + point.x * cos - point.y * sin, y=y + point.x * sin + point.y * cos)
+            for point in footprint.points
         ]
         return self.footprintCost(Polygon(points=moved))
 

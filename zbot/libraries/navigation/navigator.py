@@ -217,20 +217,14 @@ class BasicNavigator(Nav2Planner):
         self, dock_pose: PoseStamped, dock_type: str = "", nav_to_dock: bool = True
     ) -> RunningTask | None:
         """Drive into a dock at a place. `nav_to_dock` means: first drive to its staging pose."""
-        return self._start(
-            self.undocking_client,
-            action.UndockRobot.Goal(dock_type=dock_type),
-            RunningTask.UNDOCK_ROBOT,
-            f"Docking at pose: {dock_pose}...",
+        goal = action.DockRobot.Goal(
+            use_dock_id=False,
+            dock_pose=dock_pose,
+            dock_type=dock_type,
+            navigate_to_staging_pose=nav_to_dock,
         )
-        return self._dock(
-            action.DockRobot.Goal(
-                use_dock_id=False,
-                dock_pose=dock_pose,
-                dock_type=dock_type,
-                navigate_to_staging_pose=nav_to_dock,
-            )
-        )
+        text = f"Docking at pose: {dock_pose}..."
+        return self._start(self.docking_client, goal, RunningTask.DOCK_ROBOT, text)
 
     def dockRobotByID(self, dock_id: str, nav_to_dock: bool = True) -> RunningTask | None:
         """Drive into a dock that Nav2 knows by its name."""

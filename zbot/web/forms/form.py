@@ -12,12 +12,12 @@ from enum import Enum
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from zbot.interfaces import FieldType, get_message, spec_of
+from zbot.interfaces.message_reader import FieldMisfitError
 from zbot.web.forms.form_value import (
     DURATION,
     NOW,
     TIME,
     Entry,
-    EntryError,
     flow,
     integer_range,
     plain,
@@ -28,7 +28,7 @@ from zbot.web.forms.form_value import (
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Mapping
 
-__all__ = ["Entry", "EntryError", "Form", "Group", "Input", "InputKind"]
+__all__ = ["Entry", "Form", "Group", "Input", "InputKind"]
 
 _HEADER = "std_msgs/msg/Header"
 
@@ -74,7 +74,7 @@ class Input:
         """Return the field's value for an entry.
 
         Raises:
-            EntryError: The entry does not fit the field. The error's text contains the reason.
+            FieldMisfitError: The entry does not fit the field.
         """
         return read(self.type, entry, self.path, now_ns)
 
@@ -82,8 +82,8 @@ class Input:
         """Return a sentence about a wrong entry, or None if the entry is valid."""
         try:
             self.read(entry)
-        except EntryError as error:
-            return error.reason
+        except FieldMisfitError as error:
+            return error.sentence
         return None
 
 
@@ -133,12 +133,12 @@ class Form:
             now_ns: Function that returns the time for `now`, in nanoseconds since the epoch.
 
         Raises:
-            EntryError: An entry does not fit its field.
+            FieldMisfitError: An entry does not fit its field.
         """
         message = self._type()
-        for one in self.inputs:
-            value = one.read(entries.get(one.path, one.default), now_ns)
-            *path, last = one.path.split(".")
+        for input_ in self.inputs:
+            value = input_.read(entries.get(input_.path, input_.default), now_ns)
+            *path, last = input_.path.split(".")
             target = message
             for name in path:
                 target = getattr(target, name)
@@ -147,12 +147,17 @@ class Form:
 
     def problems(self, entries: Mapping[str, Entry]) -> dict[str, str]:
         """Return a sentence about each wrong entry, by path."""
-        found = {one.path: one.problem(entries.get(one.path, one.default)) for one in self.inputs}
+        found = {
+            input_.path: input_.problem(entries.get(input_.path, input_.default))
+            for input_ in self.inputs
+        }
         return {path: problem for path, problem in found.items() if problem is not None}
 
     def entries(self, message: Any) -> dict[str, str]:
         """Return the texts that the inputs show for a message, by path."""
-        return {one.path: show(one.type, _follow(message, one.path)) for one in self.inputs}
+        return {
+            input_.path: show(input_.type, _follow(message, input_.path)) for input_ in self.inputs
+        }
 
     def yaml(self, entries: Mapping[str, Entry]) -> str:
         """Return the message as YAML for a command line: `{linear: {x: 2.0}}`.
@@ -160,15 +165,15 @@ class Form:
         The YAML leaves out each field that has its default value. The text `now` stays `now`.
 
         Raises:
-            EntryError: An entry does not fit its field.
+            FieldMisfitError: An entry does not fit its field.
         """
         new, tree = self._type(), dict[str, Any]()
-        for one in self.inputs:
-            entry = entries.get(one.path, one.default)
-            value, is_now = one.read(entry), one.kind is InputKind.TIME and entry == NOW
-            shown = NOW if is_now else plain(value)
-            if is_now or shown != plain(_follow(new, one.path)):
-                _put(tree, one.path, shown)
+        for input_ in self.inputs:
+            entry = entries.get(input_.path, input_.default)
+            value, is_now = input_.read(entry), input_.kind is InputKind.TIME and entry == NOW
+            shown = NOW if is_now else plain(input_.type, value)
+            if is_now or shown != plain(input_.type, _follow(new, input_.path)):
+                _put(tree, input_.path, shown)
         return flow(tree)
 
 

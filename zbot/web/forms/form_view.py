@@ -51,7 +51,7 @@ class FormView:
         """Return the message that contains the values of the inputs.
 
         Raises:
-            EntryError: An entry does not fit its field.
+            FieldMisfitError: An entry does not fit its field.
         """
         return self.form.message(self._entries)
 
@@ -66,7 +66,7 @@ class FormView:
         """Return the message as YAML for a command line: `{linear: {x: 2.0}}`.
 
         Raises:
-            EntryError: An entry does not fit its field.
+            FieldMisfitError: An entry does not fit its field.
         """
         return self.form.yaml(self._entries)
 
@@ -94,19 +94,19 @@ class FormView:
             label.tooltip(str(member.type))
             self._inputs[member.path] = self._input(member)
 
-    def _input(self, one: Input) -> Any:
-        changed = partial(self._changed, one.path)
-        if one.kind is InputKind.BOOL:
-            return ui.checkbox(value=one.default == "true", on_change=changed).props("dense")
+    def _input(self, input_: Input) -> Any:
+        changed = partial(self._changed, input_.path)
+        if input_.kind is InputKind.BOOL:
+            return ui.checkbox(value=input_.default == "true", on_change=changed).props("dense")
         made = ui.input(
-            value=one.default,
-            placeholder=_HINTS.get(one.kind, ""),
+            value=input_.default,
+            placeholder=_HINTS.get(input_.kind, ""),
             on_change=changed,
-            validation=one.problem,
+            validation=input_.problem,
         )
         made.props("dense outlined hide-bottom-space")
-        made.props["aria-label"] = one.path
-        if one.kind in {InputKind.INTEGER, InputKind.NUMBER}:
+        made.props["aria-label"] = input_.path
+        if input_.kind in {InputKind.INTEGER, InputKind.NUMBER}:
             made.props("inputmode=decimal")
         return made.classes("zb-form-input")
 

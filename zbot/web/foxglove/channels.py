@@ -51,7 +51,9 @@ class Channels:
         """
         found = {name: types[0] for name, types in graph.topics() if not is_hidden(name)}
         with self._lock:
-            gone = [name for name, one in self._topics.items() if found.get(name) != one.type_name]
+            gone = [
+                name for name, topic in self._topics.items() if found.get(name) != topic.type_name
+            ]
         for name in gone:
             self._remove(name)
         for name, type_name in found.items():
@@ -61,22 +63,22 @@ class Channels:
     def subscribe(self, topic: str, client: int) -> None:
         """Note that a client shows a topic."""
         with self._lock:
-            one = self._topics.get(topic)
-            if one is None:
+            shown = self._topics.get(topic)
+            if shown is None:
                 return
-            one.clients.add(client)
-            if one.subscription is None:
-                one.subscription = self._subscription(topic, one)
+            shown.clients.add(client)
+            if shown.subscription is None:
+                shown.subscription = self._subscription(topic, shown)
 
     def unsubscribe(self, topic: str, client: int) -> None:
         """Note that a client does not show a topic any more."""
         with self._lock:
-            one = self._topics.get(topic)
-            if one is None:
+            shown = self._topics.get(topic)
+            if shown is None:
                 return
-            one.clients.discard(client)
-            if not one.clients:
-                self._end(one)
+            shown.clients.discard(client)
+            if not shown.clients:
+                self._end(shown)
 
     def _add(self, name: str, type_name: str) -> None:
         from foxglove import Channel, Schema  # noqa: PLC0415 - an extra
@@ -95,25 +97,25 @@ class Channels:
 
     def _remove(self, name: str) -> None:
         with self._lock:
-            one = self._topics.pop(name)
-            self._end(one)
-        one.channel.close()
+            shown = self._topics.pop(name)
+            self._end(shown)
+        shown.channel.close()
 
-    def _subscription(self, topic: str, one: _Topic) -> Subscription[Any] | None:
+    def _subscription(self, topic: str, shown: _Topic) -> Subscription[Any] | None:
         publishers = self._system.snapshot().publishers(topic)
         profile = profile_to_show([end.qos for end in publishers], _DEPTH)
 
         def send(data: bytes) -> None:
-            one.channel.log(data)
+            shown.channel.log(data)
 
         try:
             return self._system.node.create_subscription(
-                self._system.interface(one.type_name), topic, send, profile, raw=True
+                self._system.interface(shown.type_name), topic, send, profile, raw=True
             )
         except NotInitializedError:
             return None  # the program ends
 
-    def _end(self, one: _Topic) -> None:
-        subscription, one.subscription = one.subscription, None
+    def _end(self, shown: _Topic) -> None:
+        subscription, shown.subscription = shown.subscription, None
         if subscription is not None and self._system.context.ok():
             self._system.node.destroy_subscription(subscription)

@@ -1,5 +1,7 @@
 """Guard of the server for Foxglove: a proxy that refuses unknown websites and wrong tokens.
 
+It also limits what each client may use, and publishes for the clients (`connection.py`).
+
 Any website in the user's browser can open a websocket to 127.0.0.1, and the server of
 `foxglove-sdk` accepts every websocket. So this server listens on a random address that websites
 cannot guess. Clients connect to the guard, which checks each request before it connects the client
@@ -11,25 +13,34 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import hmac
-import ipaddress
+import re
 import socket
+from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING
-from urllib.parse import parse_qsl, urlencode, urlsplit
+from urllib.parse import parse_qsl, urlsplit
 
-from zbot.web.page_address import TOKEN_PARAMETER
+from zbot.serving.address import TOKEN_PARAMETER, other_machine, without_token
+from zbot.serving.client_budget import Clients, OverBudgetError
+from zbot.serving.own_names import OwnNames
+from zbot.serving.proxy import read_head
+from zbot.web.foxglove.connection import Connection, Streams
 
 if TYPE_CHECKING:
-    from collections.abc import Collection
+    from collections.abc import Callable, Collection
+
+    from zbot.web.foxglove.publishing import Publishing
 
 #: The web application of Foxglove.
 FOXGLOVE_ORIGIN = "https://app.foxglove.dev"
 #: Schemes of the origins of applications on this machine, e.g. Foxglove for the desktop. The origin
 #: of a website never has one of these schemes.
 _APPLICATIONS = frozenset({"app", "file", "lichtblick", "foxglove"})
+_EXTENSIONS = re.compile(rb"(?im)^sec-websocket-extensions[ \t]*:.*\r\n")
+_SWITCHED = re.compile(rb"HTTP/1\.1 101 ")
+_THREADS = 16
+#: Connections that have not sent a request yet. Beyond this number, the oldest is closed.
+_MAX_SILENT = 100
 _LOCAL_NAMES = frozenset({"localhost", "127.0.0.1", "::1"})
-_MOST_BYTES = 16_384
-_PATIENCE_S = 5.0
-_BLOCK_BYTES = 2**18
 
 
 class Guard:
@@ -40,24 +51,32 @@ class Guard:
         inner: Host and port of the server behind the guard.
         token: The token that the address must contain. It is `None` for a loopback host.
         origins: Further origins whose pages may connect, e.g. `http://lab:8080`.
+        publishing: Function that returns the publishers of a new client.
     """
 
     def __init__(
-        self, host: str, inner: tuple[str, int], token: str | None, origins: Collection[str] = ()
+        self,
+        host: str,
+        inner: tuple[str, int],
+        token: str | None,
+        origins: Collection[str] = (),
+        *,
+        publishing: Callable[[], Publishing],
     ) -> None:
         self._inner = inner
+        self._publishing = publishing
+        self._clients = Clients()
+        self._threads = ThreadPoolExecutor(_THREADS, "zbot foxglove")
+        self._silent: dict[asyncio.StreamWriter, None] = {}  #: connections without a request
         self._token = token
-        self._names = _LOCAL_NAMES | {host.lower()}
-        if token is not None:
-            # Any machine can claim these names by mDNS. With a token, this is harmless.
-            self._names |= {socket.gethostname().lower(), f"{socket.gethostname().lower()}.local"}
+        self._names = OwnNames(host, has_token=token is not None)
         self._origins = frozenset({FOXGLOVE_ORIGIN, *origins})
 
     async def serve(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
-        """Check a client's request. Then copy data in both directions until one side closes."""
+        """Check a client's request. Then serve the client until one side closes."""
         try:
             with contextlib.closing(writer):
-                head = await self._head(reader)
+                head = await self._head(reader, writer)
                 refusal = "the request is too long or has no end" if head is None else ""
                 if head is not None:
                     refusal = self.refusal(head)
@@ -66,23 +85,29 @@ class Guard:
                     await writer.drain()
                     return
                 await self._pass_on(self.without_token(head), reader, writer)
-        except OSError:
+        except (OSError, asyncio.IncompleteReadError):
             return  # one of the sides has closed the connection
 
-    @staticmethod
-    async def _head(reader: asyncio.StreamReader) -> bytes | None:
+    async def _head(
+        self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter
+    ) -> bytes | None:
+        """Return the head of a request. Close the oldest connection if too many send nothing."""
+        self._silent[writer] = None
+        if len(self._silent) > _MAX_SILENT:
+            oldest = next(iter(self._silent))
+            del self._silent[oldest]
+            oldest.transport.abort()
         try:
-            head = await asyncio.wait_for(reader.readuntil(b"\r\n\r\n"), _PATIENCE_S)
-        except (asyncio.IncompleteReadError, asyncio.LimitOverrunError, asyncio.TimeoutError):
-            return None
-        return head if len(head) <= _MOST_BYTES else None
+            return await read_head(reader)
+        finally:
+            self._silent.pop(writer, None)
 
     def refusal(self, head: bytes) -> str:
         """Return the reason why a request is refused, or an empty text if it is accepted."""
         method, target, fields = _parsed(head)
         if method != "GET" or fields.get("upgrade", "").lower() != "websocket":
             return "this is no web page: open this address in Foxglove or Lichtblick"
-        if not self._is_ours(fields.get("host", "")):
+        if fields.get("host", "") not in self._names:
             return f"{fields.get('host', '')!r} is not a name of this server"
         origin = fields.get("origin")
         if origin is not None and not self._may_come_from(origin):
@@ -92,21 +117,6 @@ class Guard:
             if not hmac.compare_digest(given.encode(), self._token.encode()):
                 return "the token is missing: use the address that `zbot foxglove` printed"
         return ""
-
-    def _is_ours(self, host: str) -> bool:
-        try:
-            name = (urlsplit(f"//{host}").hostname or "").lower()
-        except ValueError:
-            return False
-        if name in self._names:
-            return True
-        if self._token is None:
-            return False
-        # With a token, all IP addresses are accepted, because the machine may get a new address.
-        with contextlib.suppress(ValueError):
-            ipaddress.ip_address(name)
-            return True
-        return False
 
     def _may_come_from(self, origin: str) -> bool:
         if origin in self._origins:
@@ -121,29 +131,42 @@ class Guard:
 
     @staticmethod
     def without_token(head: bytes) -> bytes:
-        """Return a request without the token in its address."""
+        """Return a request without the token in its address, and without extensions."""
         line, _, rest = head.partition(b"\r\n")
         method, _, last = line.partition(b" ")
         target, _, version = last.partition(b" ")
-        path, _, query = target.decode("latin-1").partition("?")
-        pairs = [pair for pair in parse_qsl(query) if pair[0] != TOKEN_PARAMETER]
-        path += f"?{urlencode(pairs)}" if pairs else ""
-        return b" ".join((method, path.encode("latin-1"), version)) + b"\r\n" + rest
+        target = without_token(target.decode("latin-1")).encode("latin-1")
+        # The guard reads all messages, so no extension may change their form, e.g. compress them.
+        rest = _EXTENSIONS.sub(b"", rest)
+        return b" ".join((method, target, version)) + b"\r\n" + rest
 
     async def _pass_on(
         self, head: bytes, reader: asyncio.StreamReader, writer: asyncio.StreamWriter
     ) -> None:
-        inner_reader, inner_writer = await asyncio.open_connection(*self._inner)
-        with contextlib.closing(inner_writer):
-            inner_writer.write(head)
-            ways = [
-                asyncio.ensure_future(_copy(reader, inner_writer)),
-                asyncio.ensure_future(_copy(inner_reader, writer)),
-            ]
-            await asyncio.wait(ways, return_when=asyncio.FIRST_COMPLETED)
-            for way in ways:
-                way.cancel()
-            await asyncio.gather(*ways, return_exceptions=True)
+        peer = writer.get_extra_info("peername")
+        machine = other_machine(peer[0] if peer else "")
+        try:
+            self._clients.add(machine)
+        except OverBudgetError as error:
+            writer.write(_response(str(error)))
+            await writer.drain()
+            return
+        try:
+            inner_reader, inner_writer = await asyncio.open_connection(*self._inner)
+            with contextlib.closing(inner_writer):
+                inner_writer.write(head)
+                answer = await inner_reader.readuntil(b"\r\n\r\n")
+                writer.write(answer)
+                if _SWITCHED.match(answer):
+                    client = Streams(reader, writer)
+                    server = Streams(inner_reader, inner_writer)
+                    await Connection(client, server, self._publishing(), self._threads).run()
+        finally:
+            self._clients.remove(machine)
+
+    def close(self) -> None:
+        """Cancel all work that has not begun."""
+        self._threads.shutdown(wait=False, cancel_futures=True)
 
 
 def free_loopback_address() -> str:
@@ -161,19 +184,13 @@ def free_loopback_address() -> str:
     return "127.0.0.1"
 
 
-async def _copy(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
-    while data := await reader.read(_BLOCK_BYTES):
-        writer.write(data)
-        await writer.drain()
-
-
 def _parsed(head: bytes) -> tuple[str, str, dict[str, str]]:
     """Return the method, the target and the fields of a request."""
     line, *lines = head.decode("latin-1").split("\r\n")
     method, _, rest = line.partition(" ")
     fields: dict[str, str] = {}
-    for one in lines:
-        name, colon, value = one.partition(":")
+    for header in lines:
+        name, colon, value = header.partition(":")
         if colon:
             fields[name.strip().lower()] = value.strip()
     return method, rest.partition(" ")[0], fields

@@ -1,16 +1,11 @@
-"""Listener of the server for Foxglove. It handles the requests of the server's clients."""
+"""Listener of the SDK's server. It handles requests that the guard has passed on."""
 
 from __future__ import annotations
 
-import threading
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
-from zbot.interfaces.set_fields import set_message_fields
-from zbot.json_reader import read_json_object
 from zbot.log import get_logger
-from zbot.observer.errors import ViewerError
-from zbot.wire.serialization import deserialize_message
 
 if TYPE_CHECKING:
     from zbot.observer.system import System
@@ -31,8 +26,6 @@ class Listener:
         self._system = system
         self._channels = channels
         self._parameters = parameters
-        self._lock = threading.Lock()
-        self._published: dict[tuple[int, int], tuple[Any, Any, str]] = {}
 
     def on_subscribe(self, client: Any, channel: Any) -> None:
         """Subscribe to a topic."""
@@ -43,38 +36,13 @@ class Listener:
         self._channels.unsubscribe(channel.topic, client.id)
 
     def on_client_advertise(self, client: Any, channel: Any) -> None:
-        """Create a publisher for a client."""
-        try:
-            if channel.encoding not in {"cdr", "json"}:
-                raise ViewerError(
-                    f"the encoding {channel.encoding!r} is not known: use cdr or json"
-                )
-            reference = self._system.publisher(channel.topic, channel.schema_name)
-            cls = self._system.interface(channel.schema_name)
-        except ZbotError as error:
-            _warn(f"a client cannot publish on {channel.topic}: {error}")
-            return
-        with self._lock:
-            self._published[client.id, channel.id] = reference, cls, channel.encoding
+        """Do nothing: the guard publishes for the clients."""
 
     def on_client_unadvertise(self, client: Any, client_channel_id: int) -> None:
-        """Remove the publisher of a client."""
-        with self._lock:
-            known = self._published.pop((client.id, client_channel_id), None)
-        if known is not None:
-            known[0].release()
+        """Do nothing: the guard publishes for the clients."""
 
     def on_message_data(self, client: Any, client_channel_id: int, data: bytes) -> None:
-        """Publish a message of a client."""
-        with self._lock:
-            known = self._published.get((client.id, client_channel_id))
-        if known is None:
-            return  # the publisher was refused
-        reference, cls, encoding = known
-        try:
-            reference.entity.publish(client_message(data, cls, encoding))
-        except (ZbotError, ValueError, TypeError) as error:
-            _warn(f"a client has sent a wrong message: {error}")
+        """Do nothing: the guard publishes for the clients."""
 
     def on_get_parameters(
         self,
@@ -95,7 +63,7 @@ class Listener:
         try:
             if self._system.read_only:
                 _warn("a client tried to set a parameter: this server is read-only")
-                return self._parameters.read(one.name for one in parameters)
+                return self._parameters.read(parameter.name for parameter in parameters)
             return self._parameters.write(parameters)
         except (ZbotError, ValueError, TypeError) as error:
             _warn(f"a parameter was not set: {error}")
@@ -115,24 +83,6 @@ class Listener:
 
     def on_connection_graph_unsubscribe(self) -> None:
         """Do nothing: the server always has the newest graph."""
-
-
-def client_message(data: bytes, cls: Any, encoding: str) -> Any:
-    """Return a message that a client has sent.
-
-    Raises:
-        ZbotError: The bytes or the values do not fit the type.
-        ValueError: There is no such field, or a value does not fit it.
-        TypeError: A value has a type that does not fit the field.
-    """
-    if encoding == "cdr":
-        return deserialize_message(data, cls)
-    message = cls()
-    try:
-        set_message_fields(message, read_json_object(data))
-    except AttributeError as error:
-        raise ValueError(str(error)) from error
-    return message
 
 
 def _warn(text: str) -> None:

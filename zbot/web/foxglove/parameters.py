@@ -42,7 +42,9 @@ class Parameters:
             except ZbotError as error:
                 _warn(node, error)
                 continue
-            found += [_sdk_parameter(node, one) for one in values.values() if one.value is not None]
+            found += [
+                _sdk_parameter(node, value) for value in values.values() if value.value is not None
+            ]
         return found
 
     def _all_names(self) -> dict[str, list[str]]:
@@ -55,13 +57,13 @@ class Parameters:
     def write(self, parameters: Iterable[Any]) -> list[Any]:
         """Set parameters, and return them with the values that the nodes have afterwards."""
         names = []
-        for one in parameters:
-            names.append(one.name)
-            node, _, name = one.name.partition(".")
-            parameter = self._remote.from_json(node, name, one.get_value())
+        for change in parameters:
+            names.append(change.name)
+            node, _, name = change.name.partition(".")
+            parameter = self._remote.from_json(node, name, change.get_value())
             (result,) = self._remote.set(node, [parameter])
             if not result.successful:
-                get_logger("zbot.foxglove").warning(f"{one.name}: {result.reason}")
+                get_logger("zbot.foxglove").warning(f"{change.name}: {result.reason}")
         return self.read(names) if names else []
 
 

@@ -10,17 +10,20 @@ from typing import TYPE_CHECKING, Any
 from urllib.parse import urlencode
 
 from zbot.errors import ZbotError
+from zbot.errors.installation import pip_install
 from zbot.log import get_logger
 from zbot.names import fully_qualified, is_hidden
 from zbot.observer.errors import ViewerError
 from zbot.observer.system import System
+from zbot.process.short_turns import short_turns
+from zbot.serving.address import address, is_loopback, origin_of
 from zbot.threads.background_thread import background_thread
 from zbot.web.foxglove.channels import Channels
 from zbot.web.foxglove.guard import FOXGLOVE_ORIGIN, Guard, free_loopback_address
 from zbot.web.foxglove.listener import Listener
 from zbot.web.foxglove.parameters import Parameters
+from zbot.web.foxglove.publishing import Publishing
 from zbot.web.foxglove.services import Services
-from zbot.web.page_address import address, is_loopback, origin_of
 from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:
@@ -43,7 +46,8 @@ def check_extra() -> None:
     try:
         import foxglove  # noqa: F401, PLC0415 - an extra
     except ImportError:
-        raise ViewerError('Foxglove needs foxglove-sdk: pip install "zbot[foxglove]"') from None
+        text = f"Foxglove needs foxglove-sdk: {pip_install('zbot[foxglove]')}"
+        raise ViewerError(text) from None
 
 
 def serve(
@@ -68,17 +72,20 @@ def serve(
             origin is not the address of a page.
     """
     check_extra()
-    allowed = [origin_of(one) for one in origins]
-    with System(read_only=read_only) as system, _sdk_server(system) as inner:
+    allowed = [origin_of(origin) for origin in origins]
+    with short_turns(), System(read_only=read_only) as system, _sdk_server(system) as inner:
         token = None if is_loopback(host) else secrets.token_urlsafe(16)
-        guard = Guard(host, inner, token, allowed)
+        guard = Guard(host, inner, token, allowed, publishing=lambda: Publishing(system))
 
         def ready(own_port: int) -> None:
             websocket = address(host, own_port, "/", token, scheme="ws")
             query = urlencode({"ds": "foxglove-websocket", "ds.url": websocket})
             on_ready(websocket, f"{FOXGLOVE_ORIGIN}/~/view?{query}")
 
-        asyncio.run(_listen(guard, host, port, ready))
+        try:
+            asyncio.run(_listen(guard, host, port, ready))
+        finally:
+            guard.close()
 
 
 @contextlib.contextmanager

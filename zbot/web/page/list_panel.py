@@ -73,6 +73,11 @@ class ListPanel:
         else:
             self.close()
 
+    def set_command(self, command: str) -> None:
+        """Change the command that prints the list, and show it."""
+        self._command = command
+        self._page.show_command(command)
+
     def _search(self, event: object) -> None:
         self._filter = (getattr(event, "value", None) or "").strip().lower()
 
@@ -101,7 +106,7 @@ class ListPanel:
             return
         self._end_details()
         self._chosen = key
-        self._page.set_query(**{self._key: key})
+        self._page.set_query(**{**self._page.query, self._key: key})
         self._table.choose(key)
         self._seen = None
         self._split.classes(add="zb-split-open")
@@ -117,7 +122,8 @@ class ListPanel:
         """Close the details."""
         self._end_details()
         self._chosen = None
-        self._page.set_query()
+        others = {name: value for name, value in self._page.query.items() if name != self._key}
+        self._page.set_query(**others)
         self._page.show_command(self._command)
         self._table.choose(None)
         self._seen = None

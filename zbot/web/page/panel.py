@@ -10,17 +10,20 @@ from typing import TYPE_CHECKING, Any, Protocol, TypeVar, cast
 
 from nicegui import ui
 
+from zbot.classroom.hub.address import own_addresses
 from zbot.log import get_logger
+from zbot.observer.transforms import TransformWatch
+from zbot.serving.address import is_loopback
 from zbot.web.page.update_scheduler import UpdateScheduler
-from zbot.web.page_address import is_loopback
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
+    from collections.abc import Callable, Mapping, Sequence
 
     from nicegui import Client
 
     from zbot.observer.system import System
     from zbot.observer.watch import Watch
+    from zbot.web.page.layout import Layout
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,6 +34,18 @@ class Panel:
     title: str
     icon: str  #: name of a Material icon, e.g. `hub`
     build: Callable[[Page], None]  #: adds the elements; called once for each browser
+
+
+@dataclass(frozen=True, slots=True)
+class PageServer:
+    """Server of the page, as far as panels need it."""
+
+    host: str  #: the host that the server listens on
+    port: int
+    panels: Sequence[Panel] = ()  #: all panels
+    layout: Layout | None = None  #: the layout that the server was started with
+    scheme: str = "http"  #: `http` or `https`
+    token: str | None = None  #: the token that other machines need
 
 
 class Releasable(Protocol):
@@ -52,6 +67,7 @@ class Section:
     def __init__(self, page: Page) -> None:
         self.page = page
         self._endings: dict[object, Callable[[], object]] = {}
+        self._is_closed = False
 
     @property
     def system(self) -> System:
@@ -88,9 +104,20 @@ class Section:
         self.page.watches[watch] = even_hidden
         return self.keep(watch)
 
+    def watch_transforms(self) -> TransformWatch:
+        """Watch all transforms while the page is visible."""
+        watch = TransformWatch(self.system, is_active=self.page.is_awake)
+        self.page.watches[watch] = False
+        return self.keep(watch)
+
     def keep(self, thing: ReleasableT) -> ReleasableT:
-        """Return a watch or a reference, and release it when the section is closed."""
+        """Return a watch or a reference, and release it when the section is closed.
+
+        A section that is closed already releases it now.
+        """
         self._endings[thing] = thing.release
+        if self._is_closed:
+            self.close()
         return thing
 
     def drop(self, thing: Releasable) -> None:
@@ -124,6 +151,7 @@ class Section:
 
     def close(self) -> None:
         """Release all watches and references, and end all calls. A second call does nothing."""
+        self._is_closed = True
         while self._endings:
             thing, end = self._endings.popitem()
             self.page.watches.pop(thing, None)
@@ -141,6 +169,7 @@ class Page(Section):
         client: NiceGUI's object for the browser.
         system: The running system.
         query: The parameters of the address, after the `?`.
+        server: The server of the page.
 
     Attributes:
         query: The parameters of the address, e.g. `{"topic": "/scan"}`.
@@ -151,8 +180,11 @@ class Page(Section):
 
     toolbar: ui.element
 
-    def __init__(self, client: Client, system: System, query: Mapping[str, str]) -> None:
+    def __init__(
+        self, client: Client, system: System, query: Mapping[str, str], server: PageServer
+    ) -> None:
         super().__init__(self)
+        self.server = server
         self._system = system
         self.query = dict(query)
         self.command = ""
@@ -180,7 +212,17 @@ class Page(Section):
     @property
     def is_local(self) -> bool:
         """Whether the browser runs on this machine."""
-        return is_loopback(self._client.ip)
+        return is_loopback(self._client.ip) or self._client.ip in own_addresses()
+
+    @property
+    def host_name(self) -> str:
+        """The name or the IP address of the server, as the browser knows it."""
+        return self._client.request.url.hostname or self.server.host
+
+    @property
+    def user_agent(self) -> str:
+        """The text with which the browser describes itself."""
+        return self._client.request.headers.get("user-agent", "")
 
     def show_command(self, command: str) -> None:
         """Show the `zbot ...` command that does the same as the user's last click."""
@@ -213,7 +255,7 @@ class Page(Section):
         Use this method for data that does not belong to an element of NiceGUI.
         """
         # JSON is valid JavaScript. So a string in a message stays a string and cannot run as code.
-        words = ",".join(json.dumps(one) for one in arguments)
+        words = ",".join(json.dumps(argument) for argument in arguments)
         # Client.run_javascript would enqueue the code later, after `_on_ask` has read the outbox.
         code = {"code": f"{function}({words})"}
         self._client.outbox.enqueue_message("run_javascript", code, self._client.id)

@@ -14,8 +14,8 @@ from zbot.web.page.command_line import command_line
 from zbot.web.page.list_panel import ListPanel
 from zbot.web.page.message_view import MessageView
 from zbot.web.page.panel import Page, Panel
+from zbot.web.page.served_details import ServedDetails, served_columns, served_row
 from zbot.web.page.service_call import show_error
-from zbot.web.panels.services.served_details import ServedDetails, served_columns, served_row
 from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:

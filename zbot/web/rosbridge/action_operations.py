@@ -138,7 +138,9 @@ class _SentGoal:
         bridge = self._session.bridge
         action_type = bridge.interface("action", self._message.word("action_type"))
         args = self._message.get("args")
-        goal = message_from_json(action_type.Goal, {} if args is None else args, bridge.now)
+        goal = message_from_json(
+            action_type.Goal, {} if args is None else args, bridge.now, self._message.size
+        )
         name = bridge.node.resolve_service_name(self._name)
         self._client = bridge.shared.get(
             ("action", name, type_name(action_type)),
@@ -268,7 +270,7 @@ class _ServedAction:
         goal_handle, _ = self._goal(message)
         now = self._session.bridge.now
         goal_handle.publish_feedback(
-            message_from_json(self._type.Feedback, message.get("values"), now)
+            message_from_json(self._type.Feedback, message.get("values"), now, message.size)
         )
 
     def finish(self, message: ClientMessage) -> None:
@@ -280,7 +282,9 @@ class _ServedAction:
         values = message.get("values")
         now = self._session.bridge.now
         try:
-            result = message_from_json(self._type.Result, {} if values is None else values, now)
+            result = message_from_json(
+                self._type.Result, {} if values is None else values, now, message.size
+            )
         except RosbridgeError:
             future.set_result((GoalState.ABORTED.value, self._type.Result()))
             raise

@@ -11,9 +11,8 @@ from zbot.executor.spin_thread import SpinThread
 from zbot.log import get_logger
 from zbot.node.node import Node
 from zbot.observer.shared_entities import SharedEntities
+from zbot.serving.client_budget import Clients
 from zbot.web.rosbridge.client_message import RosbridgeError
-from zbot.web.rosbridge.service_operations import ClientFailedError
-from zbot.web.rosbridge.session import Session
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -22,16 +21,18 @@ if TYPE_CHECKING:
     from zbot.observer.system import System
 
 NODE_NAME = "rosbridge_websocket"
-#: Maximum number of clients at the same time.
-MAX_CLIENTS = 100
 _END_S = 2.0  #: longest wait for a callback at the end
 _THREADS = 16
+
+
+class ClientFailedError(ZbotError):
+    """A client did not answer a request correctly. The caller gets the text of this error."""
 
 
 class Bridge:
     """Node and executor of all clients.
 
-    Any thread may call the methods, except `open_session` and `close_session`.
+    Any thread may call the methods.
 
     Args:
         system: The running system. The node ends with the context of the system.
@@ -43,12 +44,14 @@ class Bridge:
         waiting_threads: Threads that wait for answers of nodes, e.g. for parameters. A node that
             does not answer delays only these threads.
         is_read_only: Whether clients can only read.
+        clients: The clients. Only the thread of the server may use them.
     """
 
     def __init__(self, system: System) -> None:
         self.system = system
         self.is_read_only = system.read_only
         self.shared = SharedEntities()
+        self.clients = Clients()
         self.threads = ThreadPoolExecutor(_THREADS, "zbot rosbridge")
         self.waiting_threads = ThreadPoolExecutor(_THREADS, "zbot rosapi")
         self.node = Node(
@@ -58,7 +61,6 @@ class Bridge:
             enable_rosout=False,
             start_parameter_services=False,
         )
-        self._clients = 0
         self._spinner = SpinThread(self.node, "zbot rosbridge", self._on_error)
 
     def _on_error(self, error: Exception) -> None:
@@ -83,34 +85,14 @@ class Bridge:
         for threads in (self.threads, self.waiting_threads):
             threads.shutdown(wait=False, cancel_futures=True)
 
-    def open_session(
-        self,
-        wake: Callable[[], None],
-        call_later: Callable[[float, Callable[[], None]], None],
-    ) -> Session:
-        """Return the session of a new client. Only the thread of the server may call this method.
-
-        See `Session` for the arguments.
-
-        Raises:
-            RosbridgeError: There are 100 clients.
-        """
-        if self._clients >= MAX_CLIENTS:
-            raise RosbridgeError(
-                f"there are {MAX_CLIENTS} clients already: close one of them first"
-            )
-        self._clients += 1
-        return Session(self, wake, call_later)
-
-    def close_session(self, session: Session) -> None:
-        """End a session. Only the thread of the server may call this method."""
-        self._clients -= 1
+    def end_client(self, close: Callable[[], None]) -> None:
+        """Destroy in another thread what a client has created."""
         if self.node.context.ok():
-            self.threads.submit(self._close, session)
+            self.threads.submit(self._run, close)
 
-    def _close(self, session: Session) -> None:
+    def _run(self, close: Callable[[], None]) -> None:
         try:
-            session.close()
+            close()
         except Exception as error:  # noqa: BLE001 - nobody else would see it in this thread
             self.report(error)
 

@@ -7,8 +7,8 @@ from typing import Any
 
 from zbot.errors import ZbotError
 from zbot.json_reader import JsonError, read_json_object
+from zbot.serving.client_budget import MAX_MESSAGE_BYTES
 
-MAX_BYTES = 16 * 1024 * 1024
 #: Longest name, type and id, in characters.
 _MAX_WORD = 1000
 _MAX_FRAGMENTED_MESSAGES = 16
@@ -25,13 +25,15 @@ class ClientMessage:
 
     Args:
         fields: The message's fields.
+        size: The length of the text of the message.
 
     Raises:
         RosbridgeError: The message has no operation, or its id is not a string or an integer.
     """
 
-    def __init__(self, fields: dict[str, Any]) -> None:
+    def __init__(self, fields: dict[str, Any], size: int = 0) -> None:
         self._fields = fields
+        self.size = size
         self.id = fields.get("id")
         if isinstance(self.id, bool) or not isinstance(self.id, (str, int, type(None))):
             self.id = None
@@ -110,7 +112,7 @@ def read_message(data: str | bytes) -> ClientMessage:
     if isinstance(data, bytes):
         raise RosbridgeError("a binary message cannot be read: send JSON as text")
     try:
-        return ClientMessage(read_json_object(data, MAX_BYTES))
+        return ClientMessage(read_json_object(data, MAX_MESSAGE_BYTES), len(data))
     except JsonError as error:
         raise RosbridgeError(str(error)) from error
 
@@ -138,8 +140,8 @@ class Fragments:
         Raises:
             RosbridgeError: The fragment is not valid, or the parts are too long.
         """
-        total = int(fragment.number("total", 0, least=1, most=MAX_BYTES))
-        number = int(fragment.number("num", -1, least=0, most=MAX_BYTES))
+        total = int(fragment.number("total", 0, least=1, most=MAX_MESSAGE_BYTES))
+        number = int(fragment.number("num", -1, least=0, most=MAX_MESSAGE_BYTES))
         data = fragment.text("data")
         if fragment.id is None or not 0 <= number < total:
             raise RosbridgeError("a fragment needs an id, a total and a num from 0 to total - 1")
@@ -157,8 +159,8 @@ class Fragments:
         return None
 
     def _make_room(self) -> None:
-        is_long = sum(one.size for one in self._incomplete.values()) > MAX_BYTES
+        is_long = sum(message.size for message in self._incomplete.values()) > MAX_MESSAGE_BYTES
         if is_long or len(self._incomplete) > _MAX_FRAGMENTED_MESSAGES:
             del self._incomplete[next(iter(self._incomplete))]
-            what = f"need more than {MAX_BYTES} bytes" if is_long else "are too many"
+            what = f"need more than {MAX_MESSAGE_BYTES} bytes" if is_long else "are too many"
             raise RosbridgeError(f"the incomplete messages {what}: the oldest one is forgotten")

@@ -4,11 +4,15 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import time
 from typing import TYPE_CHECKING
 
 from starlette.websockets import WebSocketDisconnect
 
-from zbot.web.rosbridge.client_message import RosbridgeError
+from zbot.serving.address import other_machine
+from zbot.serving.client_budget import ClientBudget, OverBudgetError
+from zbot.web.rosbridge.dispatcher import Dispatcher
+from zbot.web.rosbridge.session import Session
 
 if TYPE_CHECKING:
     from collections.abc import Awaitable, Callable
@@ -16,7 +20,6 @@ if TYPE_CHECKING:
     from starlette.websockets import WebSocket
 
     from zbot.web.rosbridge.bridge import Bridge
-    from zbot.web.rosbridge.session import Session
 
 _TRY_AGAIN_LATER = 1013
 _POLICY_VIOLATION = 1008
@@ -40,12 +43,15 @@ def endpoint(bridge: Bridge) -> Callable[[WebSocket], Awaitable[None]]:
         def call_later(delay_s: float, function: Callable[[], None]) -> None:
             run(loop.call_later, delay_s, function)
 
+        machine = other_machine("" if socket.client is None else socket.client.host)
         try:
-            session = bridge.open_session(wake, call_later)
-        except RosbridgeError as error:
+            bridge.clients.add(machine)
+        except OverBudgetError as error:
             await socket.close(_TRY_AGAIN_LATER, str(error))
             return
-        receiving = asyncio.create_task(_receive(socket, session))
+        session = Session(bridge, wake, call_later)
+        dispatcher = Dispatcher(session)
+        receiving = asyncio.create_task(_receive(socket, session, dispatcher))
         sending = asyncio.create_task(_send(socket, session, has_news))
         try:
             await asyncio.wait({receiving, sending}, return_when=asyncio.FIRST_COMPLETED)
@@ -53,7 +59,8 @@ def endpoint(bridge: Bridge) -> Callable[[WebSocket], Awaitable[None]]:
             for task in (receiving, sending):
                 task.cancel()
             outcomes = await asyncio.gather(receiving, sending, return_exceptions=True)
-            bridge.close_session(session)
+            bridge.clients.remove(machine)
+            bridge.end_client(dispatcher.close)
             for outcome in outcomes:
                 if isinstance(outcome, Exception):
                     bridge.report(outcome)
@@ -61,8 +68,9 @@ def endpoint(bridge: Bridge) -> Callable[[WebSocket], Awaitable[None]]:
     return serve
 
 
-async def _receive(socket: WebSocket, session: Session) -> None:
+async def _receive(socket: WebSocket, session: Session, dispatcher: Dispatcher) -> None:
     loop = asyncio.get_running_loop()
+    budget = ClientBudget()
     while True:
         event = await socket.receive()
         if event["type"] == "websocket.disconnect":
@@ -70,9 +78,26 @@ async def _receive(socket: WebSocket, session: Session) -> None:
         data = event.get("text")
         if data is None:
             data = event.get("bytes") or b""
+        try:
+            budget.check_message(len(data))
+        except OverBudgetError as error:
+            if str(error):
+                session.report("error", str(error))
+            await asyncio.sleep(budget.refusal_pause_s(len(data)))
+            continue
         # This runs in a thread, because a message may need a definition from another machine. The
         # next message is received only after that, so a client that sends too fast has to wait.
-        await loop.run_in_executor(session.bridge.threads, session.take, data)
+        used_s = await loop.run_in_executor(session.bridge.threads, _timed, dispatcher.take, data)
+        delay_s = budget.note_work(used_s)
+        if delay_s:
+            await asyncio.sleep(delay_s)
+
+
+def _timed(function: Callable[[str | bytes], None], data: str | bytes) -> float:
+    """Call a function, and return the time of the processor that it needed, in seconds."""
+    began_s = time.thread_time()
+    function(data)
+    return time.thread_time() - began_s
 
 
 async def _send(socket: WebSocket, session: Session, has_news: asyncio.Event) -> None:

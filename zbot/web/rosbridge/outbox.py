@@ -11,6 +11,8 @@ from collections import deque
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
+from zbot.serving.client_budget import MAX_WAITING_BYTES
+
 if TYPE_CHECKING:
     from collections.abc import Callable
 
@@ -18,11 +20,11 @@ if TYPE_CHECKING:
 
 #: The largest size of the waiting messages of topics, in bytes before encoding. If there are more,
 #: the oldest messages of the topic that received the last message are dropped.
-MAX_TOPIC_BYTES = 64_000_000
+MAX_TOPIC_BYTES = MAX_WAITING_BYTES
 #: The largest number of waiting responses, and their largest size in bytes. If there are more, the
 #: server disconnects the client, because no response may be dropped.
 MAX_REPLIES = 2000
-MAX_REPLY_BYTES = 64_000_000
+MAX_REPLY_BYTES = MAX_WAITING_BYTES
 #: Length of the queue of a subscription without `queue_length`.
 DEFAULT_QUEUE_LENGTH = 100
 _BATCH_BYTES = 1_000_000

@@ -61,7 +61,9 @@ def _shown(names_and_types: list[tuple[str, list[str]]]) -> list[tuple[str, str]
 
 
 def _with_type(names_and_types: list[tuple[str, list[str]]], wanted: str) -> list[str]:
-    return [name for name, one in _shown(names_and_types) if _short(one) == _short(wanted)]
+    return [
+        name for name, type_name in _shown(names_and_types) if _short(type_name) == _short(wanted)
+    ]
 
 
 def _short(type_name: str) -> str:
@@ -71,7 +73,7 @@ def _short(type_name: str) -> str:
 
 def _topics(bridge: Bridge, _args: dict[str, Any]) -> dict[str, Any]:
     found = _shown(bridge.graph().topics())
-    return {"topics": [name for name, _ in found], "types": [one for _, one in found]}
+    return {"topics": [name for name, _ in found], "types": [type_name for _, type_name in found]}
 
 
 def _topics_for_type(bridge: Bridge, args: dict[str, Any]) -> dict[str, Any]:
@@ -80,7 +82,10 @@ def _topics_for_type(bridge: Bridge, args: dict[str, Any]) -> dict[str, Any]:
 
 def _topics_and_raw_types(bridge: Bridge, args: dict[str, Any]) -> dict[str, Any]:
     found = _topics(bridge, args)
-    return {**found, "typedefs_full_text": [_full_text(bridge, one) for one in found["types"]]}
+    return {
+        **found,
+        "typedefs_full_text": [_full_text(bridge, type_name) for type_name in found["types"]],
+    }
 
 
 def _full_text(bridge: Bridge, type_name: str) -> str:
@@ -160,7 +165,9 @@ def _service_providers(bridge: Bridge, args: dict[str, Any]) -> dict[str, Any]:
     graph, word = bridge.graph(), _word(args, "service")
     names = [name for name, types in graph.services() if word in types] or [word]
     return {
-        "providers": sorted({n for one in names for n in _ends(graph, one, EntityKind.SERVICE)})
+        "providers": sorted(
+            {n for service in names for n in _ends(graph, service, EntityKind.SERVICE)}
+        )
     }
 
 
@@ -170,7 +177,7 @@ def _service_node(bridge: Bridge, args: dict[str, Any]) -> dict[str, Any]:
 
 
 def _interfaces(_bridge: Bridge, _args: dict[str, Any]) -> dict[str, Any]:
-    return {"interfaces": [name for one in packages() for name in interface_names(one)]}
+    return {"interfaces": [name for package in packages() for name in interface_names(package)]}
 
 
 def _message_details(bridge: Bridge, args: dict[str, Any]) -> dict[str, Any]:

@@ -6,11 +6,12 @@ import itertools
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import ZbotError
 from zbot.executor.task import Future
 from zbot.interfaces import type_name
 from zbot.interfaces.plain_value import json_value
+from zbot.serving.client_budget import MAX_CALLS
 from zbot.web.rosbridge import rosapi
+from zbot.web.rosbridge.bridge import ClientFailedError
 from zbot.web.rosbridge.client_message import RosbridgeError
 from zbot.web.rosbridge.json_message import message_from_json
 
@@ -21,18 +22,11 @@ if TYPE_CHECKING:
     from zbot.web.rosbridge.client_message import ClientMessage
     from zbot.web.rosbridge.session import Session
 
-#: The largest number of calls of a client that wait for a response. Each service that the client
-#: serves has the same limit of requests that wait for a response of the client.
-MAX_CALLS = 200
 #: The largest number of services that one client may serve.
 MAX_SERVICES = 100
 #: Longest wait for a response if the call has no field `timeout`, in seconds.
 DEFAULT_TIMEOUT_S = 10.0
 _numbers = itertools.count(1)
-
-
-class ClientFailedError(ZbotError):
-    """A client did not answer a request correctly. The caller gets the text of this error."""
 
 
 class ServiceOperations:
@@ -60,6 +54,7 @@ class ServiceOperations:
         """End the client's services. Ignore later responses to the client's own calls."""
         for service in self._served.values():
             service.close()
+        self._session.waiting_threads.close()
         for call in tuple(self._calls):
             call.end()
 
@@ -130,13 +125,15 @@ class _Call:
         procedure = None if types else rosapi.PROCEDURES.get(name)
         args = self._message.get("args")
         if procedure is not None:
-            bridge.waiting_threads.submit(self._run, procedure, args)
+            self._session.waiting_threads.submit(self._run, procedure, args)
             return
         self._session.require_writable("calling services")
         if len(types) != 1:
             raise RosbridgeError(f"there is no service {name}" if not types else _two_types(name))
         service_type = bridge.interface("srv", types[0])
-        request = message_from_json(service_type.Request, {} if args is None else args, bridge.now)
+        request = message_from_json(
+            service_type.Request, {} if args is None else args, bridge.now, self._message.size
+        )
         self._client = bridge.shared.get(
             ("client", name, types[0]),
             lambda: bridge.node.create_client(service_type, name),
@@ -239,7 +236,9 @@ class _ServedService:
             return
         values = {} if values is None else values
         try:
-            response = message_from_json(self._type.Response, values, self._session.bridge.now)
+            response = message_from_json(
+                self._type.Response, values, self._session.bridge.now, message.size
+            )
         except RosbridgeError as error:
             text = f"{self.name} sent a wrong response: {error}"
             future.set_exception(ClientFailedError(text))

@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.interfaces import type_name
 from zbot.interfaces.plain_value import json_value
-from zbot.observer.payload_subscription import QUEUE_DEPTH, subscribe_to_payloads
+from zbot.observer.watch import QUEUE_DEPTH, subscribe_to_payloads
 from zbot.qos import DurabilityPolicy, QoSProfile
 from zbot.remote.profiles import profile_to_show
-from zbot.web.rosbridge.cbor import cbor_value
+from zbot.serving.client_budget import MAX_PUBLISHED, MAX_SUBSCRIBED
 from zbot.web.rosbridge.client_message import RosbridgeError
-from zbot.web.rosbridge.frame import COMPRESSIONS, dump, frames
+from zbot.web.rosbridge.frame import COMPRESSIONS, cbor_value, dump, frames
 from zbot.web.rosbridge.json_message import message_from_json
 from zbot.web.rosbridge.outbox import TopicQueue
 from zbot.wire.errors import CodecError
@@ -27,8 +27,6 @@ if TYPE_CHECKING:
     from zbot.web.rosbridge.frame import Frame
     from zbot.web.rosbridge.session import Session
 
-#: The largest number of topics that one client may publish on. Subscriptions have the same limit.
-MAX_TOPICS = 200
 _MAX_IDS = 100
 _MAX_QUEUE = 1000
 
@@ -88,8 +86,8 @@ class TopicOperations:
             if known.entity.msg_type is not message_type:
                 raise RosbridgeError(f"you have advertised {topic} with another type")
             return known.entity
-        if len(self._publishers) >= MAX_TOPICS:
-            raise RosbridgeError(f"a client can publish on {MAX_TOPICS} topics")
+        if len(self._publishers) >= MAX_PUBLISHED:
+            raise RosbridgeError(f"a client can publish on {MAX_PUBLISHED} topics")
         durability = DurabilityPolicy.TRANSIENT_LOCAL if is_latched else DurabilityPolicy.VOLATILE
         profile = QoSProfile(depth=depth, durability=durability)
         node = self._session.bridge.node
@@ -123,7 +121,7 @@ class TopicOperations:
         reference = self._publishers.get(topic)
         publisher = self._from_graph(topic) if reference is None else reference.entity
         value = {} if message.get("msg") is None else message.get("msg")
-        publisher.publish(message_from_json(publisher.msg_type, value, bridge.now))
+        publisher.publish(message_from_json(publisher.msg_type, value, bridge.now, message.size))
 
     def _from_graph(self, topic: str) -> Any:
         types = dict(self._session.bridge.graph().topics()).get(topic, [])
@@ -145,8 +143,8 @@ class TopicOperations:
         self._check_type(topic, message_type)
         known = self._subscriptions.get(name)
         if known is None:
-            if len(self._subscriptions) >= MAX_TOPICS:
-                raise RosbridgeError(f"a client can subscribe to {MAX_TOPICS} topics")
+            if len(self._subscriptions) >= MAX_SUBSCRIBED:
+                raise RosbridgeError(f"a client can subscribe to {MAX_SUBSCRIBED} topics")
             known = _Subscription(self._session, name, topic, message_type)
             known.set(message.id, options)
             known.open()
@@ -236,12 +234,12 @@ class _Subscription:
 
     def _combine(self) -> None:
         options = self._options.values()
-        self._queue.period_s = min(one.throttle_s for one in options)
-        self._queue.queue_length = max(one.queue_length for one in options)
-        sizes = [one.fragment_size for one in options if one.fragment_size is not None]
+        self._queue.period_s = min(option.throttle_s for option in options)
+        self._queue.queue_length = max(option.queue_length for option in options)
+        sizes = [option.fragment_size for option in options if option.fragment_size is not None]
         self._fragment_size = min(sizes, default=None)
         # Use the most compact form that one part wants. All clients can read all forms.
-        self._compression = max((one.compression for one in options), key=COMPRESSIONS.index)
+        self._compression = max((option.compression for option in options), key=COMPRESSIONS.index)
 
     def _put(self, payload: bytes, _info: MessageInfo) -> None:
         self._session.outbox.put(self._queue, payload)

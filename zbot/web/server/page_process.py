@@ -1,7 +1,6 @@
 """Process that serves the page until the program that started it ends.
 
-The program runs `python -m zbot.web.server.page_process PATH`. The standard input of this process
-is a pipe from the program. The pipe closes when the program ends.
+The program runs `python -m zbot.web.server.page_process PATH`.
 """
 
 from __future__ import annotations
@@ -10,16 +9,11 @@ import importlib.util
 import os
 import signal
 import socket
-import subprocess
 import sys
-import threading
 import webbrowser
-from typing import TYPE_CHECKING
 
-if TYPE_CHECKING:
-    from typing_extensions import Self
+from zbot.serving.child_process import ChildProcess, end_with_parent
 
-_CLOSE_TIMEOUT_S = 5.0
 _PATIENCE_S = 30.0
 # If several page processes start together, only the process that can bind a certain port serves the
 # page. The port's number is this number plus the domain's meeting port, which is the local port
@@ -32,7 +26,7 @@ def is_installed() -> bool:
     return all(importlib.util.find_spec(name) is not None for name in ("nicegui", "psutil"))
 
 
-class PageProcess:
+class PageProcess(ChildProcess):
     """Process that serves the page and opens it in the user's browser, until `close`.
 
     Args:
@@ -40,23 +34,7 @@ class PageProcess:
     """
 
     def __init__(self, path: str) -> None:
-        words = [sys.executable, "-m", __name__, path]
-        self._process = subprocess.Popen(words, stdin=subprocess.PIPE)  # noqa: S603 - our own words
-
-    def close(self) -> None:
-        """End the process. A second call does nothing."""
-        if self._process.stdin is not None:
-            self._process.stdin.close()
-        try:
-            self._process.wait(_CLOSE_TIMEOUT_S)
-        except subprocess.TimeoutExpired:
-            self._process.kill()
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self.close()
+        super().__init__(__name__, path)
 
 
 def main() -> None:
@@ -67,7 +45,7 @@ def main() -> None:
     from zbot.process.signals import SignalHandlerOptions, install  # noqa: PLC0415 - only in the page process
     from zbot.web.server.server import serve  # noqa: PLC0415 - as above
 
-    threading.Thread(target=_end_with_input, name="zbot page input", daemon=True).start()
+    end_with_parent()
     path = sys.argv[1]
     with socket.socket() as arbiter:
         if _is_first(arbiter):
@@ -84,6 +62,8 @@ def _is_first(arbiter: socket.socket) -> bool:
     try:
         arbiter.bind(("127.0.0.1", MEETING_PORT + _ABOVE_MEETING_PORT + domain_id()))
         arbiter.listen()
+    except PermissionError:
+        return True  # the system reserves the port, so no other process has it either
     except OSError:
         return False
     return True
@@ -104,14 +84,6 @@ def _show_others(path: str) -> None:
     context.shutdown()
     if address is not None:
         webbrowser.open(address + path)
-
-
-def _end_with_input() -> None:
-    while sys.stdin.buffer.read(1):
-        continue
-    if sys.platform == "win32":
-        os._exit(0)  # on Windows, os.kill would end the process with an error code
-    os.kill(os.getpid(), signal.SIGTERM)
 
 
 if __name__ == "__main__":

@@ -4,20 +4,28 @@ from __future__ import annotations
 
 from pathlib import Path
 from typing import TYPE_CHECKING
+from urllib.parse import urlencode
 
 from nicegui import app, ui
+from starlette.responses import RedirectResponse
 
 from zbot.errors.suggestion import did_you_mean
 from zbot.observer.errors import ViewerError
 from zbot.version import __version__
+from zbot.web.page.layout import read_layout_file
 from zbot.web.page.panel import Page
 from zbot.web.panels import PANELS
+from zbot.web.panels.layout.panel import PANEL as LAYOUT
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from starlette.requests import Request
+    from starlette.responses import Response
+
     from zbot.observer.system import System
-    from zbot.web.page.panel import Panel
+    from zbot.web.page.layout import Layout
+    from zbot.web.page.panel import PageServer, Panel
 
 _STATIC = Path(__file__).parent.parent / "static"
 _ADDRESS = f"/_zbot/{__version__}"
@@ -30,7 +38,14 @@ _SCRIPTS = (
     "plot.js",
     "turtle.js",
     "console.js",
+    "drive.js",
+    "sensors.js",
+    "view.js",
+    "output.js",
+    "layout.js",
 )
+#: Former paths of panels, with the present path and its query.
+_MOVED = {"/stick": ("/drive", {"topic": "/joy", "type": "sensor_msgs/msg/Joy"})}
 _ICON = (
     '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 32 32">'
     '<rect width="32" height="32" rx="8" fill="#0b6bcb"/>'
@@ -56,28 +71,53 @@ def check_path(path: str) -> None:
         ViewerError: No panel has this path.
     """
     bare = path.partition("?")[0]
-    if bare != "/" and bare not in {panel.path for panel in PANELS}:
+    if bare not in {*page_paths(), *_MOVED}:
         raise unknown_panel_error(bare.strip("/"))
 
 
-def add_pages(system: System) -> None:
+def page_paths() -> set[str]:
+    """Return the paths of all pages."""
+    return {"/", *(panel.path for panel in PANELS)}
+
+
+def ready_made(path: Path) -> Layout:
+    """Return the layout in a file.
+
+    Raises:
+        LayoutError: The file cannot be read, or is not a layout.
+    """
+    return read_layout_file(path, [panel.path.strip("/") for panel in PANELS if panel != LAYOUT])
+
+
+def add_pages(system: System, server: PageServer) -> None:
     """Serve each panel at its path, and the first panel at `/`."""
     # Browsers must not cache the files, because they would use old files after an update of zbot.
     app.add_static_files(_ADDRESS, str(_STATIC), max_cache_age=0)
     for name in _SCRIPTS:
         ui.add_head_html(f'<script src="{_ADDRESS}/{name}"></script>', shared=True)
-    for name in ("page.css", "graph.css", "turtle.css"):
+    for name in ("page.css", "graph.css", "turtle.css", "drive.css", "sensors.css"):
         link = f'<link rel="stylesheet" href="{_ADDRESS}/{name}">'
         ui.add_head_html(link, shared=True)
     for panel in PANELS:
-        ui.page(panel.path, title=f"{panel.title} - zbot", favicon=_ICON)(_page(panel, system))
-    ui.page("/", title=f"{PANELS[0].title} - zbot", favicon=_ICON)(_page(PANELS[0], system))
+        ui.page(panel.path, title=f"{panel.title} - zbot", favicon=_ICON)(
+            _page(panel, system, server)
+        )
+    for former, (path, query) in _MOVED.items():
+        app.add_route(former, _redirection(path, query))
+    ui.page("/", title=f"{PANELS[0].title} - zbot", favicon=_ICON)(_page(PANELS[0], system, server))
 
 
-def _page(panel: Panel, system: System) -> Callable[[], None]:
+def _redirection(path: str, query: dict[str, str]) -> Callable[[Request], Response]:
+    def redirect(request: Request) -> Response:
+        return RedirectResponse(f"{path}?{urlencode({**query, **request.query_params})}")
+
+    return redirect
+
+
+def _page(panel: Panel, system: System, server: PageServer) -> Callable[[], None]:
     def build() -> None:
         client = ui.context.client
-        page = Page(client, system, client.request.query_params)
+        page = Page(client, system, client.request.query_params, server)
         with ui.element("div").classes("zb-page"):
             _rail(panel, system)
             with ui.element("div").classes("zb-main"):  # NiceGUI puts it into a <main>

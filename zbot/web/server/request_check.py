@@ -8,9 +8,7 @@ header Host contains the website's name.
 from __future__ import annotations
 
 import hmac
-import ipaddress
 import re
-import socket
 from typing import TYPE_CHECKING
 from urllib.parse import urlencode, urlsplit
 
@@ -19,21 +17,23 @@ from starlette.requests import HTTPConnection
 from starlette.responses import PlainTextResponse, RedirectResponse, Response
 from starlette.websockets import WebSocketClose
 
-from zbot.web.page_address import ROSBRIDGE_PATHS, TOKEN_PARAMETER
+from zbot.serving.address import ROSBRIDGE_PATHS, TOKEN_PARAMETER
+from zbot.serving.own_names import OwnNames
 
 if TYPE_CHECKING:
     from collections.abc import Collection
 
     from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-_LOCAL_NAMES = frozenset({"localhost", "127.0.0.1", "::1"})
-_HOST = re.compile(r"(?P<name>\[[0-9a-fA-F:.]+\]|[\w.-]+)(:\d+)?\Z")
 # The browser enforces this policy. A page loads nothing from other sites, and no other site can
-# show the page in a frame. unsafe-eval is needed because NiceGUI compiles templates in the browser.
+# show the page in a frame. The panel Layout shows panels in frames. The panel View shows the 3D
+# view in a frame, which another port of this machine serves. unsafe-eval is needed because NiceGUI
+# compiles templates in the browser.
 _POLICY = (
     "default-src 'self' data: blob: 'unsafe-inline' 'unsafe-eval'; "
-    "connect-src 'self' ws://{host} wss://{host}; object-src 'none'; base-uri 'none'; "
-    "form-action 'self'; frame-ancestors 'none'"
+    "connect-src 'self' ws://{host} wss://{host}; frame-src 'self' http://{name}:*; "
+    "object-src 'none'; base-uri 'none'; "
+    "form-action 'self'; frame-ancestors 'self'"
 )
 
 
@@ -54,11 +54,7 @@ class RequestCheck:
     ) -> None:
         self.app = app
         self._guests = None if guests is None else frozenset(guests)
-        self._names = _LOCAL_NAMES | {host.lower()}
-        if token is not None:
-            # Any machine of the network can claim these names by mDNS, which is DNS rebinding. With
-            # a token, this is harmless.
-            self._names |= _own_names()
+        self._names = OwnNames(host, has_token=token is not None)
         self._token = token
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
@@ -83,7 +79,7 @@ class RequestCheck:
         origin = request.headers.get("origin")
         if origin is not None and _netloc(origin) is None:
             return _refused(f"{origin!r} is not an origin", 400, is_page=is_page)
-        reason = self._refusal(request.headers, guests)
+        reason = self._refusal(request.headers, guests, is_secure=_is_secure(request))
         if reason is None and self._token is not None and not self._has_cookie(request):
             is_right = self._matches(request.query_params.get(TOKEN_PARAMETER, ""))
             if is_page and is_right:
@@ -96,14 +92,17 @@ class RequestCheck:
             return None
         return _refused(reason, 403, is_page=is_page)
 
-    def _refusal(self, headers: Headers, guests: frozenset[str]) -> str | None:
+    def _refusal(self, headers: Headers, guests: frozenset[str], *, is_secure: bool) -> str | None:
         host = headers.get("host", "")
-        if not self._is_ours(host):
+        if host not in self._names:
             return f"{host!r} is not a name of this server: open the address that it printed"
         origin = headers.get("origin")
         if origin in guests:
             return None
-        if origin is not None and _netloc(origin) != host:
+        # With https, a page of the same host and port without https is another site's: anybody in
+        # the network could have changed it.
+        is_unsafe = is_secure and origin is not None and not origin.startswith("https://")
+        if origin is not None and (_netloc(origin) != host or is_unsafe):
             return f"pages of {origin} may not send requests to zbot"
         # A link on another site may open the page. Other requests from that site are refused.
         if headers.get("sec-fetch-site", "none") in {"cross-site", "same-site"}:
@@ -111,14 +110,6 @@ class RequestCheck:
             if not is_visit:
                 return "pages of other sites may not send requests to zbot"
         return None
-
-    def _is_ours(self, host: str) -> bool:
-        match = _HOST.match(host)
-        name = match["name"].strip("[]").lower() if match else ""
-        if name in self._names:
-            return True
-        # With a token, all IP addresses are accepted, because the machine may get a new address.
-        return self._token is not None and _is_address(name)
 
     def _has_cookie(self, request: HTTPConnection) -> bool:
         return self._matches(request.cookies.get(_cookie_name(request), ""))
@@ -132,7 +123,9 @@ class RequestCheck:
         headers = {"referrer-policy": "no-referrer", "cache-control": "no-store"}
         response = RedirectResponse(target, 303, headers)
         token = str(self._token)
-        response.set_cookie(_cookie_name(request), token, httponly=True, samesite="lax")
+        response.set_cookie(
+            _cookie_name(request), token, httponly=True, samesite="lax", secure=_is_secure(request)
+        )
         return response
 
     def _matches(self, given: str) -> bool:
@@ -153,17 +146,8 @@ def _netloc(origin: str) -> str | None:
         return None
 
 
-def _own_names() -> set[str]:
-    name = socket.gethostname().lower()
-    return {name, f"{name}.local", name.partition(".")[0]}
-
-
-def _is_address(name: str) -> bool:
-    try:
-        ipaddress.ip_address(name)
-    except ValueError:
-        return False
-    return True
+def _is_secure(request: HTTPConnection) -> bool:
+    return request.scope.get("scheme") in {"https", "wss"}
 
 
 def _cookie_name(request: HTTPConnection) -> str:
@@ -176,7 +160,8 @@ def _with_policy(send: Send, host: str) -> Send:
         if message["type"] == "http.response.start":
             message.setdefault("headers", [])
             headers = MutableHeaders(scope=message)
-            headers["content-security-policy"] = _POLICY.format(host=host)
+            name = host.rpartition(":")[0] if re.search(r":\d+\Z", host) else host
+            headers["content-security-policy"] = _POLICY.format(host=host, name=name)
             headers["x-content-type-options"] = "nosniff"
             headers["referrer-policy"] = "no-referrer"
         await send(message)

@@ -70,6 +70,14 @@ window.zbot = (() => {
     }
   }
   restoreTheme();
+  // The user has changed the theme in another window, or around this frame.
+  window.addEventListener("storage", (event) => {
+    if (event.key === THEME && window.Quasar) Quasar.Dark.set(event.newValue === "dark");
+  });
+
+  // In a frame of the panel Layout, a page shows only its panel.
+  const isInside = window.parent !== window;
+  document.documentElement.classList.toggle("zb-inside", isInside);
 
   async function copyText(text) {
     if (navigator.clipboard) return navigator.clipboard.writeText(text);
@@ -98,6 +106,7 @@ window.zbot = (() => {
   function setQuery(query) {
     const words = new URLSearchParams(query).toString();
     history.replaceState(history.state, "", words ? `?${words}` : location.pathname);
+    if (isInside) window.parent.zbot?.layout.changed(window, location.pathname + location.search);
   }
 
   return { answered, copyCommand, copyText, isDark, save, setQuery, switchTheme };

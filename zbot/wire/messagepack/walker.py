@@ -12,11 +12,11 @@ from typing import TYPE_CHECKING, Any, Generic, NoReturn, TypeVar
 from zbot.errors import ExternalShutdownException
 from zbot.interfaces import get_interface, message_spec_of
 from zbot.interfaces.array_value import fixed_array
+from zbot.interfaces.default_size import DefaultMemory
 from zbot.interfaces.spec import STRING_TYPES, TYPECODES
 from zbot.wire import validation
 from zbot.wire.class_layout import ClassLayout, layout_of
 from zbot.wire.errors import CodecError
-from zbot.wire.messagepack.default_memory import DefaultMemory
 from zbot.wire.messagepack.packing import (
     Bytes,
     UnreadableError,
@@ -187,7 +187,8 @@ class _MapReader:
         if kind.base == "byte" and isinstance(value, bytes):
             value = list(value)
         items = validation.items(path, value, kind.size, fixed=fixed)
-        self._memory.count(field, len(items))
+        if not self._memory.suffices(kind, len(items)):
+            raise Fault(path, "the messages in it leave out too many values")
         return [self._item(kind, f"{path}[{index}]", item) for index, item in enumerate(items)]
 
     def _item(self, kind: FieldType, path: str, value: Any) -> Any:

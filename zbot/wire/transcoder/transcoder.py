@@ -38,7 +38,7 @@ _COMMON_NAMES: dict[str, Any] = {
 
 Converter = Callable[[bytes], bytes]
 
-_converters: dict[tuple[type, str], Converter] = {}
+_converters: dict[tuple[type, type[Any]], Converter] = {}
 _functions: dict[tuple[type, type[Any], bool], Callable[..., Any]] = {}
 
 
@@ -51,15 +51,9 @@ def to_messagepack(message_class: type[Any]) -> Converter:
     Raises:
         NotAMessageTypeError: The class is not a message class.
     """
-    key = message_class, "messagepack"
-    if key not in _converters:
-        decode, encode = (
-            cdr_codec_for(message_class).decode,
-            messagepack_codec_for(message_class).encode,
-        )
-        fast = _function(message_class, MapReaderSource)
-        _converters[key] = _transcoder(fast, lambda data: encode(decode(data)), b"\x00\x01")
-    return _converters[key]
+    return _converter(
+        message_class, MapReaderSource, cdr_codec_for, messagepack_codec_for, begin=b"\x00\x01"
+    )
 
 
 def to_cdr(message_class: type[Any]) -> Converter:
@@ -71,18 +65,25 @@ def to_cdr(message_class: type[Any]) -> Converter:
     Raises:
         NotAMessageTypeError: The class is not a message class.
     """
-    key = message_class, "cdr"
+    return _converter(message_class, MapWriterSource, messagepack_codec_for, cdr_codec_for)
+
+
+def _converter(
+    message_class: type[Any],
+    source_class: type[MapReaderSource | MapWriterSource],
+    reader_for: Callable[[type[Any]], Any],
+    writer_for: Callable[[type[Any]], Any],
+    begin: bytes = b"",
+) -> Converter:
+    key = message_class, source_class
     if key not in _converters:
-        decode, encode = (
-            messagepack_codec_for(message_class).decode,
-            cdr_codec_for(message_class).encode,
-        )
-        fast = _function(message_class, MapWriterSource)
-        _converters[key] = _transcoder(fast, lambda data: encode(decode(data)))
+        decode, encode = reader_for(message_class).decode, writer_for(message_class).encode
+        fast = _function(message_class, source_class)
+        _converters[key] = _transcoder(fast, lambda data: encode(decode(data)), begin)
     return _converters[key]
 
 
-def _transcoder(fast: Converter, careful: Converter, begin: bytes = b"") -> Converter:
+def _transcoder(fast: Converter, careful: Converter, begin: bytes) -> Converter:
     """Return a function that tries `fast` first if the bytes start with `begin`.
 
     `fast` reads only little-endian CDR, because numbers in MessagePack arrays are little-endian.

@@ -4,15 +4,14 @@ from __future__ import annotations
 
 import sys
 from functools import partial
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
-from zbot.names import fully_qualified, validate_topic_name
+from zbot.names import validate_topic_name
 from zbot.wire.tokens import EntityKind
-from zbot_cli.domain.action_types import suggestion, unknown_action_error
 from zbot_cli.domain.client import full_name, note_if_nobody_runs, snapshot
-from zbot_cli.domain.types import check_known
+from zbot_cli.domain.kinds import ACTION, nodes_of_action
 from zbot_cli.input.form_options import DEFAULT_FORM, FormOptions
 from zbot_cli.input.option_groups import with_option_groups
 from zbot_cli.output.listing import (
@@ -23,9 +22,6 @@ from zbot_cli.output.listing import (
     print_json,
     print_names,
 )
-
-if TYPE_CHECKING:
-    from zbot.graph.snapshot import Snapshot
 
 app = new_app("Look at actions and send goals")
 
@@ -44,28 +40,8 @@ def list_actions(
     """List the actions that have servers or clients."""
     graph = snapshot()
     note_if_nobody_runs(graph)
-    facts = partial(_facts, graph)
+    facts = partial(ACTION.facts, graph)
     print_entries(graph.actions(), facts, show_types=show_types, count=count, as_json=as_json)
-
-
-def _facts(graph: Snapshot, name: str, types: list[str]) -> dict[str, object]:
-    return {
-        "name": name,
-        "types": types,
-        "server_count": len(_nodes(graph, name, EntityKind.SERVICE)),
-        "client_count": len(_nodes(graph, name, EntityKind.CLIENT)),
-    }
-
-
-def _nodes(graph: Snapshot, name: str, kind: EntityKind) -> dict[str, list[str]]:
-    """Return the nodes that are servers or clients of an action, and the types that they use."""
-    found: dict[str, list[str]] = {}
-    for node in graph.nodes:
-        full = fully_qualified(node.namespace, node.node)
-        types = dict(graph.actions(kind, node=full)).get(name)  # type: ignore[arg-type]
-        if types is not None:
-            found[full] = types
-    return found
 
 
 @app.command("info")
@@ -77,23 +53,23 @@ def info(
 ) -> None:
     """Show an action's servers and clients."""
     graph, name = snapshot(), _checked(action_name)
-    sides = {
-        side: _nodes(graph, name, kind)
-        for side, kind in (("clients", EntityKind.CLIENT), ("servers", EntityKind.SERVICE))
+    ends = {
+        "clients": nodes_of_action(graph, name, EntityKind.CLIENT),
+        "servers": nodes_of_action(graph, name, EntityKind.SERVICE),
     }
     if as_json:
-        ends = {
-            side: [{"node": node, "types": types} for node, types in nodes.items()]
-            for side, nodes in sides.items()
+        lists = {
+            title: [{"node": node, "types": types} for node, types in nodes.items()]
+            for title, nodes in ends.items()
         }
-        print_json({"name": name, **ends})
+        print_json({"name": name, **lists})
         return
     print(f"Action: {name}")
-    for side, nodes in sides.items():
-        print(f"Action {side}: {len(nodes)}")
+    for title, nodes in ends.items():
+        print(f"Action {title}: {len(nodes)}")
         for node, types in () if count else nodes.items():
             print(f"    {node} [{', '.join(types)}]" if show_types else f"    {node}")
-    hint = "" if any(sides.values()) else suggestion(name, graph)
+    hint = "" if any(ends.values()) else ACTION.suggestion(graph, name)
     if hint:
         print(f"\nhint: {hint}", file=sys.stderr)
 
@@ -106,11 +82,7 @@ def _checked(action_name: str) -> str:
 @app.command("type")
 def type_of(action_name: ActionName) -> None:
     """Print an action's type."""
-    graph, name = snapshot(), _checked(action_name)
-    types = dict(graph.actions()).get(name)
-    if types is None:
-        raise unknown_action_error(name, graph)
-    print("\n".join(types))
+    print("\n".join(ACTION.types_of(snapshot(), _checked(action_name))))
 
 
 @app.command("find")
@@ -124,9 +96,7 @@ def find(
     as_json: AsJson = False,
 ) -> None:
     """List the actions that have the given type."""
-    actions = snapshot().actions()
-    wanted = check_known(action_type, "action", {one for _, types in actions for one in types})
-    found = [name for name, types in actions if wanted in types]
+    found = ACTION.with_type(snapshot(), action_type, include_hidden=True)
     print_names(found, count=count, as_json=as_json)
 
 

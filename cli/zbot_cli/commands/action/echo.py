@@ -7,18 +7,18 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.interfaces.plain_value import json_value
 from zbot.qos import QoSProfile, qos_profile_action_status_default
-from zbot_cli.domain.action_types import only_action_type, resolve_action_type, suggestion
 from zbot_cli.domain.client import hidden_node
+from zbot_cli.domain.kinds import ACTION
+from zbot_cli.domain.waiting import wait_for_type
 from zbot_cli.errors import CommandError
 from zbot_cli.output.listing import print_json
-from zbot_cli.output.service_event import event_json, event_text
+from zbot_cli.output.message_text import event_json, event_text
 
 if TYPE_CHECKING:
     from zbot.node.node import Node
     from zbot_cli.output.message_text import Form, Formatter
 
 _DEPTH = QoSProfile(depth=100)
-_STEP_S = 0.5  # Ctrl-C cannot interrupt waiting for the graph, so the command waits in steps
 
 #: Topic, type and quality of service of each part of an action, by ros2's name of the part.
 #: `{}` is the type of the action.
@@ -55,7 +55,7 @@ class ActionEcho:
         from zbot_cli.output.message_text import Formatter  # noqa: PLC0415 - only echo formats messages
 
         self._name = name
-        self._type = None if type_word is None else resolve_action_type(type_word)
+        self._type = None if type_word is None else ACTION.resolve_type(type_word)
         self._parts = list(_PARTS) if interfaces is None else interfaces.split("|")
         for part in self._parts:
             if part not in _PARTS:
@@ -71,23 +71,10 @@ class ActionEcho:
         from zbot.runtime import spin  # noqa: PLC0415 - not needed by `list`
 
         with hidden_node("action_echo") as node:
-            type_name = self._type or self._wait_for_type(node)
+            type_name = self._type or wait_for_type(node, ACTION, self._name)
             for part in self._parts:
                 self._subscribe(node, part, type_name)
             spin(node)
-
-    def _wait_for_type(self, node: Node) -> str:
-        graph = node.context.graph
-        found = only_action_type(graph.snapshot(), self._name)
-        if found is None:
-            hint = suggestion(self._name, graph.snapshot(), "; ")
-            print(f"waiting for {self._name} to appear{hint}", file=sys.stderr, flush=True)
-        while found is None:
-            graph.wait_for(
-                lambda snapshot: only_action_type(snapshot, self._name) is not None, _STEP_S
-            )
-            found = only_action_type(graph.snapshot(), self._name)
-        return found
 
     def _subscribe(self, node: Node, part: str, type_name: str) -> None:
         from zbot.interfaces import get_message  # noqa: PLC0415 - not needed by `list`

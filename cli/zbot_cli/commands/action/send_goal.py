@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import sys
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from zbot.threads.deadline import Deadline
-from zbot_cli.domain.action_types import (
-    action_class,
-    only_action_type,
-    resolve_action_type,
-    suggestion,
-)
 from zbot_cli.domain.client import hidden_node
+from zbot_cli.domain.kinds import ACTION
+from zbot_cli.domain.waiting import (
+    HINT_DELAY_S,
+    print_hint_if_not_listed,
+    print_no_server,
+    wait_for_server,
+)
 from zbot_cli.errors import CommandError
 from zbot_cli.input.message_values import PopulateError, Template
 from zbot_cli.output.exit_status import Status
@@ -23,10 +25,7 @@ if TYPE_CHECKING:
 
     from zbot.action import ActionClient, ClientGoalHandle
     from zbot.executor.task import Future
-    from zbot.graph.snapshot import Snapshot
     from zbot.node.node import Node
-
-_STEP_S = 0.5  # Ctrl-C cannot interrupt waiting for the graph, so the command waits in steps
 
 
 def no_action_server_error(name: str, timeout_s: float, hint: str | None) -> CommandError:
@@ -68,7 +67,7 @@ class SendGoal:
         as_json: bool,
     ) -> None:
         self._name = name
-        self._type, self._values = _split(words)
+        self._type, self._values = ACTION.split(words)
         self._with_feedback = with_feedback
         self._timeout_s = timeout_s
         self._as_json = as_json
@@ -97,45 +96,44 @@ class SendGoal:
             self._node = node
             self._print_text("Waiting for an action server to become available...")
             if self._timeout_s is None:
-                self._hint(node.context.graph.snapshot())
+                print_hint_if_not_listed(ACTION, node.context.graph.snapshot(), self._name)
             if template is None:
                 self._type = self._wait_for_type(deadline)
                 template = self._template(self._type)
             client = self._client(node)
-            if not client.wait_for_server(deadline.left_s):
-                raise self._no_server()
+            if not self._wait_for_server(client, deadline):
+                if deadline.is_over:
+                    raise self._no_server()
+                return Status.ERROR  # a signal ended the wait
             return self._run_goal(client, template.make(lambda: node.get_clock().now().nanoseconds))
-
-    def _hint(self, graph: Snapshot) -> None:
-        """Print the most similar name on stderr if the action has no server."""
-        hint = suggestion(self._name, graph)
-        if hint and self._name not in dict(graph.actions()):
-            print(f"hint: {hint}", file=sys.stderr, flush=True)
 
     def _template(self, type_name: str) -> Template:
         try:
-            return Template(action_class(type_name).Goal, self._values)
+            return Template(ACTION.values_class(type_name), self._values)
         except PopulateError as error:
             raise goal_values_error(error) from None
 
     def _client(self, node: Node) -> ActionClient[Any, Any, Any]:
         from zbot.action import ActionClient  # noqa: PLC0415 - not needed by `list`
 
-        return ActionClient(node, action_class(self._type or ""), self._name)
+        return ActionClient(node, ACTION.class_of(self._type or ""), self._name)
 
     def _wait_for_type(self, deadline: Deadline) -> str:
-        graph = self._node.context.graph
-        while (found := only_action_type(graph.snapshot(), self._name)) is None:
-            if deadline.is_over:
-                raise self._no_server()
-            graph.wait_for(
-                lambda snapshot: only_action_type(snapshot, self._name) is not None,
-                min(deadline.left_s, _STEP_S),
-            )
+        find = partial(ACTION.only_type, name=self._name)
+        found = wait_for_server(self._node, ACTION, self._name, find, deadline)
+        if found is None:
+            raise self._no_server()
         return found
 
+    def _wait_for_server(self, client: ActionClient[Any, Any, Any], deadline: Deadline) -> bool:
+        if client.wait_for_server(min(deadline.left_s, HINT_DELAY_S)):
+            return True
+        if not deadline.is_over and self._node.context.ok():
+            print_no_server(ACTION, self._node.context.graph.snapshot(), self._name)
+        return client.wait_for_server(deadline.left_s)
+
     def _no_server(self) -> CommandError:
-        hint = suggestion(self._name, self._node.context.graph.snapshot())
+        hint = ACTION.suggestion(self._node.context.graph.snapshot(), self._name)
         return no_action_server_error(self._name, self._timeout_s or 0, hint)
 
     # -- the goal ------------------------------------------------------------------------------
@@ -207,14 +205,6 @@ class SendGoal:
             sys.stdout.flush()
         else:
             print(text, flush=True)
-
-
-def _split(words: Sequence[str]) -> tuple[str | None, list[str]]:
-    from zbot_cli.domain.types import looks_like_type  # noqa: PLC0415 - needed only here
-
-    if words and looks_like_type(words[0]):
-        return resolve_action_type(words[0]), list(words[1:])
-    return None, list(words)
 
 
 def _text(message: Any) -> str:

@@ -9,6 +9,7 @@ from typing import Annotated, Any
 
 import typer
 
+from zbot.errors import counted
 from zbot_cli.commands.bag.options import BagPath, Storage, open_bag, warn, without_storages
 from zbot_cli.commands.bag.play import BurstCommand, PlayCommand, burst, play
 from zbot_cli.commands.bag.record import RecordCommand, record
@@ -92,7 +93,7 @@ def reindex(
     from zbot.bag.conversion import reindex as write_metadata  # noqa: PLC0415 - needed only here
 
     metadata = write_metadata(bag_path)
-    print(f"metadata.yaml of {bag_path}: {metadata.message_count} messages")
+    print(f"metadata.yaml of {bag_path}: {counted(metadata.message_count, 'message')}")
 
 
 class _ConvertCommand(ManyValuesCommand):
@@ -120,15 +121,20 @@ def convert(
     with contextlib.ExitStack() as stack:
         bags = [stack.enter_context(open_bag(path, None)) for path in inputs]
         for output in outputs:
-            print(f"{output.path}: {write_bag(bags, output)} messages")
+            print(f"{output.storage.uri}: {counted(write_bag(bags, output), 'message')}")
 
 
 @app.command("list")
 def list_plugins(
     plugin_type: Annotated[PluginType, typer.Argument(help="Kind of plugin")],
     verbose: Annotated[bool, typer.Option("-v", "--verbose", help="Add a description")] = False,
+    as_json: AsJson = False,
 ) -> None:
     """List the formats that zbot has."""
+    if as_json:
+        found = _PLUGINS[plugin_type].items()
+        print_json([{"name": name, "description": text} for name, text in found])
+        return
     if verbose:
         print(f"available {plugin_type.value} plugins are:")
     for name, text in _PLUGINS[plugin_type].items():

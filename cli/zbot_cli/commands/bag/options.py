@@ -9,8 +9,6 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from zbot_cli.domain.client import full_name
-
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Mapping
 
@@ -69,17 +67,12 @@ def set_log_level(node: Node, level: str) -> None:
     node.get_logger().set_level(get_logging_severity_from_string(level))
 
 
-def names(words: Iterable[str] | None) -> frozenset[str]:
-    """Return topics or services with their leading slashes."""
-    return frozenset(map(full_name, words or ()))
-
-
-def types(words: Iterable[str] | None) -> frozenset[str]:
+def types(words: Iterable[str] | None) -> list[str]:
     """Return the full names of message types: `std_msgs/msg/String` for `std_msgs/String`."""
-    return frozenset(
+    return [
         f"{parts[0]}/msg/{parts[1]}" if len(parts := word.split("/")) == 2 else word
         for word in words or ()
-    )
+    ]
 
 
 def refuse_together(options: Mapping[str, bool]) -> None:
@@ -103,7 +96,7 @@ def warn(text: str) -> None:
 
 def without_storages(words: list[str]) -> Iterator[str]:
     """Yield the words without the storage in `-i BAG STORAGE`, because the format is detected."""
-    storages = {one.value for one in StorageId}
+    storages = {storage.value for storage in StorageId}
     for index, word in enumerate(words):
         is_storage = index > 1 and word in storages and words[index - 2] in {"-i", "--input"}
         if not is_storage:

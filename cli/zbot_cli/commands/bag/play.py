@@ -15,7 +15,6 @@ from zbot_cli.commands.bag.options import (
     LogLevel,
     LogLevelOption,
     Storage,
-    names,
     open_bag,
     refuse_together,
     without_storages,
@@ -24,8 +23,6 @@ from zbot_cli.input.many_values import ManyValuesCommand
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
-
-    from zbot.bag.selection import Selection
 
 _CLOCK_HZ = 40  # rate of `--clock` without a number, as in ros2
 
@@ -202,7 +199,7 @@ def play(
     ] = False,
 ) -> None:
     """Publish the messages of a bag again."""
-    from zbot.bag.play_options import PlayOptions  # noqa: PLC0415 - needed only to play
+    from zbot.bag import options as bag_options  # noqa: PLC0415 - needed only to play
     from zbot.bag.qos_profiles import read_overrides  # noqa: PLC0415 - as above
     from zbot_cli.commands.bag import playback  # noqa: PLC0415 - as above
 
@@ -224,34 +221,37 @@ def play(
     if clock < 0:
         _check_positive("--clock", clock)
     overrides = qos_profile_overrides_path
-    options = PlayOptions(
-        selection=_selection(
-            topics=topics,
-            services=services,
-            actions=actions,
-            regex=regex,
-            exclude_topics=exclude_topics,
-            exclude_services=exclude_services,
-            exclude_actions=exclude_actions,
-            exclude_regex=exclude_regex,
-        ),
+    options = bag_options.PlayOptions(
         rate=rate,
-        loops=loop,
-        delay_s=delay,
-        start_offset_s=start_offset,
-        duration_s=playback_duration,
-        until_ns=playback_until_nsec if playback_until_sec < 0 else int(playback_until_sec * 1e9),
-        remap=playback.remap_rules(remap or []),
-        overrides={} if overrides is None else read_overrides(overrides),
-        clock_hz=clock,
-        clock_topics=None if clock_topics_all else names(clock_topics),
-        is_paused=start_paused,
-        queue_size=read_ahead_queue_size,
-        is_by_send_time=message_order is MessageOrder.SENT,
-        publishes_requests=publish_service_requests,
-        requests_of_clients=service_requests_source is RequestSource.CLIENT,
-        sends_goals=send_actions_as_client,
-        acknowledge_s=wait_for_all_acked / 1000,
+        topics_to_filter=topics or [],
+        services_to_filter=services or [],
+        actions_to_filter=actions or [],
+        regex_to_filter=regex,
+        exclude_regex_to_filter=exclude_regex,
+        exclude_topics_to_filter=exclude_topics or [],
+        exclude_service_events_to_filter=exclude_services or [],
+        exclude_actions_to_filter=exclude_actions or [],
+        topic_qos_profile_overrides={} if overrides is None else read_overrides(overrides),
+        loop=loop,
+        topic_remapping_options=playback.remap_rules(remap or []),
+        clock_publish_frequency=clock,
+        clock_publish_on_topic_publish=clock_topics_all,
+        clock_topics=clock_topics or [],
+        delay=delay,
+        start_offset=start_offset,
+        playback_duration=playback_duration,
+        playback_until_timestamp=(
+            playback_until_nsec if playback_until_sec < 0 else int(playback_until_sec * 1e9)
+        ),
+        start_paused=start_paused,
+        read_ahead_queue_size=read_ahead_queue_size,
+        message_order=bag_options.MessageOrder[f"{message_order.name}_TIMESTAMP"],
+        publish_service_requests=publish_service_requests,
+        service_requests_source=bag_options.ServiceRequestsSource[
+            f"{service_requests_source.name}_INTROSPECTION"
+        ],
+        send_actions_as_client=send_actions_as_client,
+        wait_acked_timeout=wait_for_all_acked,
     )
     paths = inputs or ([bag_path] if bag_path else [])
     if not paths:
@@ -302,18 +302,20 @@ def burst(
     ] = 1000,
 ) -> None:
     """Publish messages without pauses, then stay paused."""
-    from zbot.bag.play_options import PlayOptions  # noqa: PLC0415 - needed only to play
+    from zbot.bag.options import PlayOptions  # noqa: PLC0415 - needed only to play
     from zbot.bag.qos_profiles import read_overrides  # noqa: PLC0415 - as above
     from zbot_cli.commands.bag import playback  # noqa: PLC0415 - as above
 
     overrides = qos_profile_overrides_path
     options = PlayOptions(
-        selection=_selection(topics=topics, services=services, actions=actions),
-        start_offset_s=start_offset,
-        remap=playback.remap_rules(remap or []),
-        overrides={} if overrides is None else read_overrides(overrides),
-        is_paused=True,
-        queue_size=read_ahead_queue_size,
+        topics_to_filter=topics or [],
+        services_to_filter=services or [],
+        actions_to_filter=actions or [],
+        topic_qos_profile_overrides={} if overrides is None else read_overrides(overrides),
+        topic_remapping_options=playback.remap_rules(remap or []),
+        start_offset=start_offset,
+        start_paused=True,
+        read_ahead_queue_size=read_ahead_queue_size,
     )
     with open_bag(bag_path, storage) as bag:
         playback.Playback(
@@ -323,35 +325,6 @@ def burst(
             bar_separation_lines=_BAR_SEPARATION_LINES,
             burst_count=num_messages,
         ).run()
-
-
-def _selection(
-    *,
-    topics: list[str] | None,
-    services: list[str] | None,
-    actions: list[str] | None,
-    regex: str = "",
-    exclude_topics: list[str] | None = None,
-    exclude_services: list[str] | None = None,
-    exclude_actions: list[str] | None = None,
-    exclude_regex: str = "",
-) -> Selection:
-    from zbot.bag.selection import Selection  # noqa: PLC0415 - needed only to play
-
-    is_all = not (topics or services or actions or regex)
-    return Selection(
-        all_topics=is_all,
-        topics=names(topics),
-        regex=regex,
-        all_services=is_all,
-        services=names(services),
-        all_actions=is_all,
-        actions=names(actions),
-        exclude_topics=names(exclude_topics),
-        exclude_services=names(exclude_services),
-        exclude_actions=names(exclude_actions),
-        exclude_regex=exclude_regex,
-    )
 
 
 def _check_positive(option: str, value: float) -> None:

@@ -12,14 +12,14 @@ from zbot.bag.player_services import PlayerServices
 from zbot.executor.spin_thread import SpinThread
 from zbot_cli.commands.bag.options import set_log_level
 from zbot_cli.commands.bag.progress_bar import progress_bar
-from zbot_cli.domain.client import full_name, hidden_node
+from zbot_cli.domain.client import hidden_node
 from zbot_cli.errors import CommandError
 from zbot_cli.input.keyboard import has_keyboard, keys_to
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from zbot.bag.play_options import PlayOptions
+    from zbot.bag.options import PlayOptions
     from zbot.bag.reader import Reader
     from zbot.node.node import Node
 
@@ -73,16 +73,14 @@ def _explain_keys(node: Node) -> None:
     log.info("Press CURSOR_DOWN for Decrease Rate 10%")
 
 
-def remap_rules(words: Sequence[str]) -> dict[str, str]:
-    """Return the new names of topics by their old names.
+def remap_rules(words: list[str]) -> list[str]:
+    """Return the words if all are rules for new names of topics.
 
     Raises:
         CommandError: A word is not a rule.
     """
-    found = {}
     for word in words:
         old, separator, new = word.partition(":=")
         if not (old and separator and new):
             raise CommandError(f"--remap '{word}' is not OLD_TOPIC:=NEW_TOPIC")
-        found[full_name(old)] = full_name(new)
-    return found
+    return words

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from datetime import timedelta
 from enum import Enum
 from pathlib import Path
 from typing import Annotated, ClassVar
@@ -12,7 +13,6 @@ from zbot_cli.commands.bag.options import (
     LogLevel,
     LogLevelOption,
     StorageId,
-    names,
     refuse_together,
     types,
     warn,
@@ -195,58 +195,58 @@ def record(
     ] = 0,
 ) -> None:
     """Record topics into a bag."""
-    from zbot.bag.recorder import Discovery  # noqa: PLC0415 - needed only to record
-    from zbot.bag.selection import Selection  # noqa: PLC0415 - as above
+    from zbot.bag.options import RecordOptions, StorageOptions  # noqa: PLC0415 - only to record
+    from zbot.bag.qos_profiles import read_overrides  # noqa: PLC0415 - as above
     from zbot_cli.commands.bag import recording  # noqa: PLC0415 - as above
 
     refuse_together({"TOPIC": bool(topics_positional), "--topics": bool(topics)})
     if topics_positional:
         warn('Positional "topics" argument deprecated. Please use optional "--topics" instead.')
-    selection = Selection(
-        all_topics=everything or all_topics,
-        topics=names([*(topics or ()), *(topics_positional or ())]),
-        topic_types=types(topic_types),
-        regex=regex,
-        all_services=everything or all_services,
-        services=names(services),
-        all_actions=everything or all_actions,
-        actions=names(actions),
-        exclude_topics=names(exclude_topics),
-        exclude_types=types(exclude_topic_types),
-        exclude_services=names(exclude_services),
-        exclude_actions=names(exclude_actions),
-        exclude_regex=exclude_regex,
-    )
-    recording.check_selection(selection)
     _check_format(compression_mode, compression_format)
+    overrides = qos_profile_overrides_path
+    options = RecordOptions(
+        all_topics=everything or all_topics,
+        all_services=everything or all_services,
+        all_actions=everything or all_actions,
+        is_discovery_disabled=no_discovery,
+        topics=[*(topics or ()), *(topics_positional or ())],
+        topic_types=types(topic_types),
+        services=services or [],
+        actions=actions or [],
+        exclude_topics=exclude_topics or [],
+        exclude_topic_types=types(exclude_topic_types),
+        exclude_service_events=exclude_services or [],
+        exclude_actions=exclude_actions or [],
+        topic_polling_interval=timedelta(milliseconds=polling_interval),
+        regex=regex,
+        exclude_regex=exclude_regex,
+        compression_mode=compression_mode.value,
+        topic_qos_profile_overrides={} if overrides is None else read_overrides(overrides),
+        include_hidden_topics=include_hidden_topics,
+        include_unpublished_topics=include_unpublished_topics,
+        start_paused=start_paused,
+        ignore_leaf_topics=ignore_leaf_topics,
+        use_sim_time=use_sim_time,
+    )
+    config = storage_config_file
     recording.Recording(
-        selection=selection,
-        storage_id=storage.value,
-        storage_config=storage_config_file,
-        output=output,
-        discovery=Discovery(
-            is_on=not no_discovery,
-            period_s=polling_interval / 1000,
-            includes_hidden=include_hidden_topics,
-            includes_unpublished=include_unpublished_topics,
-            ignores_leaves=ignore_leaf_topics,
+        options,
+        StorageOptions(
+            uri="" if output is None else str(output),
+            storage_id=storage.value,
+            max_bagfile_size=max_bag_size,
+            max_bagfile_duration=max_bag_duration,
+            max_cache_size=max_cache_size,
+            storage_preset_profile=storage_preset_profile.value,
+            storage_config_uri="" if config is None else str(config),
+            snapshot_mode=snapshot_mode,
+            custom_data=recording.custom_data(custom_data or []),
+            max_cache_duration=max_cache_duration,
+            repeat_latched=repeat_latched,
         ),
-        max_bag_size=max_bag_size,
-        max_bag_duration=max_bag_duration,
-        max_cache_size=max_cache_size,
-        max_cache_duration=max_cache_duration,
-        is_snapshot_mode=snapshot_mode,
-        repeats_latched=repeat_latched,
-        preset=storage_preset_profile.value,
-        compresses_files=compression_mode is CompressionMode.FILE,
-        compresses_messages=compression_mode is CompressionMode.MESSAGE,
-        qos_overrides=qos_profile_overrides_path,
-        uses_sim_time=use_sim_time,
-        is_paused=start_paused,
         has_keys=not disable_keyboard_controls,
         node_name=node_name,
         log_level=log_level.value,
-        custom_data=recording.custom_data(custom_data or []),
     ).run()
 
 

@@ -3,26 +3,23 @@
 from __future__ import annotations
 
 import contextlib
-from dataclasses import dataclass, field
+from dataclasses import dataclass, replace
 from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from zbot.bag.errors import BagError, BagExistsError
-from zbot.bag.mcap_options import read_storage_config
 from zbot.bag.packages import import_mcap
-from zbot.bag.qos_profiles import read_overrides
-from zbot.bag.recorder import Discovery, Recorder
-from zbot.bag.snapshot_buffer import SnapshotBuffer
-from zbot.bag.writer import Writer
+from zbot.bag.recorder import Recorder
 from zbot.executor.single_threaded_executor import SingleThreadedExecutor
 from zbot_cli.commands.bag.options import set_log_level
-from zbot_cli.domain.client import full_name, hidden_node
-from zbot_cli.domain.topic_types import hint_if_silent
+from zbot_cli.domain.client import hidden_node
+from zbot_cli.domain.waiting import hint_if_silent
 from zbot_cli.errors import CommandError
 from zbot_cli.input.keyboard import has_keyboard, keys_to
 
 if TYPE_CHECKING:
+    from zbot.bag.options import RecordOptions, StorageOptions
     from zbot.bag.selection import Selection
 
 MIN_SPLIT_BYTES = 1024
@@ -30,29 +27,13 @@ MIN_SPLIT_BYTES = 1024
 
 @dataclass(frozen=True)
 class Recording:
-    """Recording with the options of `zbot bag record`."""
+    """Recording with the options of `zbot bag record`. Without a `uri`, its name has the date."""
 
-    selection: Selection
-    output: Path | None
-    discovery: Discovery
-    storage_id: str = "mcap"
-    storage_config: Path | None = None
-    max_bag_size: int = 0
-    max_bag_duration: float = 0
-    max_cache_size: int = 0
-    max_cache_duration: float = 0
-    is_snapshot_mode: bool = False
-    repeats_latched: bool = False
-    preset: str = "zstd"
-    compresses_files: bool = False
-    compresses_messages: bool = False
-    qos_overrides: Path | None = None
-    uses_sim_time: bool = False
-    is_paused: bool = False
-    has_keys: bool = True
-    node_name: str = "rosbag2_recorder"
-    log_level: str = "info"
-    custom_data: dict[str, str] = field(default_factory=dict)
+    options: RecordOptions
+    storage: StorageOptions
+    has_keys: bool
+    node_name: str
+    log_level: str
 
     def run(self) -> None:
         """Record until Ctrl-C.
@@ -64,31 +45,23 @@ class Recording:
             CommandError: The options do not fit together.
         """
         import_mcap()
+        selection = self.options.selection()
+        check_selection(selection)
         self._check()
-        path = self.output or Path(f"{datetime.now():rosbag2_%Y_%m_%d-%H_%M_%S}")
+        path = Path(self.storage.uri or f"{datetime.now():rosbag2_%Y_%m_%d-%H_%M_%S}")
         if path.exists():
             raise BagExistsError(path)
-        overrides = {} if self.qos_overrides is None else read_overrides(self.qos_overrides)
+        storage, uses_sim_time = replace(self.storage, uri=str(path)), self.options.use_sim_time
         with (
-            hidden_node("record", self.node_name, use_sim_time=self.uses_sim_time) as node,
+            hidden_node("record", self.node_name, use_sim_time=uses_sim_time) as node,
             contextlib.ExitStack() as stack,
         ):
             set_log_level(node, self.log_level)
-            recorder = Recorder(
-                node,
-                self._writer(path),
-                self.selection,
-                discovery=self.discovery,
-                overrides=overrides,
-                max_cache_bytes=self.max_cache_size,
-                is_paused=self.is_paused,
-                uses_sim_time=self.uses_sim_time,
-                snapshots=self._snapshots(),
-            )
+            recorder = Recorder(node, storage, self.options)
             stack.callback(recorder.stop)
             executor = SingleThreadedExecutor(context=node.context)
             executor.add_node(node)
-            hint_if_silent(node, sorted(map(full_name, self.selection.topics)), lambda: True)
+            hint_if_silent(node, sorted(selection.topics), lambda: True)
             if self.has_keys and has_keyboard():
                 node.get_logger().info("Press SPACE for pausing/resuming")
                 stack.enter_context(
@@ -98,40 +71,21 @@ class Recording:
             with contextlib.suppress(KeyboardInterrupt):
                 recorder.run(executor)
 
-    def _snapshots(self) -> SnapshotBuffer | None:
-        if not self.is_snapshot_mode:
-            return None
-        return SnapshotBuffer(self.max_cache_size, self.max_cache_duration)
-
-    def _writer(self, path: Path) -> Writer:
-        config = self.storage_config
-        return Writer(
-            path,
-            storage_id=self.storage_id,
-            mcap_options=None if config is None else read_storage_config(config, self.preset),
-            max_bytes=self.max_bag_size,
-            max_duration_s=self.max_bag_duration,
-            preset=self.preset,
-            compress_files=self.compresses_files,
-            compress_messages=self.compresses_messages,
-            custom_data=self.custom_data,
-            repeats_latched=self.repeats_latched,
-        )
-
     def _check(self) -> None:
-        if 0 < self.max_bag_size < MIN_SPLIT_BYTES:
+        storage = self.storage
+        if 0 < storage.max_bagfile_size < MIN_SPLIT_BYTES:
             raise CommandError(
-                f"--max-bag-size {self.max_bag_size} is too small: "
+                f"--max-bag-size {storage.max_bagfile_size} is too small: "
                 f"choose at least {MIN_SPLIT_BYTES} bytes"
             )
-        if self.is_snapshot_mode and not (self.max_cache_size or self.max_cache_duration):
+        if storage.snapshot_mode and not (storage.max_cache_size or storage.max_cache_duration):
             raise CommandError(
                 "In snapshot mode, either the max_cache_duration or max_cache_size shall not be "
                 "set to zero."
             )
-        if self.storage_config is not None and self.storage_id != "mcap":
+        if storage.storage_config_uri and storage.storage_id != "mcap":
             raise CommandError("--storage-config-file is only for --storage mcap")
-        if self.uses_sim_time and not self.discovery.is_on:
+        if self.options.use_sim_time and self.options.is_discovery_disabled:
             raise CommandError(
                 "--use-sim-time and --no-discovery both set, but are incompatible settings. "
                 "The /clock topic needs to be discovered to record with sim time."
@@ -149,7 +103,8 @@ def check_selection(selection: Selection) -> None:
     if not (is_any or selection.names):
         raise CommandError(
             "Need to specify at least one option out of --all, --all-topics, --all-services, "
-            "--all-actions, --services, --actions, --topics, --topic-types or --regex"
+            "--all-actions, --services, --actions, --topics, --topic-types or --regex",
+            hint="for example: zbot bag record --topics /chatter",
         )
     rules = (
         (

@@ -9,11 +9,17 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 
 import typer
 
+from zbot.transport.config import HUB_PORT
+from zbot_cli.errors import CommandError
 from zbot_cli.input.many_values import ManyValuesCommand
 from zbot_cli.output.exit_status import Status
 from zbot_cli.output.listing import AsJson, new_app, print_json
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from zbot.classroom.bundle.service import Served
+    from zbot.classroom.teacher.class_check import Verdict
     from zbot.classroom.teacher.invitation import Invitation
     from zbot_cli.commands.class_.robot import RobotSpec
 
@@ -54,16 +60,31 @@ def start(
         list[str] | None,
         typer.Option("--rate", help="Maximum messages per second of a topic: '/camera/*=5'"),
     ] = None,
+    bundle: Annotated[
+        Path | None,
+        typer.Option("--bundle", help="Folder of `class bundle`, from which students install"),
+    ] = None,
+    sensors: Annotated[
+        bool | None,
+        typer.Option(
+            "--sensors/--no-sensors",
+            help="Whether the live page may publish cameras and other sensors of browsers",
+        ),
+    ] = None,
     as_json: AsJson = False,
 ) -> None:
     """Start a class, or show its join code."""
-    from zbot.classroom.student_name import clean_name  # noqa: PLC0415 - not needed by `--help`
+    from zbot.classroom.join_request import clean_name  # noqa: PLC0415 - not needed by `--help`
     from zbot.classroom.teacher import opening  # noqa: PLC0415 - as above
     from zbot.classroom.teacher.invitation import invitation_to  # noqa: PLC0415 - as above
     from zbot.classroom.teacher.roster import load_roster  # noqa: PLC0415 - as above
     from zbot_cli.domain.client import print_programs_outside  # noqa: PLC0415 - as above
 
     robots = _robots(robot or [])
+    if bundle:
+        from zbot.classroom.bundle import manifest  # noqa: PLC0415 - few classes have a bundle
+
+        manifest.load(bundle).check(bundle)
     opened, record = opening.start(
         opening.ClassOptions(
             name=clean_name(name) if name else None,
@@ -73,16 +94,68 @@ def start(
             new_pin=new_pin,
             expected=load_roster(students) if students else None,
             keystore=keystore,
+            sensors=sensors,
         )
     )
     invitation = invitation_to(opened, record)
-    for one in robots:
-        robot_module().start(one, rate or [])
-    print_json(invitation.document()) if as_json else print(_join_text(invitation))
-    for one in robots:
+    for class_robot in robots:
+        robot_module().start(class_robot, rate or [])
+    served = _served(bundle, invitation.host)
+    if as_json:
+        print_json({**invitation.document(), **({"bundle": served.document()} if served else {})})
+    else:
+        print(
+            "\n".join([*(_bundle_module().lines(served) if served else []), _join_text(invitation)])
+        )
+    if not record.has_sensors and not as_json:
+        print("The live page publishes no sensors of browsers in this class")
+    for class_robot in robots:
         if not as_json:
-            print(f"The robot is in /class/{one.name}/. `zbot class give NUMBER {one.name}`")
+            robot_name = class_robot.name
+            print(f"The robot is in /class/{robot_name}/. `zbot class give NUMBER {robot_name}`")
     print_programs_outside()
+
+
+@app.command("bundle")
+def make_bundle(
+    out: Annotated[Path, typer.Option("--out", help="Folder, e.g. on a USB stick")],
+    systems: Annotated[
+        str, typer.Option("--systems", help="Systems, or e.g. linux-x86_64 for one processor")
+    ] = "windows,macos,linux",
+    python: Annotated[
+        str, typer.Option("--python", help="Versions: 3.11..3.14, or a list with commas")
+    ] = "3.11..3.14",
+    extras: Annotated[str, typer.Option("--extras", help="Extras of zbot")] = "web,bag,view,sim",
+    wheel: Annotated[
+        Path | None, typer.Option("--wheel", help="zbot's own wheel; default: it is built")
+    ] = None,
+    check_only: Annotated[
+        bool, typer.Option("--check", help="Only check the files of a folder that was made")
+    ] = False,
+) -> None:
+    """Make a folder for installing without the internet.
+
+    The same line continues after an interruption, and replaces damaged files.
+    """
+    module = _bundle_module()
+    if check_only:
+        module.check(out)
+    else:
+        module.make(out, systems, python, extras, wheel)
+
+
+def _bundle_module() -> Any:
+    """Return the module for bundles. It is imported late, because few classes have a bundle."""
+    from zbot_cli.commands.class_ import bundle  # noqa: PLC0415 - as above
+
+    return bundle
+
+
+def _served(folder: Path | None, host: str) -> Served | None:
+    """Serve a bundle if a folder is given. Return the bundle that is served now."""
+    from zbot.classroom.bundle import service  # noqa: PLC0415 - not needed by `--help`
+
+    return service.start(folder, host) if folder else service.find()
 
 
 def robot_module() -> Any:
@@ -143,10 +216,22 @@ def _join_text(invitation: Invitation) -> str:
     lines = [f'Class "{invitation.class_name}" is open. Students type:', ""]
     if invitation.code:
         lines.append(f"    zbot join {invitation.code}")
-    lines += [f"    zbot join {invitation.address}    (if the code does not work)", ""]
+        lines += [f"    zbot join {invitation.address}    (if the code does not work)", ""]
+    else:
+        lines += [_no_code(invitation.port), "", f"    zbot join {invitation.address}", ""]
     if invitation.pin:
         lines.append(f"PIN: {invitation.pin}")
     return "\n".join([*lines, "`zbot class list` lists students, `zbot class stop` ends the class"])
+
+
+def _no_code(port: int) -> str:
+    from zbot.classroom.join_code import PORTS  # noqa: PLC0415 - few classes have another port
+
+    first, *_, last = sorted(port for port in PORTS if HUB_PORT - 10 < port < HUB_PORT + 10)
+    return (
+        f"There is no code, because no code can contain the port {port}: "
+        f"use the default port, or a port from {first} to {last}"
+    )
 
 
 @app.command("list")
@@ -168,7 +253,7 @@ def list_students(as_json: AsJson = False) -> None:
 class _BagCommand(ManyValuesCommand):
     """Parser of options that take several values."""
 
-    many: ClassVar[frozenset[str]] = frozenset({"--bag", "--students", "--topics"})
+    many: ClassVar[frozenset[str]] = frozenset({"--bag", "--students", "--topics", "--program"})
 
 
 @app.command("check", cls=_BagCommand)
@@ -183,9 +268,42 @@ def check(
         list[Path] | None,
         typer.Option("--bag", help="Check these bags instead of running programs"),
     ] = None,
+    world: Annotated[
+        str | None, typer.Option("--sim", help="World in which the programs of --program run")
+    ] = None,
+    programs: Annotated[
+        list[Path] | None,
+        typer.Option("--program", help="Run these programs, or all programs of a folder"),
+    ] = None,
+    robot: Annotated[
+        str, typer.Option("--robot", help="Robot in the world, as for `zbot sim`")
+    ] = "two_wheeled",
+    seed: Annotated[int, typer.Option("--seed", min=0, help="Seed of the noise of sensors")] = 0,
+    output: Annotated[
+        Path | None, typer.Option("-o", "--output", help="Folder of the bags of --program")
+    ] = None,
     as_json: AsJson = False,
 ) -> None:
-    """Check the programs of all students."""
+    """Check the programs of all students.
+
+    With --sim and --program, run programs in a world and check them there. This needs no class.
+    """
+    if world or programs:
+        if not (world and programs) or bags:
+            raise CommandError("--sim and --program need each other, and --bag fits neither")
+        from zbot_cli.commands.class_.sim_check import check_programs  # noqa: PLC0415 - few need it
+
+        tell = _tell_nothing if as_json else _print_verdict
+        verdicts = check_programs(
+            *(expected, programs),
+            world=world,
+            robot=robot,
+            seed=seed,
+            output=output,
+            tell=tell,
+        )
+        _end_check(verdicts, as_json=as_json, is_printed=True)
+        return
     from zbot.classroom.teacher.expectation import parse_expectations  # noqa: PLC0415 - not needed by `--help`
     from zbot.classroom.teacher.opening import check_class  # noqa: PLC0415 - as above
 
@@ -196,17 +314,35 @@ def check(
         verdicts = [check_bag(bag, expectations) for bag in bags]
     else:
         verdicts = check_class(expectations)
+    if not verdicts:
+        raise CommandError(
+            "nobody has joined the class, so there is nothing to check",
+            hint="`zbot class list` shows who has joined",
+        )
+    _end_check(verdicts, as_json=as_json)
+
+
+def _end_check(verdicts: Sequence[Verdict], *, as_json: bool, is_printed: bool = False) -> None:
+    """Print verdicts, unless they are printed, and end with an error if one is bad."""
     passed = sum(verdict.passes for verdict in verdicts)
     if as_json:
-        print_json([{**asdict(one), "passes": one.passes} for one in verdicts])
+        print_json([{**asdict(result), "passes": result.passes} for result in verdicts])
     else:
-        for one in verdicts:
-            mark = "ok  " if one.passes else "FAIL"
-            number = f"{one.number:3}  " if one.number else ""
-            print(f"{mark}  {number}{one.name}  {'; '.join(one.problems)}".rstrip())
+        for result in () if is_printed else verdicts:
+            _print_verdict(result)
         print(f"{passed} of {len(verdicts)} pass")
     if passed < len(verdicts):
         raise typer.Exit(Status.ERROR)
+
+
+def _print_verdict(result: Verdict) -> None:
+    mark = "ok  " if result.passes else "FAIL"
+    number = f"{result.number:3}  " if result.number else ""
+    print(f"{mark}  {number}{result.name}  {'; '.join(result.problems)}".rstrip(), flush=True)
+
+
+def _tell_nothing(_result: Verdict) -> None:
+    """Say nothing: all verdicts are printed at the end."""
 
 
 @app.command("record", cls=_BagCommand)

@@ -37,11 +37,11 @@ class _Recorded:
     def __init__(self, bag: Reader, timed: Collection[str]) -> None:
         self._topics: dict[str, str] = {}
         self._services: dict[str, str] = {}
-        for one in bag.metadata.topics:
-            name, type_name = one.topic.name, one.topic.type_name
+        for information in bag.metadata.topics:
+            name, type_name = information.topic.name, information.topic.type_name
             if is_service_event(name, type_name):
                 self._services[service_name(name)] = type_name.removesuffix("_Event")
-            elif one.message_count:
+            elif information.message_count:
                 self._topics[name] = type_name
         self.rates_hz = _rates_hz(bag, timed) if timed else {}
 
@@ -65,16 +65,18 @@ def check_bag(path: Path, expectations: Sequence[Expectation]) -> Verdict:
         BagNotFoundError: There is no file or folder with this path.
         BagReadError: The path is not a bag, or a part of the bag is damaged.
     """
-    for one in expectations:
-        if one.kind is EntityKind.NODE:
+    for expectation in expectations:
+        if expectation.kind is EntityKind.NODE:
             raise not_in_bag_error("runs")
-        if one.kind is EntityKind.SUBSCRIPTION:
+        if expectation.kind is EntityKind.SUBSCRIPTION:
             raise not_in_bag_error("subscribes")
     with Reader(path) as bag:
-        recorded = _Recorded(bag, {one.name for one in expectations if one.has_rate})
+        recorded = _Recorded(
+            bag, {expectation.name for expectation in expectations if expectation.has_rate}
+        )
         facts = bag.metadata.custom_data
     number = facts.get(NUMBER_KEY, "")
-    problems = (one.problem(recorded, recorded.rates_hz) for one in expectations)
+    problems = (expectation.problem(recorded, recorded.rates_hz) for expectation in expectations)
     return Verdict(
         int(number) if number.isdecimal() and len(number) < 4 else 0,
         facts.get(NAME_KEY) or path.name,

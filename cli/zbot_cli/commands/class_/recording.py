@@ -12,13 +12,12 @@ from typing import TYPE_CHECKING
 
 from zbot.bag.background import BackgroundRecording
 from zbot.bag.errors import BagExistsError, BagWriteError
+from zbot.bag.options import MAX_CACHE_BYTES, RecordOptions, StorageOptions
 from zbot.bag.packages import import_mcap
-from zbot.bag.selection import Selection
 from zbot.classroom.teacher.opening import command
 from zbot.process.signals import SignalHandlerOptions, install
 from zbot.terminal.text import escape_control_characters
 from zbot_cli.commands.class_.bag_check import NAME_KEY, NUMBER_KEY
-from zbot_cli.domain.client import full_name
 from zbot_cli.errors import CommandError
 
 if TYPE_CHECKING:
@@ -46,13 +45,7 @@ class ClassRecording:
         self._folder = folder or Path(f"{datetime.now():class_%Y_%m_%d-%H_%M_%S}")
         self._numbers = numbers
         self._max_bytes = max_bytes
-        names = frozenset(map(full_name, topics))
-        self._selection = Selection(
-            all_topics=not names,
-            all_services=not names,
-            all_actions=not names,
-            topics=names,
-        )
+        self._options = RecordOptions(topics=list(topics)) if topics else RecordOptions.everything()
         self._running: dict[int, BackgroundRecording] = {}
         self._reported: set[int] = set()
 
@@ -68,7 +61,7 @@ class ClassRecording:
         """
         import_mcap()
         students = _students()
-        missing = next((one for one in self._numbers if one not in students), None)
+        missing = next((number for number in self._numbers if number not in students), None)
         if missing is not None:
             raise CommandError(f"nobody in the class has the number {missing}: see zbot class list")
         self._make_folder()
@@ -83,27 +76,26 @@ class ClassRecording:
                 self._report_errors()
                 time.sleep(_LOOK_S)
                 students = _students()
-        for one in self._running.values():
-            one.stop()
+        for recording in self._running.values():
+            recording.stop()
         self._report_errors()
 
     def _begin(self, number: int, name: str) -> None:
         path = self._folder / f"{number}_{_NOT_IN_NAMES.sub('_', name)}"
-        self._running[number] = BackgroundRecording(
-            path,
-            self._selection,
-            number,
-            is_client=True,
-            max_bytes=self._max_bytes,
+        storage = StorageOptions(
+            str(path),
+            max_bagfile_size=self._max_bytes,
+            max_cache_size=MAX_CACHE_BYTES,
             custom_data={NUMBER_KEY: str(number), NAME_KEY: name},
         )
+        self._running[number] = BackgroundRecording(storage, self._options, number, is_client=True)
         print(escape_control_characters(f"{number:3}  {name}"), flush=True)
 
     def _report_errors(self) -> None:
-        for number, one in self._running.items():
-            if one.error and number not in self._reported:
+        for number, recording in self._running.items():
+            if recording.error and number not in self._reported:
                 self._reported.add(number)
-                print(f"{number:3}  {one.error}", file=sys.stderr, flush=True)
+                print(f"{number:3}  {recording.error}", file=sys.stderr, flush=True)
 
     def _make_folder(self) -> None:
         try:
@@ -115,4 +107,4 @@ class ClassRecording:
 
 
 def _students() -> dict[int, str]:
-    return {one["number"]: one["name"] for one in command({"op": "list"})["students"]}
+    return {student["number"]: student["name"] for student in command({"op": "list"})["students"]}

@@ -5,6 +5,8 @@ from __future__ import annotations
 import time
 from typing import TYPE_CHECKING, Any
 
+from zbot.transport.other_version import other_versions_text
+
 if TYPE_CHECKING:
     from zbot.classroom.teacher.invitation import Invitation
 
@@ -15,15 +17,24 @@ _SECONDS = {"s": 60.0, "min": 60.0, "h": 24.0, "d": float("inf")}
 def table(found: dict[str, Any], invitation: Invitation) -> str:
     """Return the students of a class as text, with one student per line."""
     rows = [_HEADINGS, *(_row(student) for student in found["students"])]
-    rows += [(str(one["number"]), one["name"], "-", "", "", "", "") for one in found["expected"]]
+    rows += [
+        (str(student["number"]), student["name"], "-", "", "", "", "")
+        for student in found["expected"]
+    ]
     here = sum(student["here"] for student in found["students"])
     lines = _aligned(rows) if len(rows) > 1 else ["nobody has joined yet"]
     heading = f'"{found["class"]}": {here} here; {invitation.command}'
     heading += f"; PIN: {invitation.pin}" if invitation.pin else ""
     names = {student["number"]: student["name"] for student in found["students"]}
     # An older version of zbot sends no list of robots.
-    lines += [_robot_line(one, names) for one in found.get("robots", ())]
-    return "\n".join([heading, *lines])
+    lines += [_robot_line(robot, names) for robot in found.get("robots", ())]
+    versions = {
+        f"{student['name']} (number {student['number']})": student["version"]
+        for student in found["students"]
+        if student["here"]
+    }
+    difference = other_versions_text(versions)
+    return "\n".join([heading, *lines, *([difference] if difference else [])])
 
 
 def _robot_line(robot: dict[str, Any], names: dict[int, str]) -> str:

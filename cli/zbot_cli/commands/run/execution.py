@@ -72,7 +72,7 @@ def _run(executable: Executable, arguments: Sequence[str]) -> NoReturn:
     try:
         function = _function(executable)
     except EntryPointError as error:
-        from zbot_cli.output.report import report  # noqa: PLC0415 - only for errors
+        from zbot_cli.output.standard_streams import report  # noqa: PLC0415 - only for errors
 
         sys.exit(report(error))
     sys.exit(function())
@@ -91,7 +91,7 @@ def _run_file(path: str) -> NoReturn:
     try:
         sys.exit(run_script(path))
     except NothingToRunError as error:
-        from zbot_cli.output.report import report  # noqa: PLC0415 - only for errors
+        from zbot_cli.output.standard_streams import report  # noqa: PLC0415 - only for errors
 
         sys.exit(report(error))
 
@@ -99,12 +99,23 @@ def _run_file(path: str) -> NoReturn:
 def _set_path(executable: Executable) -> None:
     folders = list(executable.folders)
     if is_file(executable.target):
-        folders.insert(0, str(Path(executable.target).resolve().parent))
+        folders.insert(0, str(_own_folder(Path(executable.target).resolve())))
     # sys.path begins with the folder of the `zbot` command or the current folder. This entry is
     # removed, because a random.py in that folder would replace Python's `random`.
     has_own_entry = not getattr(sys.flags, "safe_path", False)
     sys.path[: int(has_own_entry)] = folders
     zbot_name_clash.watch(folders)
+
+
+def _own_folder(program: Path) -> Path:
+    """Return the folder of a program, where it imports its own modules.
+
+    A program `robot/robot.py` would hide the package `robot`, whose folder it is in. So the result
+    is then the folder that has this package. In ROS 2, this program is alone in another folder.
+    """
+    folder = program.parent
+    is_hiding = program.stem == folder.name and (folder / "__init__.py").is_file()
+    return folder.parent if is_hiding else folder
 
 
 def _function(executable: Executable) -> Any:

@@ -23,7 +23,8 @@ def missing_file(word: str) -> CommandError:
     path = Path(word)
     if path.is_dir():
         return folder(path)
-    near = question(map(str, _similar(path)))
+    here = [path.name] if Path(path.name).is_file() else []  # `lessons/talker.py` in `lessons`
+    near = question(here or map(str, _similar(path)))
     if not near and len(path.parts) == 2 and all(map(str.isidentifier, path.parts)):
         near = f"a package and its program are two words: zbot run {' '.join(path.parts)}"
     return CommandError(f"File '{word}' not found", hint=near)
@@ -58,8 +59,8 @@ def _similar(path: Path) -> list[Path]:
     parent = path.parent
     if not parent.is_dir():
         above = parent.parent
-        beside = [one.name for one in above.iterdir()] if above.is_dir() else []
+        beside = [entry.name for entry in above.iterdir()] if above.is_dir() else []
         found = [above / name / path.name for name in similar_names(parent.name, beside)]
-        return [one for one in found if one.is_file()]
-    files = [one.name for one in parent.iterdir() if one.suffix == ".py"]
+        return [file for file in found if file.is_file()]
+    files = [file.name for file in parent.iterdir() if file.suffix == ".py"]
     return [parent / name for name in similar_names(path.name, files)]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import re
 import sys
 from functools import partial
 from pathlib import Path
@@ -10,85 +11,51 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
-from zbot_cli.commands.run.name_clash import warn_of_unused_files
+from zbot.process import main_part
+from zbot.process.main_part import Mistake, Program
 
 if TYPE_CHECKING:
-    import ast
-    from collections.abc import Callable
+    from collections.abc import Callable, Sequence
 
 
 class NothingToRunError(ZbotError):
     """A file with only definitions has no `main()`, and does not have exactly one node class."""
 
-    def __init__(
-        self,
-        path: str,
-        reason: str = "no main(), and not exactly one node class",
-        hint: str = "write a main() function, and call it at the end of the file",
-    ) -> None:
-        self.path, self.hint = path, hint
-        super().__init__(f"{path} has nothing to run: {reason}")
+    def __init__(self, path: str, mistake: Mistake) -> None:
+        self.path, self.hint = path, mistake.advice
+        Program.needs_no_warning = True
+        super().__init__(f"{path} has nothing to run: {mistake.reason}")
 
 
 def run_script(path: str) -> Any:
     """Run a file as `__main__`.
 
     A file with only definitions, as in many lesson sheets, would end immediately. So its `main()`
-    is called. If it has no `main()`, a node of its only node class is created and spun.
+    is called. If it has no `main()`, a node of its only node class is created and spun. A note says
+    so, because the file does nothing without `zbot run`.
 
     Raises:
         NothingToRunError: The file has no `main()`, and does not have exactly one node class.
     """
     with io.open_code(str(Path(path).resolve())) as file:
         source = file.read()
-    warn_of_unused_files(source, str(Path(path).resolve().parent))
+    _warn_of_unused_files(source, str(Path(path).resolve().parent))
     code = compile(source, path, "exec")
     module = ModuleType("__main__")
     module.__file__ = path
     sys.modules["__main__"] = module
     exec(code, module.__dict__)  # noqa: S102 - running the user's file is the whole point
-    if hint := _wrong_main_part(source):
-        raise NothingToRunError(path, "its main part starts nothing", hint)
-    if not _only_defines(source):
-        return None
-    return _start_of(module, path)()
-
-
-def _wrong_main_part(source: bytes) -> str:
-    """Return what to write if the last part of a file does not start the program, or `""`."""
-    import ast  # noqa: PLC0415 - as in `_only_defines`
-
-    right = "if __name__ == '__main__':"
-    statements = ast.parse(source).body
-    functions = {one.name for one in statements if isinstance(one, ast.FunctionDef)}
-    for statement in statements:
-        match statement:
-            case ast.If(
-                test=ast.Compare(left=ast.Name(id="__name__"), comparators=[ast.Constant(value)])
-            ) if value != "__main__":
-                return f"write `{right}`, not {value!r}"
-            case ast.If(test=ast.Compare(left=ast.Constant("__name__"))):
-                return f"write `{right}`, with __name__ not in quotes"
-            case ast.If(body=[ast.Expr(ast.Name(name))]) | ast.Expr(ast.Name(name)) if (
-                name in functions
-            ):
-                return f"write {name}(), with brackets"
-    return ""
-
-
-def _only_defines(source: bytes) -> bool:
-    import ast  # noqa: PLC0415 - takes 8 ms, so not imported before the file runs
-
-    return all(_is_definition(statement) for statement in ast.parse(source).body)
-
-
-def _is_definition(statement: ast.stmt) -> bool:
-    import ast  # noqa: PLC0415 - as in `_only_defines`
-
-    if isinstance(statement, (ast.Assign, ast.AnnAssign, ast.Expr)):
-        return not any(isinstance(node, ast.Call) for node in ast.walk(statement))
-    definitions = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef, ast.Import, ast.ImportFrom)
-    return isinstance(statement, definitions)
+    if wrong := main_part.wrong_condition(source):
+        raise NothingToRunError(path, wrong)
+    if main_part.only_defines(source):
+        start = _start_of(module, path)
+        if forgotten := main_part.mistake_in(source):
+            text = f"{path}: {forgotten.reason}; `zbot run` starts it, but `python` does not"
+            print(f"note: {text}: {forgotten.advice}", file=sys.stderr)
+        return start()
+    if not Program.needs_no_warning and (unused := main_part.mistake_in(source)):
+        raise NothingToRunError(path, unused)
+    return None
 
 
 def _start_of(module: ModuleType, path: str) -> Callable[[], Any]:
@@ -96,7 +63,7 @@ def _start_of(module: ModuleType, path: str) -> Callable[[], Any]:
     if callable(main):
         return partial(main)
     if hasattr(module, "generate_launch_description"):
-        raise NothingToRunError(path, "it is a launch file", f"type: zbot launch {path}")
+        raise NothingToRunError(path, Mistake("it is a launch file", f"type: zbot launch {path}"))
     import zbot  # noqa: PLC0415 - not needed by a file with `main()`
 
     classes: list[Any] = [
@@ -107,8 +74,20 @@ def _start_of(module: ModuleType, path: str) -> Callable[[], Any]:
         and value.__module__ == "__main__"
     ]
     if len(classes) != 1:
-        raise NothingToRunError(path)
+        raise NothingToRunError(
+            path, _no_single_class([class_.__name__ for class_ in classes], path)
+        )
     return partial(_spin, classes[0])
+
+
+def _no_single_class(names: list[str], path: str) -> Mistake:
+    advice = "write a main() function, and call it at the end of the file"
+    if names:
+        listed = f"{', '.join(names[:-1])} and {names[-1]}"
+        return Mistake(f"it has no main(), and several node classes: {listed}", advice)
+    if not Path(path).read_bytes().strip():
+        return Mistake("it is empty", "write a program into it, and save it")
+    return Mistake("it has no main() and no node class", advice)
 
 
 def _spin(node_class: Any) -> None:
@@ -116,3 +95,27 @@ def _spin(node_class: Any) -> None:
 
     with zbot.init():
         zbot.spin(node_class())
+
+
+def _warn_of_unused_files(source: bytes, folder: str) -> None:
+    """Warn about files in a script's folder that the script tries to import, but cannot import.
+
+    The script gets Python's own module of the same name, which is already imported.
+
+    Args:
+        source: The text of the script.
+        folder: The folder of the script.
+    """
+    imported = re.findall(rb"^[ \t]*(?:import|from)[ \t]+(\w+)", source, re.MULTILINE)
+    for name in sorted({module.decode() for module in imported} & sys.stdlib_module_names):
+        file = _file_of(name, [folder]) if name in sys.modules else None
+        if file is not None:
+            reason = f"because Python uses its own module {name}"
+            print(f"{file} is not imported, {reason}: rename the file", file=sys.stderr)
+
+
+def _file_of(name: str, folders: Sequence[str]) -> Path | None:
+    places = (
+        Path(folder) / file for folder in folders for file in (f"{name}.py", f"{name}/__init__.py")
+    )
+    return next((place for place in places if place.is_file()), None)

@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
-from zbot.names import fully_qualified, is_hidden
 from zbot.wire.tokens import EntityKind
 from zbot_cli.domain.client import full_name, note_if_nobody_runs, snapshot
-from zbot_cli.domain.service_types import NODE_SERVICE_TYPES, known_services, unknown_service_error
-from zbot_cli.domain.types import check_known
+from zbot_cli.domain.kinds import SERVICE, visible
 from zbot_cli.input.form_options import DEFAULT_FORM, FormOptions
 from zbot_cli.input.option_groups import noun_option, with_option_groups
-from zbot_cli.input.qos_options import DEFAULT_QOS, QosOptions, profile_lines
+from zbot_cli.input.qos_options import DEFAULT_QOS, QosOptions
 from zbot_cli.output.listing import (
     NO_DAEMON,
     AsJson,
@@ -26,11 +24,21 @@ from zbot_cli.output.listing import (
     print_names,
 )
 
-if TYPE_CHECKING:
-    from zbot.graph.snapshot import NamesAndTypes, Snapshot
-    from zbot.wire.tokens import EndpointToken
-
 app = new_app("Look at services and call them")
+
+#: Types of the services that every node has. Lists leave these services out, so that the services
+#: of the user's own programs are easy to find.
+NODE_SERVICE_TYPES = frozenset(
+    {
+        "rcl_interfaces/srv/DescribeParameters",
+        "rcl_interfaces/srv/GetParameterTypes",
+        "rcl_interfaces/srv/GetParameters",
+        "rcl_interfaces/srv/ListParameters",
+        "rcl_interfaces/srv/SetParameters",
+        "rcl_interfaces/srv/SetParametersAtomically",
+        "type_description_interfaces/srv/GetTypeDescription",
+    }
+)
 
 IncludeHidden = Annotated[
     bool,
@@ -53,10 +61,6 @@ def options(
     """Look at services and call them."""
 
 
-def _shown(services: NamesAndTypes, include_hidden: bool) -> NamesAndTypes:
-    return [entry for entry in services if include_hidden or not is_hidden(entry[0])]
-
-
 @app.command("list")
 @with_option_groups
 def list_services(
@@ -73,20 +77,11 @@ def list_services(
     hidden = include_hidden_services or noun_option(ctx, "include_hidden_services")
     services = [
         (name, types)
-        for name, types in _shown(graph.services(), hidden)
+        for name, types in visible(graph.services(), hidden)
         if hidden or not NODE_SERVICE_TYPES.issuperset(types)
     ]
-    facts = partial(_facts, graph)
+    facts = partial(SERVICE.facts, graph)
     print_entries(services, facts, show_types=show_types, count=count, as_json=as_json)
-
-
-def _facts(graph: Snapshot, name: str, types: list[str]) -> dict[str, object]:
-    return {
-        "name": name,
-        "types": types,
-        "server_count": len(graph.on(name, EntityKind.SERVICE)),
-        "client_count": len(graph.on(name, EntityKind.CLIENT)),
-    }
 
 
 @app.command("type")
@@ -96,14 +91,7 @@ def type_of(
     daemon: DaemonOptions = NO_DAEMON,
 ) -> None:
     """Print a service's type."""
-    print("\n".join(_types(snapshot(), full_name(service_name))))
-
-
-def _types(graph: Snapshot, name: str) -> list[str]:
-    types = dict(known_services(graph)).get(name)
-    if types is None:
-        raise unknown_service_error(name, graph)
-    return types
+    print("\n".join(SERVICE.types_of(snapshot(), full_name(service_name))))
 
 
 @app.command("info")
@@ -117,47 +105,22 @@ def info(
     daemon: DaemonOptions = NO_DAEMON,
 ) -> None:
     """Show a service's type, clients and servers."""
+    from zbot_cli.output.endpoint import endpoint_json, endpoint_text  # noqa: PLC0415 - not needed by `list`
+
     graph, name = snapshot(), full_name(service_name)
-    types = _types(graph, name)
-    clients, servers = (graph.on(name, one) for one in (EntityKind.CLIENT, EntityKind.SERVICE))
+    types = SERVICE.types_of(graph, name)
+    clients, servers = (graph.on(name, kind) for kind in (EntityKind.CLIENT, EntityKind.SERVICE))
     if as_json:
-        sides = {"clients": clients, "servers": servers}
-        ends = {side: [_endpoint_dict(end) for end in found] for side, found in sides.items()}
-        print_json({"name": name, "types": types, **ends})
+        ends = {"clients": clients, "servers": servers}
+        lists = {title: list(map(endpoint_json, ends[title])) for title in ends}
+        print_json({"name": name, "types": types, **lists})
         return
     print(f"Type: {types[0] if len(types) == 1 else types}")
     print(f"Clients count: {len(clients)}")
     print(f"Services count: {len(servers)}")
     if verbose:
         for end in (*clients, *servers):
-            print(_endpoint_text(end) + "\n")
-
-
-def _endpoint_dict(end: EndpointToken) -> dict[str, object]:
-    return {
-        "node": fully_qualified(end.namespace, end.node),
-        "type": end.type_name,
-        "type_hash": end.type_hash,
-        "gid": end.gid.hex(),
-    }
-
-
-def _endpoint_text(end: EndpointToken) -> str:
-
-    gid = ".".join(f"{byte:02x}" for byte in end.gid)
-    return "\n".join(
-        (
-            f"Node name: {end.node}",
-            f"Node namespace: {end.namespace}",
-            f"Service type: {end.type_name}",
-            f"Service type hash: {end.type_hash}",
-            f"Endpoint type: {'CLIENT' if end.kind is EntityKind.CLIENT else 'SERVER'}",
-            "Endpoint count: 1",
-            f"GID: {gid}",
-            "QoS profile:",
-            *profile_lines(end.qos),
-        )
-    )
+            print(endpoint_text(end, "Service") + "\n")
 
 
 @app.command("find")
@@ -173,10 +136,8 @@ def find(
     daemon: DaemonOptions = NO_DAEMON,
 ) -> None:
     """List the services that have the given type."""
-    services = snapshot().services()
-    wanted = check_known(service_type, "srv", {one for _, types in services for one in types})
     hidden = include_hidden_services or noun_option(ctx, "include_hidden_services")
-    found = [name for name, types in _shown(services, hidden) if wanted in types]
+    found = SERVICE.with_type(snapshot(), service_type, include_hidden=hidden)
     print_names(found, count=count, as_json=as_json)
 
 

@@ -8,13 +8,11 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.threads.deadline import Deadline
 from zbot_cli.domain.client import hidden_node
-from zbot_cli.domain.pause import Pause
-from zbot_cli.domain.service_types import (
-    check_served,
-    resolve_service_type,
-    served_type,
-    service_class,
-    suggestion,
+from zbot_cli.domain.kinds import SERVICE
+from zbot_cli.domain.waiting import (
+    Sleep,
+    print_hint_if_not_listed,
+    wait_for_server,
 )
 from zbot_cli.errors import CommandError
 from zbot_cli.output.listing import print_json
@@ -27,8 +25,6 @@ if TYPE_CHECKING:
     from zbot.node.node import Node
     from zbot_cli.input.message_values import Template
     from zbot_cli.input.qos_options import QosOptions
-
-_STEP_S = 0.5  # Ctrl-C cannot interrupt waiting for the graph, so the command waits in steps
 
 
 def no_server_error(name: str, timeout_s: float) -> CommandError:
@@ -68,7 +64,7 @@ class ServiceCall:
         if rate_hz is not None and not rate_hz > 0:
             raise CommandError("rate must be greater than zero")
         self._name = name
-        self._type, self._values = _split(words)
+        self._type, self._values = SERVICE.split(words)
         self._qos = qos
         self._rate_hz = rate_hz
         self._timeout_s = timeout_s
@@ -94,7 +90,7 @@ class ServiceCall:
             type_name = self._wait_for_server(node, deadline)
             template = template or self._template(type_name)
             client = node.create_client(
-                service_class(type_name), self._name, qos_profile=self._qos.to_publish()
+                SERVICE.class_of(type_name), self._name, qos_profile=self._qos.to_publish()
             )
             if not client.wait_for_service(deadline.left_s):
                 raise self._no_server()
@@ -103,26 +99,32 @@ class ServiceCall:
     def _template(self, type_name: str) -> Template:
         from zbot_cli.input.message_values import Template  # noqa: PLC0415 - not needed by `list`
 
-        return Template(service_class(type_name).Request, self._values)
+        return Template(SERVICE.values_class(type_name), self._values)
 
     def _wait_for_server(self, node: Node, deadline: Deadline) -> str:
         """Wait for a server, and return the type to call with."""
-        graph = node.context.graph
-        self._hint(graph.snapshot())
-        while (found := served_type_of(graph.snapshot(), self._name, self._type)) is None:
-            if deadline.is_over:
-                raise self._no_server()
-            graph.wait_for(
-                lambda snapshot: self._name in dict(snapshot.services()),
-                min(deadline.left_s, _STEP_S),
-            )
+        print_hint_if_not_listed(SERVICE, node.context.graph.snapshot(), self._name)
+        found = wait_for_server(node, SERVICE, self._name, self._served_type, deadline)
+        if found is None:
+            raise self._no_server()
         return found
 
-    def _hint(self, graph: Snapshot) -> None:
-        """Print the most similar name on stderr if the service has no server."""
-        hint = suggestion(self._name, graph)
-        if hint and self._name not in dict(graph.services()):
-            print(f"hint: {hint}", file=sys.stderr, flush=True)
+    def _served_type(self, graph: Snapshot) -> str | None:
+        """Return the type to call with, or `None` while the service has no server.
+
+        Raises:
+            CommandError: No server has the type on the command line, or the command line gives no
+                type, and the service has several.
+        """
+        if self._type is None:
+            return SERVICE.listed_type(graph, self._name)
+        types = dict(graph.services()).get(self._name)
+        if types is not None and self._type not in types:
+            raise CommandError(
+                f"Service '{self._name}' has the type {', '.join(types)}, not {self._type}",
+                hint="leave the type out, and it is taken from the server",
+            )
+        return None if types is None else self._type
 
     def _no_server(self) -> CommandError:
         return no_server_error(self._name, self._timeout_s or 0)
@@ -131,15 +133,15 @@ class ServiceCall:
 
     def _call(self, node: Node, client: Client[Any, Any], template: Template) -> None:
         now_ns = lambda: node.get_clock().now().nanoseconds  # noqa: E731 - one expression
-        pause = Pause(node.context)
+        sleep = Sleep(node.context)
         started, count = time.monotonic(), 0
         while node.context.ok():
             self._call_once(client, template.make(now_ns))
             count += 1
             if self._rate_hz is None:
                 return
-            # The end of a pause is counted from the first call, so that the mean rate is exact.
-            pause.until(started + count / self._rate_hz)
+            # The end of a sleep is counted from the first call, so that the mean rate is exact.
+            sleep.until(started + count / self._rate_hz)
 
     def _call_once(self, client: Client[Any, Any], request: Any) -> None:
         if not self._as_json:
@@ -155,29 +157,3 @@ class ServiceCall:
             sys.stdout.flush()
         else:
             print(f"response:\n{response!r}\n", flush=True)
-
-
-def served_type_of(graph: Snapshot, name: str, wanted: str | None) -> str | None:
-    """Return the type with which to call a service, or `None` while the service has no server.
-
-    Args:
-        graph: The graph of the domain.
-        name: The full name of the service.
-        wanted: The type on the command line, if any.
-
-    Raises:
-        CommandError: The type of the servers is not `wanted`, or the service has several types, and
-            `wanted` is `None`.
-    """
-    if wanted is None:
-        return served_type(graph, name)
-    check_served(graph, name, wanted)
-    return wanted if name in dict(graph.services()) else None
-
-
-def _split(words: Sequence[str]) -> tuple[str | None, list[str]]:
-    from zbot_cli.domain.types import looks_like_type  # noqa: PLC0415 - needed only here
-
-    if words and looks_like_type(words[0]):
-        return resolve_service_type(words[0]), list(words[1:])
-    return None, list(words)

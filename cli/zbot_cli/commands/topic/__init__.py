@@ -7,15 +7,12 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from zbot.errors.suggestion import did_you_mean
-from zbot.names import fully_qualified, is_hidden
-from zbot.wire.tokens import EndpointToken, EntityKind
+from zbot.wire.tokens import EntityKind
 from zbot_cli.domain.client import client, full_name, note_if_nobody_runs, snapshot, snapshot_of
-from zbot_cli.domain.types import check_known
-from zbot_cli.errors import CommandError
+from zbot_cli.domain.kinds import TOPIC, visible
 from zbot_cli.input.form_options import DEFAULT_FORM, FormOptions
 from zbot_cli.input.option_groups import noun_option, with_option_groups
-from zbot_cli.input.qos_options import DEFAULT_QOS, QosOptions, profile_lines
+from zbot_cli.input.qos_options import DEFAULT_QOS, QosOptions
 from zbot_cli.output.listing import (
     NO_DAEMON,
     AsJson,
@@ -28,7 +25,7 @@ from zbot_cli.output.listing import (
 )
 
 if TYPE_CHECKING:
-    from zbot.graph.snapshot import NamesAndTypes, Snapshot
+    from zbot.graph.snapshot import Snapshot
 
 app = new_app("Look at topics, print and publish messages")
 
@@ -42,19 +39,9 @@ TopicName = Annotated[str, typer.Argument(help="Name of the topic, e.g. /chatter
 UNKNOWN_TYPE = "unknown"
 
 
-def unknown_topic_error(name: str, known: list[str]) -> CommandError:
-    """Return the error that no topic of that name has a publisher or a subscription."""
-    hint = did_you_mean(name, known)
-    return CommandError(f"Unknown topic '{name}'", hint=hint)
-
-
 @app.callback()
 def options(include_hidden_topics: IncludeHidden = False) -> None:
     """Look at topics, print and publish messages."""
-
-
-def _shown(topics: NamesAndTypes, include_hidden: bool) -> NamesAndTypes:
-    return [entry for entry in topics if include_hidden or not is_hidden(entry[0])]
 
 
 @app.command("list")
@@ -82,10 +69,9 @@ def list_topics(
         _print_verbose(graph, hidden)
         return
     topics = [*graph.topics(), *((name, [UNKNOWN_TYPE]) for name in foreign)]
-    facts = partial(_facts, graph)
-    print_entries(
-        _shown(sorted(topics), hidden), facts, show_types=show_types, count=count, as_json=as_json
-    )
+    entries = visible(sorted(topics), hidden)
+    facts = partial(TOPIC.facts, graph)
+    print_entries(entries, facts, show_types=show_types, count=count, as_json=as_json)
 
 
 def _foreign(context: object, graph: Snapshot) -> dict[str, set[EntityKind]]:
@@ -96,22 +82,13 @@ def _foreign(context: object, graph: Snapshot) -> dict[str, set[EntityKind]]:
     return foreign_topics(context.session, graph, context.get_domain_id())  # type: ignore[attr-defined]
 
 
-def _facts(graph: Snapshot, name: str, types: list[str]) -> dict[str, object]:
-    return {
-        "name": name,
-        "types": types,
-        "publisher_count": len(graph.publishers(name)),
-        "subscription_count": len(graph.subscriptions(name)),
-    }
-
-
 def _print_verbose(graph: Snapshot, include_hidden: bool) -> None:
     for title, noun, kind in (
         ("Published", "publisher", EntityKind.PUBLISHER),
         ("Subscribed", "subscriber", EntityKind.SUBSCRIPTION),
     ):
         print(f"{title} topics:")
-        for name, types in _shown(graph.names_and_types(kind), include_hidden):
+        for name, types in visible(graph.names_and_types(kind), include_hidden):
             count = len(graph.on(name, kind))
             print(f" * {name} [{', '.join(types)}] {count} {noun}{'' if count == 1 else 's'}")
         print()
@@ -128,50 +105,22 @@ def info(
     daemon: DaemonOptions = NO_DAEMON,
 ) -> None:
     """Show a topic's type, publishers and subscriptions."""
+    from zbot_cli.output.endpoint import endpoint_json, endpoint_text  # noqa: PLC0415 - not needed by `list`
+
     graph, name = snapshot(), full_name(topic_name)
-    types = dict(graph.topics()).get(name)
-    if types is None:
-        raise unknown_topic_error(name, [known for known, _ in graph.topics()])
-    sides = (("Publisher", graph.publishers(name)), ("Subscription", graph.subscriptions(name)))
+    types = TOPIC.types_of(graph, name)
+    ends = {"Publisher": graph.publishers(name), "Subscription": graph.subscriptions(name)}
     if as_json:
-        print_json(
-            {"name": name, "types": types}
-            | {f"{title.lower()}s": [_endpoint_dict(end) for end in ends] for title, ends in sides}
-        )
+        lists = {f"{title.lower()}s": list(map(endpoint_json, ends[title])) for title in ends}
+        print_json({"name": name, "types": types, **lists})
         return
     print(f"Type: {types[0] if len(types) == 1 else types}" + ("\n" if verbose else ""))
-    for title, ends in sides:
-        print(f"{title} count: {len(ends)}")
+    for title, found in ends.items():
+        print(f"{title} count: {len(found)}")
         if verbose:
             print()
-            for end in ends:
-                print(_endpoint_text(end, title) + "\n")
-
-
-def _endpoint_dict(end: EndpointToken) -> dict[str, object]:
-    return {
-        "node": fully_qualified(end.namespace, end.node),
-        "type": end.type_name,
-        "type_hash": end.type_hash,
-        "gid": end.gid.hex(),
-    }
-
-
-def _endpoint_text(end: EndpointToken, title: str) -> str:
-
-    gid = ".".join(f"{byte:02x}" for byte in end.gid)
-    return "\n".join(
-        (
-            f"Node name: {end.node}",
-            f"Node namespace: {end.namespace}",
-            f"Topic type: {end.type_name}",
-            f"Topic type hash: {end.type_hash}",
-            f"Endpoint type: {title.upper()}",
-            f"GID: {gid}",
-            "QoS profile:",
-            *profile_lines(end.qos),
-        )
-    )
+            for end in found:
+                print(endpoint_text(end, "Topic") + "\n")
 
 
 @app.command("type")
@@ -182,11 +131,7 @@ def type_of(
     daemon: DaemonOptions = NO_DAEMON,
 ) -> None:
     """Print a topic's type."""
-    topics = dict(snapshot().topics())
-    types = topics.get(full_name(topic_name))
-    if types is None:
-        raise unknown_topic_error(full_name(topic_name), list(topics))
-    print("\n".join(types))
+    print("\n".join(TOPIC.types_of(snapshot(), full_name(topic_name))))
 
 
 @app.command("find")
@@ -204,10 +149,8 @@ def find(
     daemon: DaemonOptions = NO_DAEMON,
 ) -> None:
     """List the topics that have the given type."""
-    topics = snapshot().topics()
-    wanted = check_known(topic_type, "msg", {one for _, types in topics for one in types})
     hidden = include_hidden_topics or noun_option(ctx, "include_hidden_topics")
-    found = [name for name, types in _shown(topics, hidden) if wanted in types]
+    found = TOPIC.with_type(snapshot(), topic_type, include_hidden=hidden)
     print_names(found, count=count, as_json=as_json)
 
 

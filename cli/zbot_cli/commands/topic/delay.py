@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections import deque
 from typing import TYPE_CHECKING, Any
 
@@ -14,17 +15,29 @@ if TYPE_CHECKING:
     from zbot_cli.commands.topic.measurement import Meter
 
 
+# September 2001. A time before it is 0, or the seconds since a board was switched on.
+_OLDEST_TIME_S = 10**9
+_NO_CLOCK = (
+    "the stamps of these messages are no times of day, so the delays mean nothing: "
+    "the sender, e.g. a board, has no clock"
+)
+
+
 class _DelayMeter:
     def __init__(self, window: int, now_ns: Callable[[], int]) -> None:
         self._delays: deque[float] = deque(maxlen=max(window, 1))
         self._now_ns = now_ns
-        self._started = self._changed = False
+        self._started = self._changed = self._has_warned = False
 
     def add(self, message: Any) -> None:
         header = getattr(message, "header", None)
         if header is None:
             raise CommandError("msg does not have header")
-        age_ns = self._now_ns() - (header.stamp.sec * 10**9 + header.stamp.nanosec)
+        now_ns = self._now_ns()
+        age_ns = now_ns - (header.stamp.sec * 10**9 + header.stamp.nanosec)
+        if header.stamp.sec < _OLDEST_TIME_S <= now_ns // 10**9 and not self._has_warned:
+            print(_NO_CLOCK, file=sys.stderr, flush=True)
+            self._has_warned = True
         if self._started:  # ROS 2 does not count the first message either
             self._delays.append(age_ns / 1e9)
             self._changed = True

@@ -12,13 +12,10 @@ from zbot.terminal.text import write_styled
 from zbot.threads.deadline import Deadline
 from zbot.wire.tokens import EndpointToken, EntityKind
 from zbot_cli.domain.client import full_name, hidden_node
-from zbot_cli.domain.topic_types import (
-    hint_if_silent,
-    message_class,
-    only_type,
-    print_waiting,
-)
+from zbot_cli.domain.kinds import TOPIC
+from zbot_cli.domain.waiting import hint_if_silent, print_waiting
 from zbot_cli.errors import CommandError
+from zbot_cli.input.domain_names import as_typed
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -89,9 +86,8 @@ class Echo:
             hint_if_silent(node, self._start(node), lambda: not self._shown)
             self._spin(executor, Deadline(self._timeout_s))
         if self._timeout_s is not None and not self._shown:
-            raise CommandError(
-                f"no message on {', '.join(self._names)} within {self._timeout_s:g} s"
-            )
+            names = ", ".join(map(as_typed, self._names))
+            raise CommandError(f"no message on {names} within {self._timeout_s:g} s")
 
     def _start(self, node: Node) -> list[str]:
         """Subscribe to the topics that exist. Return the topics without a printed similar name."""
@@ -99,10 +95,10 @@ class Echo:
         graph = node.context.graph
         snapshot = graph.snapshot()
         for name in self._names:
-            type_name = None if _is_pattern(name) else self._type or only_type(snapshot, name)
+            type_name = None if _is_pattern(name) else self._type or TOPIC.only_type(snapshot, name)
             if type_name is not None:
                 self._subscribe(node, name, type_name)
-            if not _is_pattern(name) and (type_name or not print_waiting(snapshot, name)):
+            if not _is_pattern(name) and (type_name or not print_waiting(TOPIC, snapshot, name)):
                 unexplained.append(name)
         if self._subscribed != set(self._names):
             self._node = node
@@ -121,13 +117,14 @@ class Echo:
         if token.name not in self._subscribed and any(
             fnmatchcase(token.name, name.replace("**", "*")) for name in self._names
         ):
-            self._subscribed.add(token.name)
             self._node.executor.create_task(  # type: ignore[union-attr]
                 self._subscribe, self._node, token.name, token.type_name
             )
 
     def _subscribe(self, node: Node, name: str, type_name: str) -> None:
-        message_type = message_class(type_name)
+        if name in self._subscribed:
+            return  # two publishers have come at the same time
+        message_type = TOPIC.class_of(type_name)
         self._format.check(message_type)
         if self._filter is not None:
             self._filter.check(message_type, self._format.subject)
@@ -184,11 +181,11 @@ def _split(words: list[str]) -> tuple[list[str], str | None]:
 
     The last word is the type if it contains `/` or `.`, and does not begin with `/`.
     """
-    if len(words) > 1 and not words[-1].startswith("/") and "*" not in words[-1]:
-        from zbot_cli.domain.types import resolve_message_type  # noqa: PLC0415 - only with a type
-
-        if "/" in words[-1] or "." in words[-1]:
-            return list(map(full_name, words[:-1])), resolve_message_type(words[-1])
+    last = words[-1]
+    is_topic = len(words) == 1 or last.startswith("/") or "*" in last
+    has_type = not is_topic and ("/" in last or "." in last)
+    if has_type:
+        return list(map(full_name, words[:-1])), TOPIC.resolve_type(last)
     return list(map(full_name, words)), None
 
 

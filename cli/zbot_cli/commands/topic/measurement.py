@@ -13,8 +13,10 @@ from functools import partial
 from typing import TYPE_CHECKING, Any, Final, Protocol
 
 from zbot_cli.domain.client import full_name, hidden_node
-from zbot_cli.domain.topic_types import hint_if_silent
+from zbot_cli.domain.kinds import TOPIC
+from zbot_cli.domain.waiting import hint_if_silent, wait_for_type
 from zbot_cli.errors import CommandError
+from zbot_cli.input.domain_names import as_typed
 from zbot_cli.output.listing import print_json
 
 if TYPE_CHECKING:
@@ -116,17 +118,16 @@ def _now_ns(node: Node) -> int:
 
 def _print_subscription(measurement: Measurement, name: str, *, known: bool, several: bool) -> None:
     if not known:
-        print(f"WARNING: topic [{name}] does not appear to be published yet")
+        print(f"WARNING: topic [{as_typed(name)}] does not appear to be published yet")
     if measurement.prints_subscription or several:
         print(f"Subscribed to [{name}]")
     sys.stdout.flush()
 
 
 def _subscribe(node: Node, name: str, meter: Meter, qos: QoSProfile) -> None:
-    from zbot_cli.domain.topic_types import message_class, wait_for_type  # noqa: PLC0415 - few commands need types
-
     qos.depth = max(qos.depth, _DEPTH)
-    node.create_subscription(message_class(wait_for_type(node, name)), name, meter.add, qos)
+    message_type = TOPIC.class_of(wait_for_type(node, TOPIC, name))
+    node.create_subscription(message_type, name, meter.add, qos)
 
 
 def _subscribe_to_bytes(node: Node, name: str, meter: Meter) -> None:

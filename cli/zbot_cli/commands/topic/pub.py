@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import sys
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from zbot.threads.deadline import Deadline
 from zbot.wire.tokens import EntityKind
 from zbot_cli.domain.client import full_name, hidden_node, snapshot
-from zbot_cli.domain.pause import Pause
+from zbot_cli.domain.kinds import TOPIC
+from zbot_cli.domain.waiting import HINT_DELAY_S, Sleep, print_missing
 from zbot_cli.errors import CommandError
 
 if TYPE_CHECKING:
@@ -21,6 +22,13 @@ if TYPE_CHECKING:
     from zbot.node.publisher import Publisher
     from zbot_cli.input.message_values import Template
     from zbot_cli.input.qos_options import QosOptions
+
+#: The kind of a topic on which a command publishes: its errors name `pub`.
+_TO_PUBLISH = replace(
+    TOPIC,
+    has_several="Cannot publish on topic '{name}', as it has more than one type: [{types}]",
+    example="zbot topic pub {name} {type}",
+)
 
 
 def values_file_error(path: str, reason: str) -> CommandError:
@@ -98,11 +106,10 @@ class Pub:
     def run(self) -> None:
         """Check the type and the values, wait for subscribers, and publish."""
         import zbot  # noqa: F401, PLC0415 - makes the message packages importable
-        from zbot_cli.domain.topic_types import message_class  # noqa: PLC0415 - needed only to publish
 
         self._pace.check()
         type_name, values = self._type_and_values()
-        message_type = message_class(type_name)
+        message_type = TOPIC.class_of(type_name)
         templates = self._templates(message_type, values)
         with hidden_node("pub", self._node_name, use_sim_time=self._use_sim_time) as node:
             publisher = node.create_publisher(message_type, self._topic, self._qos.to_publish())
@@ -110,20 +117,15 @@ class Pub:
             self._publish(node, publisher, templates)
 
     def _type_and_values(self) -> tuple[str, list[str]]:
-        from zbot_cli.domain.types import looks_like_type, resolve_message_type  # noqa: PLC0415 - as in `run`
-
-        if self._words and looks_like_type(self._words[0]):
-            return resolve_message_type(self._words[0]), self._words[1:]
-        from zbot_cli.domain.topic_types import only_type  # noqa: PLC0415 - as in `run`
-
-        found = only_type(snapshot(), self._topic)
+        found, values = TOPIC.split(self._words)
+        found = found or _TO_PUBLISH.only_type(snapshot(), self._topic)
         if found is None:
             raise CommandError(
                 f"Could not determine the type of {self._topic}: no node uses it yet",
                 hint=f"name the type: zbot topic pub {self._topic} "
                 'std_msgs/msg/String "data: hello"',
             )
-        return found, self._words
+        return found, values
 
     def _templates(self, message_type: type[Any], values: list[str]) -> list[Template]:
         from zbot_cli.input.message_values import Template, split_documents  # noqa: PLC0415 - as in `run`
@@ -136,8 +138,6 @@ class Pub:
         return [Template(message_type, sys.stdin.read() if self._stdin else values)]
 
     def _wait(self, node: Node, publisher: Publisher[Any]) -> None:
-        from zbot_cli.domain.topic_types import HINT_DELAY_S, print_missing  # noqa: PLC0415 - as in `run`
-
         wanted = self._pace.subscriptions
         if not wanted:
             return
@@ -168,7 +168,7 @@ class Pub:
         limit = len(templates) if self._yaml_file is not None else self._pace.times
         print("publisher: beginning loop", flush=True)
         started, sent = time.monotonic(), 0
-        pause = Pause(node.context)
+        sleep = Sleep(node.context)
         while node.context.ok():
             index = sent % len(templates)
             if templates[index].is_stamped:
@@ -178,10 +178,10 @@ class Pub:
             if self._pace.print_every and sent % self._pace.print_every == 0:
                 print(f"publishing #{sent}: {messages[index]!r}\n", flush=True)
             if limit and sent >= limit:
-                pause.until(time.monotonic() + self._pace.keep_alive_s)
+                sleep.until(time.monotonic() + self._pace.keep_alive_s)
                 return
-            # The end of a pause is counted from the first message, so that the mean rate is exact.
-            pause.until(started + sent / self._pace.rate_hz)
+            # The end of a sleep is counted from the first message, so that the mean rate is exact.
+            sleep.until(started + sent / self._pace.rate_hz)
 
 
 def read_values(path: str) -> str:

@@ -5,32 +5,31 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from zbot.package.workspace import MANIFEST
-from zbot_cli.packages.check.problem import Problem
-from zbot_cli.packages.import_statements import imports
+from zbot_cli.packages.check.checked_package import Problem, imports
 
 if TYPE_CHECKING:
     from collections.abc import Container, Iterator
     from pathlib import Path
 
-    from zbot_cli.packages.check.subject import Subject
+    from zbot_cli.packages.check.checked_package import CheckedPackage
 
 #: Packages that launch files import. `ros2 launch` installs these packages, so package.xml need not
 #: declare them.
 _OF_LAUNCH = ("launch", "launch_ros", "launch_xml", "launch_yaml", "ament_index_python")
 
 
-def check_dependencies(subject: Subject, known: Container[str]) -> Iterator[Problem]:
+def check_dependencies(checked: CheckedPackage, known: Container[str]) -> Iterator[Problem]:
     """Yield a warning for each package that is imported but not declared.
 
     Args:
-        subject: The package to check.
+        checked: The package to check.
         known: The packages of ROS 2 and of the workspace. Only these packages have to be declared.
     """
-    if subject.manifest is None:
+    if checked.manifest is None:
         return
-    declared = {*subject.manifest.named(), subject.name}
-    for path, tree in subject.modules.items():
-        own = {path.stem, *(_OF_LAUNCH if _is_launch_file(path, subject.folder) else ())}
+    declared = {*checked.manifest.named(), checked.name}
+    for path, tree in checked.modules.items():
+        own = {path.stem, *(_OF_LAUNCH if _is_launch_file(path, checked.folder) else ())}
         for module, _, line in imports(tree):
             name = module.partition(".")[0]
             if name in known and name not in declared | own:

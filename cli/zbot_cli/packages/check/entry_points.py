@@ -11,29 +11,28 @@ from zbot.errors.suggestion import did_you_mean
 from zbot.package.errors import SetupFileError
 from zbot.package.python_finder import import_paths
 from zbot.package.setup_file import script_lines
-from zbot_cli.packages.check.problem import Problem
-from zbot_cli.packages.check.subject import line_of
+from zbot_cli.packages.check.checked_package import Problem, line_of
 from zbot_cli.packages.executables import module_file
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
-    from zbot_cli.packages.check.subject import Subject
+    from zbot_cli.packages.check.checked_package import CheckedPackage
 
 
 #: The first of two entry points that were joined to one string, without the end of its function.
 _JOINED = re.compile(r"\s*[\w.-]+\s*=\s*[\w.]+:(?=\w+\s*=)")
 
 
-def check_entry_points(subject: Subject) -> Iterator[Problem]:
+def check_entry_points(checked: CheckedPackage) -> Iterator[Problem]:
     """Yield the problems of a package's entry points, without importing anything."""
     try:
-        declared = script_lines(subject.folder)
+        declared = script_lines(checked.folder)
     except SetupFileError as error:
         yield Problem(error.path, error.line, error.reason)
         return
     for path, text in declared:
-        reason = _problem_text(subject, text)
+        reason = _problem_text(checked, text)
         if reason:
             line = line_of(path, *text.split("=")) or line_of(path, *re.split("[=:]", text)[:2])
             yield Problem(path, line, reason)
@@ -44,19 +43,19 @@ def check_entry_points(subject: Subject) -> Iterator[Problem]:
             yield Problem(path, line_of(path, *text.split("=")), reason)
 
 
-def _problem_text(subject: Subject, text: str) -> str:
+def _problem_text(checked: CheckedPackage, text: str) -> str:
     name, equals, target = (part.strip() for part in text.partition("="))
     module, colon, function = (part.strip() for part in target.partition("[")[0].partition(":"))
     if not (name and equals and module and colon and function):
         return f"'{text.strip()}' must have the form 'name = package.module:function'"
     if joined := _JOINED.match(text):
         return f"a comma is missing after '{joined[0].strip()}...': Python joins the two strings"
-    path = module_file(module, tuple(import_paths(subject.folder)))
+    path = module_file(module, tuple(import_paths(checked.folder)))
     if path is None:
-        return f"'{name}' names the module {module}, which does not exist{_hint(subject, module)}"
-    if path not in subject.modules:
+        return f"'{name}' names the module {module}, which does not exist{_hint(checked, module)}"
+    if path not in checked.modules:
         return ""  # a module of another package, or a syntax error that is reported elsewhere
-    names = set(_names(subject.modules[path].body))
+    names = set(_names(checked.modules[path].body))
     if function.endswith("()"):
         return f"'{name}' names {function}: write {function[:-2]}, without brackets"
     first = function.partition(".")[0]
@@ -66,11 +65,11 @@ def _problem_text(subject: Subject, text: str) -> str:
     return f"'{name}' names {first}(), but {path.name} has no {first}(){hint}"
 
 
-def _hint(subject: Subject, module: str) -> str:
-    folders = import_paths(subject.folder)
+def _hint(checked: CheckedPackage, module: str) -> str:
+    folders = import_paths(checked.folder)
     known = [
         ".".join(path.relative_to(folder).with_suffix("").parts)
-        for path in subject.modules
+        for path in checked.modules
         for folder in map(Path, folders)
         if path.is_relative_to(folder)
     ]
@@ -91,7 +90,7 @@ def _names(statements: Iterable[ast.stmt]) -> Iterator[str]:
                 yield from ((alias.asname or alias.name).partition(".")[0] for alias in aliases)
             case ast.Assign(targets=targets):
                 for target in targets:
-                    yield from (one.id for one in ast.walk(target) if isinstance(one, ast.Name))
+                    yield from (node.id for node in ast.walk(target) if isinstance(node, ast.Name))
             case ast.AnnAssign(target=ast.Name(id=name)):
                 yield name
             case ast.If() | ast.Try() | ast.With() | ast.For() | ast.While():

@@ -8,42 +8,42 @@ from typing import TYPE_CHECKING
 from zbot.errors.suggestion import did_you_mean
 from zbot.interfaces import interface_names
 from zbot.interfaces.errors import InterfaceSyntaxError
-from zbot.interfaces.kinds import KINDS
 from zbot.interfaces.parser import parse
 from zbot.interfaces.spec import ActionSpec, MessageSpec, ServiceSpec
+from zbot.names import KINDS
 from zbot.package.cmake_file import read_cmake
 from zbot.package.errors import SetupFileError
 from zbot.package.workspace import MANIFEST
-from zbot_cli.packages.check.problem import Problem
+from zbot_cli.packages.check.checked_package import Problem
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
     from pathlib import Path
 
     from zbot.interfaces.spec import Field, InterfaceSpec
-    from zbot_cli.packages.check.subject import Subject
+    from zbot_cli.packages.check.checked_package import CheckedPackage
 
 _GROUP = "rosidl_interface_packages"
 
 
-def check_interfaces(subject: Subject) -> Iterator[Problem]:
+def check_interfaces(checked: CheckedPackage) -> Iterator[Problem]:
     """Yield the problems of a package's definitions, CMakeLists.txt and package.xml."""
-    files = [path for kind in KINDS for path in sorted((subject.folder / kind).glob(f"*.{kind}"))]
-    own = {_name(subject, path) for path in files}
+    files = [path for kind in KINDS for path in sorted((checked.folder / kind).glob(f"*.{kind}"))]
+    own = {_name(checked, path) for path in files}
     for path in files:
-        yield from _check_file(subject, path, own)
-    yield from _check_cmake(subject, files)
+        yield from _check_file(checked, path, own)
+    yield from _check_cmake(checked, files)
     if files:
-        yield from _check_manifest(subject)
+        yield from _check_manifest(checked)
 
 
-def _name(subject: Subject, path: Path) -> str:
-    return f"{subject.name}/{path.parent.name}/{path.stem}"
+def _name(checked: CheckedPackage, path: Path) -> str:
+    return f"{checked.name}/{path.parent.name}/{path.stem}"
 
 
-def _check_file(subject: Subject, path: Path, own: set[str]) -> Iterator[Problem]:
+def _check_file(checked: CheckedPackage, path: Path, own: set[str]) -> Iterator[Problem]:
     try:
-        spec = parse(_name(subject, path), path.read_text(encoding="utf-8"), str(path))
+        spec = parse(_name(checked, path), path.read_text(encoding="utf-8"), str(path))
     except InterfaceSyntaxError as error:
         yield Problem(path, error.line, error.reason)
         return
@@ -52,7 +52,7 @@ def _check_file(subject: Subject, path: Path, own: set[str]) -> Iterator[Problem
         return
     for field in _fields(spec):
         if field.type.is_message and field.line:
-            yield from _check_type(subject, path, field, own)
+            yield from _check_type(checked, path, field, own)
 
 
 def _fields(spec: InterfaceSpec) -> Iterator[Field]:
@@ -67,43 +67,45 @@ def _fields(spec: InterfaceSpec) -> Iterator[Field]:
         yield from part.fields
 
 
-def _check_type(subject: Subject, path: Path, field: Field, own: set[str]) -> Iterator[Problem]:
+def _check_type(
+    checked: CheckedPackage, path: Path, field: Field, own: set[str]
+) -> Iterator[Problem]:
     package = field.type.base.partition("/")[0]
-    if package == subject.name:
+    if package == checked.name:
         known = sorted(own)
     else:
         known = interface_names(package)
     if field.type.base not in known:
         hint = did_you_mean(field.type.base, known, before="; ")
         yield Problem(path, field.line, f"there is no type {field.type.base}{hint}")
-    elif package != subject.name and subject.manifest and package not in subject.manifest.named():
+    elif package != checked.name and checked.manifest and package not in checked.manifest.named():
         text = f"{field.type.base} is used: add <depend>{package}</depend> to {MANIFEST}"
         # This is only a warning, because colcon also builds a workspace without this declaration.
         yield Problem(path, field.line, text, is_error=False)
 
 
-def _check_cmake(subject: Subject, files: list[Path]) -> Iterator[Problem]:
-    path = subject.folder / "CMakeLists.txt"
+def _check_cmake(checked: CheckedPackage, files: list[Path]) -> Iterator[Problem]:
+    path = checked.folder / "CMakeLists.txt"
     try:
-        named = read_cmake(subject.folder).interfaces
+        named = read_cmake(checked.folder).interfaces
     except SetupFileError:
         return  # the check of the installation reports it
     for name, line in named.items():
-        if not os.path.isfile(subject.folder / name):  # noqa: PTH113 - any name is allowed
+        if not os.path.isfile(checked.folder / name):  # noqa: PTH113 - any name is allowed
             yield Problem(
                 path, line, f"rosidl_generate_interfaces names {name}, which does not exist"
             )
     for file in files:
-        name = file.relative_to(subject.folder).as_posix()
+        name = file.relative_to(checked.folder).as_posix()
         if path.is_file() and name not in named:
             text = f"rosidl_generate_interfaces lacks {name}: ROS 2 would not generate code from it"
             yield Problem(path, 0, text, is_error=False)
 
 
-def _check_manifest(subject: Subject) -> Iterator[Problem]:
-    path = subject.folder / MANIFEST
-    if subject.build_type == "ament_python":
+def _check_manifest(checked: CheckedPackage) -> Iterator[Problem]:
+    path = checked.folder / MANIFEST
+    if checked.build_type == "ament_python":
         text = "ROS 2 makes messages in ament_cmake packages only; zbot makes them in every package"
         yield Problem(path, 0, text, is_error=False)
-    elif subject.manifest is not None and _GROUP not in subject.manifest.groups:
+    elif checked.manifest is not None and _GROUP not in checked.manifest.groups:
         yield Problem(path, 0, f"add <member_of_group>{_GROUP}</member_of_group> for the messages")

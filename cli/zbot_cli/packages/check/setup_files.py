@@ -11,14 +11,13 @@ from zbot.errors.suggestion import nearest, question
 from zbot.package.errors import SetupFileError
 from zbot.package.setup_file import data_files, setup_arguments
 from zbot.package.workspace import MANIFEST
-from zbot_cli.packages.check.problem import Problem
-from zbot_cli.packages.check.subject import line_of
+from zbot_cli.packages.check.checked_package import Problem, line_of
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
     from pathlib import Path
 
-    from zbot_cli.packages.check.subject import Subject
+    from zbot_cli.packages.check.checked_package import CheckedPackage
 
 #: The arguments of `setup()` that the setup.py of a ROS 2 package has.
 _ARGUMENTS = (
@@ -31,23 +30,23 @@ _CFG = (("develop", "script_dir"), ("install", "install_scripts"))
 _INDEX = "share/ament_index/resource_index/packages"
 
 
-def check_setup_files(subject: Subject) -> Iterator[Problem]:
+def check_setup_files(checked: CheckedPackage) -> Iterator[Problem]:
     """Yield the problems of the setup files, except wrong entry points and missing files."""
-    path = subject.folder / "setup.py"
-    if subject.build_type != "ament_python" or not path.is_file():
+    path = checked.folder / "setup.py"
+    if checked.build_type != "ament_python" or not path.is_file():
         return
     try:
         arguments = setup_arguments(path)
-        targets = {folder.rstrip("/") for folder, _ in data_files(subject.folder)}
+        targets = {folder.rstrip("/") for folder, _ in data_files(checked.folder)}
     except SetupFileError:
         return  # the check of the installation reports it
-    if arguments.get("name", subject.name) != subject.name:
+    if arguments.get("name", checked.name) != checked.name:
         return  # all the rest has the wrong name too
     yield from _check_calls(path)
     yield from _check_names(path, arguments)
-    yield from _check_data_files(subject, arguments, targets)
-    yield from _check_init_files(subject)
-    yield from _check_cfg(subject)
+    yield from _check_data_files(checked, arguments, targets)
+    yield from _check_init_files(checked)
+    yield from _check_cfg(checked)
 
 
 def _check_calls(path: Path) -> Iterator[Problem]:
@@ -56,8 +55,8 @@ def _check_calls(path: Path) -> Iterator[Problem]:
         warnings.simplefilter("always")
         with contextlib.suppress(SyntaxError, ValueError, RecursionError, MemoryError):
             compile(path.read_bytes(), str(path), "exec")
-    for one in found:
-        yield Problem(path, one.lineno, str(one.message))
+    for warning in found:
+        yield Problem(path, warning.lineno, str(warning.message))
 
 
 def _check_names(path: Path, arguments: dict[str, object]) -> Iterator[Problem]:
@@ -73,39 +72,39 @@ def _check_names(path: Path, arguments: dict[str, object]) -> Iterator[Problem]:
 
 
 def _check_data_files(
-    subject: Subject, arguments: dict[str, object], targets: set[str]
+    checked: CheckedPackage, arguments: dict[str, object], targets: set[str]
 ) -> Iterator[Problem]:
     listed = arguments.get("data_files", [])
-    if not isinstance(listed, list) or not all(isinstance(one, tuple) for one in listed):
+    if not isinstance(listed, list) or not all(isinstance(pair, tuple) for pair in listed):
         return  # only a run of the file would show what it installs
-    wanted = {_INDEX: f"resource/{subject.name}", f"share/{subject.name}": MANIFEST}
+    wanted = {_INDEX: f"resource/{checked.name}", f"share/{checked.name}": MANIFEST}
     for target, file in wanted.items():
         if target not in targets:
             entry = f"('{target}', ['{file}'])"
             text = f"data_files lacks {entry}: ROS 2 would not find the package"
-            path = subject.folder / "setup.py"
+            path = checked.folder / "setup.py"
             yield Problem(path, line_of(path, "data_files"), text, is_error=False)
 
 
-def _check_init_files(subject: Subject) -> Iterator[Problem]:
-    top = subject.folder / subject.name
-    folders = {path.parent for path in subject.modules if path.is_relative_to(top)}
+def _check_init_files(checked: CheckedPackage) -> Iterator[Problem]:
+    top = checked.folder / checked.name
+    folders = {path.parent for path in checked.modules if path.is_relative_to(top)}
     for folder in sorted(folders):
         if (folder / "__init__.py").is_file():
             continue
-        near = [one for one in folder.glob("*init*.py") if nearest(one.name, ["__init__.py"])]
+        near = [path for path in folder.glob("*init*.py") if nearest(path.name, ["__init__.py"])]
         advice = f"rename {near[0].name} to __init__.py" if near else "add an empty __init__.py"
         text = f"{advice}: without it, ROS 2 would not install the modules of this folder"
         yield Problem(near[0] if near else folder, 0, text, is_error=False)
 
 
-def _check_cfg(subject: Subject) -> Iterator[Problem]:
-    path = subject.folder / "setup.cfg"
-    place = f"$base/lib/{subject.name}"
+def _check_cfg(checked: CheckedPackage) -> Iterator[Problem]:
+    path = checked.folder / "setup.cfg"
+    place = f"$base/lib/{checked.name}"
     if not path.is_file():
         lines = " and ".join(f"[{section}] {option}={place}" for section, option in _CFG)
         text = f"there is no setup.cfg: `ros2 run` would not find the programs; write {lines}"
-        yield Problem(subject.folder / "setup.py", 0, text, is_error=False)
+        yield Problem(checked.folder / "setup.py", 0, text, is_error=False)
         return
     parser = configparser.ConfigParser(interpolation=None)
     try:

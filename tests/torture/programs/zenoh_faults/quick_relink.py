@@ -69,9 +69,9 @@ class _Relay:
 
     def cut(self) -> None:
         """End the connection."""
-        for one in self._sockets:
+        for socket_ in self._sockets:
             with contextlib.suppress(OSError):
-                one.shutdown(socket.SHUT_RDWR)
+                socket_.shutdown(socket.SHUT_RDWR)
 
 
 def _knows_token(session: zenoh.Session) -> bool:

@@ -39,7 +39,9 @@ def main() -> int:
         channel = zenoh.handlers.FifoChannel(10)
         subscribers = [session.declare_subscriber(f"a{n}", channel) for n in range(_THREADS)]
         idle = rate()
-        threads = [threading.Thread(target=_receive, args=(one,)) for one in subscribers]
+        threads = [
+            threading.Thread(target=_receive, args=(subscriber,)) for subscriber in subscribers
+        ]
         for thread in threads:
             thread.start()
         waiting = rate()

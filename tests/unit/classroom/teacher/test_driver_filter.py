@@ -38,7 +38,8 @@ def test_a_question_that_fails_does_not_end_the_filter(monkeypatch: pytest.Monke
             return is_closed.is_set()
 
         @staticmethod
-        def receiver(function: Any) -> Any:
+        def receiver(function: Any, *, may_wait: bool) -> Any:
+            assert may_wait
             return function
 
     stops: list[str] = []
@@ -52,3 +53,22 @@ def test_a_question_that_fails_does_not_end_the_filter(monkeypatch: pytest.Monke
     is_closed.set()
     assert wait_until(lambda: not robot._thread.is_alive())
     robot.close()
+
+
+def test_the_first_message_of_a_program_passes_before_its_tokens_were_noted() -> None:
+    """The tokens are in Zenoh's queues when the message comes, but no thread has noted them."""
+    endpoints: dict[bytes, Any] = {}
+    sender = SimpleNamespace(zid="ab")
+    graph = SimpleNamespace(find=endpoints.get, catch_up=lambda: endpoints.update({b"ana": sender}))
+    context: Any = SimpleNamespace(graph=graph)
+    robot = DriverFilter(context, "arm", lambda: None, lambda: None)
+    assert not robot.admits("/beep", b"ana")  # nobody drives
+
+    tokens: Any = SimpleNamespace(catch_up=lambda: robot._note(17, token("@/17/ab/0/0/NN")))
+    robot.driver, robot._watch = 17, tokens
+    assert robot.admits("/beep", b"ana")
+    assert not robot.admits("/beep", b"ben")
+
+
+def token(key: str) -> Any:
+    return SimpleNamespace(key_expr=key, kind=zenoh.SampleKind.PUT)

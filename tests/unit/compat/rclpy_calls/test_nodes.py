@@ -59,8 +59,8 @@ def test_managed_nodes(context: Context) -> None:
     simple.on_deactivate(state)
     node.add_managed_entity(simple.entity)
     for step in ("configure", "activate", "deactivate", "cleanup", "shutdown"):
-        for one in (entity, node):
-            assert getattr(one, f"on_{step}")(state).name == "SUCCESS"
+        for managed in (entity, node):
+            assert getattr(managed, f"on_{step}")(state).name == "SUCCESS"
     entity.on_error(state)
     node.on_error(state)
     node.trigger_configure()
@@ -199,7 +199,7 @@ def test_parameters_of_other_nodes(node: Node, spin: Spin, tmp_path: Path) -> No
     changes: list[object] = []
     client.on_parameter_event(changes.append)
     events = made("rclpy.parameter_event_handler.ParameterEventHandler", node)
-    one = events.add_parameter_callback("speed", "/other", changes.append)
+    handle = events.add_parameter_callback("speed", "/other", changes.append)
     every = events.add_parameter_event_callback(changes.append)
     spin(node, other)
     assert client.wait_for_services(60)
@@ -219,6 +219,6 @@ def test_parameters_of_other_nodes(node: Node, spin: Spin, tmp_path: Path) -> No
         assert wait_until(future.done)
         assert future.exception() is None
     assert wait_until(lambda: len(changes) >= 3)
-    events.remove_parameter_callback(one)
+    events.remove_parameter_callback(handle)
     events.remove_parameter_event_callback(every)
     events.destroy()

@@ -65,7 +65,7 @@ def test_the_tutorials_reader_gets_all_messages(
     uri: str, rosbag2_py: Any, serialization: Any
 ) -> None:
     reader = opened(rosbag2_py, uri)
-    types = {one.name: one.type for one in reader.get_all_topics_and_types()}
+    types = {topic.name: topic.type for topic in reader.get_all_topics_and_types()}
     assert types == {"/chatter": "std_msgs/msg/String", "/count": "std_msgs/msg/Int32"}
     classes = {"/chatter": String, "/count": Int32}
     found = []

@@ -62,7 +62,7 @@ def test_a_message_has_its_fields_and_constants() -> None:
         ("harbour_msgs/Sail", "sail", None),
         ("byte[]", "flags", None),
     ]
-    assert [(one.type, one.name, one.value) for one in boat.constants] == [
+    assert [(constant.type, constant.name, constant.value) for constant in boat.constants] == [
         ("byte", "LEAK", 2),
         ("string", "FLAG", "red"),
     ]

@@ -11,10 +11,10 @@ import pytest
 
 from zbot.launch import LaunchDescription
 from zbot.launch.actions import ExecuteProcess, Shutdown, TimerAction
-from zbot.launch.actions.testing import ReadyToTest
 from zbot.launch.testing import running_launch, test_run
 from zbot.launch.testing.error import LaunchTestError
 from zbot.launch.testing.marker import keep_alive, parametrize, post_shutdown_test
+from zbot.launch.testing.test_action import ReadyToTest
 from zbot.launch.testing.test_runner import LaunchTestRunner
 
 if TYPE_CHECKING:
@@ -60,8 +60,8 @@ def test_each_run_has_one_result() -> None:
     runner.validate()
     results = runner.run()
     assert [run.name for run in results] == ["[1]", "[2]", "[3]"]
-    assert [one.wasSuccessful() for one in results.values()] == [True, False, False]
-    assert [one.testsRun for one in results.values()] == [2, 2, 2]
+    assert [result.wasSuccessful() for result in results.values()] == [True, False, False]
+    assert [result.testsRun for result in results.values()] == [2, 2, 2]
 
 
 def test_a_launch_that_ended_early_is_the_last(capsys: pytest.CaptureFixture[str]) -> None:

@@ -35,7 +35,7 @@ def test_a_node_that_lacks_a_parameter_gives_no_value(
 ) -> None:
     made = parameters(FakeNode(rate=5))
     assert made.read(["/node.rate", "/node.lost"]) == []
-    assert [one.get_value() for one in made.read(["/node.rate"])] == [5]
+    assert [parameter.get_value() for parameter in made.read(["/node.rate"])] == [5]
 
 
 def test_a_parameter_that_a_node_lacks_can_be_set(

@@ -2,9 +2,20 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import pytest
 
 from zbot.web.foxglove.guard import Guard
+
+if TYPE_CHECKING:
+    from zbot.web.foxglove.publishing import Publishing
+
+INNER = ("127.1.2.3", 1)
+
+
+def no_client() -> Publishing:
+    raise NotImplementedError
 
 
 def request(host: str, origin: str = "", target: str = "/", upgrade: str = "websocket") -> bytes:
@@ -34,7 +45,7 @@ def request(host: str, origin: str = "", target: str = "/", upgrade: str = "webs
     ],
 )
 def test_websites_and_other_names_are_refused_on_loopback(head: bytes, reason: str) -> None:
-    guard = Guard("127.0.0.1", ("127.1.2.3", 1), None, ["http://lab:8080"])
+    guard = Guard("127.0.0.1", INNER, None, ["http://lab:8080"], publishing=no_client)
     assert reason in guard.refusal(head)
     assert bool(reason) == bool(guard.refusal(head))
 
@@ -50,6 +61,15 @@ def test_websites_and_other_names_are_refused_on_loopback(head: bytes, reason: s
     ],
 )
 def test_a_wider_address_needs_the_token(head: bytes, reason: str) -> None:
-    guard = Guard("0.0.0.0", ("127.1.2.3", 1), "secret")
+    guard = Guard("0.0.0.0", INNER, "secret", publishing=no_client)
     assert reason in guard.refusal(head)
     assert bool(reason) == bool(guard.refusal(head))
+
+
+def test_extensions_are_left_out_because_the_guard_reads_the_messages() -> None:
+    head = (
+        b"GET /?token=secret HTTP/1.1\r\nHost: a\r\n"
+        b"sec-websocket-extensions: permessage-deflate; client_max_window_bits\r\nA: b\r\n\r\n"
+    )
+    expected = b"GET / HTTP/1.1\r\nHost: a\r\nA: b\r\n\r\n"
+    assert Guard.without_token(head) == expected

@@ -46,7 +46,7 @@ def test_unknown_query_parameters_are_ignored() -> None:
 
 def test_the_command_has_every_option() -> None:
     options = load("graph").params
-    known = {name for one in options for name in (*one.opts, *one.secondary_opts)}
+    known = {name for option in options for name in (*option.opts, *option.secondary_opts)}
     assert {f"--{flag}" for flag in FLAGS} <= known
     everything = GraphOptions(Mode.NODES, Filters(nodes="/a", topics="/b"), Grouping(1))
     words = shlex.split(everything.command)

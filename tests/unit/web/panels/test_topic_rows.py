@@ -2,11 +2,12 @@ from __future__ import annotations
 
 from tests.unit.tokens import STRING, endpoint_token
 from zbot.graph.snapshot import Snapshot
-from zbot.web.panels.topics.topic_rows import topic_rows
+from zbot.web.panels.topics.topic_rows import FoldedRow, folded, topic_rows
 from zbot.wire.tokens import EndpointToken, EntityKind
 
 FLOAT = "std_msgs/msg/Float32"
 OWN = "/_zbot_web_1"
+NAMES = ["/chatter", "/robot1/arm/angle", "/robot1/arm/force", "/robot1/scan", "/robot2/scan"]
 
 
 def end(node: str, topic: str, type_name: str = STRING, *, publishes: bool = True) -> EndpointToken:
@@ -56,3 +57,34 @@ def test_rows_have_type_clashes_and_guesses() -> None:
     assert (typo.guess, typo.has_clash) == ("/chatter", False)
     assert (clash.guess, clash.has_clash) == (None, True)
     assert clash.types == (FLOAT, STRING)
+
+
+def test_a_namespace_with_several_names_is_one_row() -> None:
+    rows = folded(NAMES, opened=())
+    assert [row.name for row in rows] == ["/chatter", "/robot1/", "/robot2/scan"]
+    assert rows[1].names == ("/robot1/arm/angle", "/robot1/arm/force", "/robot1/scan")
+
+
+def test_an_open_namespace_shows_its_names_and_its_own_namespaces() -> None:
+    assert folded(NAMES, opened={"/robot1/"})[2:] == [
+        FoldedRow("/robot1/arm/", 1, ("/robot1/arm/angle", "/robot1/arm/force")),
+        FoldedRow("/robot1/scan", 1),
+        FoldedRow("/robot2/scan", 0),
+    ]
+
+
+def test_a_namespace_inside_a_closed_one_stays_closed() -> None:
+    assert folded(NAMES, opened={"/robot1/arm/"}) == folded(NAMES, opened=())
+
+
+def test_namespaces_with_one_child_are_one_row() -> None:
+    names = ["/chatter", "/house/robot/left", "/house/robot/right"]
+    assert folded(names, ())[1].name == "/house/robot/"
+
+
+def test_a_namespace_of_all_names_is_no_row() -> None:
+    assert [row.name for row in folded(["/r/a", "/r/b/c", "/r/b/d"], ())] == ["/r/a", "/r/b/"]
+
+
+def test_no_names_are_no_rows() -> None:
+    assert folded([], ()) == []

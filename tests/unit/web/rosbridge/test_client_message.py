@@ -4,9 +4,9 @@ from typing import Any
 
 import pytest
 
+from zbot.serving.client_budget import MAX_MESSAGE_BYTES
 from zbot.web.rosbridge import client_message
 from zbot.web.rosbridge.client_message import (
-    MAX_BYTES,
     ClientMessage,
     Fragments,
     RosbridgeError,
@@ -32,7 +32,7 @@ def test_message_has_its_operation_and_id() -> None:
         ('{"op": "publish", "id": "' + "x" * 1001 + '"}', "'id' is longer than 1000"),
         ('{"op": "publish", "msg": ' + "[" * 70 + "]" * 70 + "}", "deeper than 64 levels"),
         ('{"op": "publish", "msg": NaN}', "NaN is not a number"),
-        (" " * (MAX_BYTES + 1), "longer than"),
+        (" " * (MAX_MESSAGE_BYTES + 1), "longer than"),
         (b"\x00", "send JSON as text"),
     ],
 )
@@ -85,7 +85,7 @@ def test_the_total_may_not_change() -> None:
 
 def test_fragments_cannot_fill_the_memory() -> None:
     fragments = Fragments()
-    half = "x" * (MAX_BYTES // 2)
+    half = "x" * (MAX_MESSAGE_BYTES // 2)
     fragments.add(fragment(0, 9, half))
     with pytest.raises(RosbridgeError, match="oldest one is forgotten"):
         fragments.add(fragment(0, 9, half, "b"))
@@ -97,7 +97,7 @@ def test_fragments_cannot_fill_the_memory() -> None:
 
 
 def test_empty_fragments_cannot_fill_the_memory(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(client_message, "MAX_BYTES", 1000)
+    monkeypatch.setattr(client_message, "MAX_MESSAGE_BYTES", 1000)
     fragments = Fragments()
     for number in range(10):
         fragments.add(fragment(number, 1000, ""))

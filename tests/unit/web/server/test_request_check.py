@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 from zbot.observer.errors import ViewerError
-from zbot.web.page_address import ROSBRIDGE_PATHS, address, is_loopback, origin_of
+from zbot.serving.address import ROSBRIDGE_PATHS, address, is_loopback, origin_of
 from zbot.web.server.request_check import RequestCheck
 
 if TYPE_CHECKING:
@@ -23,12 +23,14 @@ async def application(_scope: Any, _receive: Any, send: Any) -> None:
 def ask(guard: RequestCheck, path: str = "/", kind: str = "http", **headers: str) -> Any:
     """Return the first message of the response to a request, with its headers as a dictionary."""
     sent: list[MutableMapping[str, Any]] = []
+    scheme = headers.pop("scheme", "http")
     path, _, query = path.partition("?")
     named = {"host": f"127.0.0.1:{PORT}"} | {
         name.replace("_", "-"): value for name, value in headers.items()
     }
     scope = {
         "type": kind,
+        "scheme": scheme,
         "path": path,
         "query_string": query.encode(),
         "server": ("127.0.0.1", PORT),
@@ -180,7 +182,7 @@ def test_own_names_are_accepted_only_by_a_server_for_other_machines(
 def test_responses_have_a_content_security_policy() -> None:
     policy = ask(local())["headers"]["content-security-policy"]
     assert "default-src 'self'" in policy
-    assert "frame-ancestors 'none'" in policy
+    assert "frame-ancestors 'self'" in policy
     assert "ws://127.0.0.1:8080" in policy
 
 
@@ -226,3 +228,41 @@ def test_origin_of_a_page(given: str, expected: str) -> None:
 def test_other_texts_have_no_origin(given: str) -> None:
     with pytest.raises(ViewerError, match="not the address of a page"):
         origin_of(given)
+
+
+@pytest.mark.parametrize(
+    ("host", "frames"),
+    [
+        ("127.0.0.1:8080", "http://127.0.0.1:*"),
+        ("localhost", "http://localhost:*"),
+        ("[::1]:8080", "http://[::1]:*"),
+    ],
+)
+def test_frames_show_only_pages_of_this_machine(host: str, frames: str) -> None:
+    policy = ask(local(), host=host)["headers"]["content-security-policy"]
+    assert f"frame-src 'self' {frames};" in policy
+
+
+@pytest.mark.parametrize(
+    ("scheme", "kind", "origin", "is_answered"),
+    [
+        ("https", "http", "https://127.0.0.1:8080", True),
+        ("wss", "websocket", "https://127.0.0.1:8080", True),
+        ("https", "http", "http://127.0.0.1:8080", False),  # anybody in the network may change it
+        ("wss", "websocket", "http://127.0.0.1:8080", False),
+        ("wss", "websocket", "https://evil.example", False),
+        ("https", "http", "https://evil.example", False),
+    ],
+)
+def test_with_https_only_pages_with_https_are_answered(
+    scheme: str, kind: str, origin: str, is_answered: bool
+) -> None:
+    first = ask(local(), kind=kind, scheme=scheme, origin=origin)
+    refused = {"http.response.start", "websocket.close"}
+    assert (first.get("status") == 200 or first["type"] not in refused) == is_answered
+
+
+def test_the_cookie_of_a_page_with_https_is_never_sent_without_it() -> None:
+    for scheme, is_secure in (("https", True), ("http", False)):
+        first = ask(with_errors_shown(), "/?token=secret", scheme=scheme)
+        assert ("; secure" in first["headers"]["set-cookie"].lower()) == is_secure

@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 
 import zbot  # noqa: F401 - makes the messages importable
 from tests.unit.wire.cdr.reference_cdr import reference_cdr
+from tests.unit.wire.picky import Picky
 from zbot.errors import ExternalShutdownException
 from zbot.interfaces import get_message
 from zbot.interfaces.errors import NotAMessageTypeError
@@ -283,17 +284,6 @@ def test_types_inside_types_many_times_have_a_short_source() -> None:
     assert codec.decode(reference_cdr(message, ">")) == message
     with pytest.raises(CodecError):
         codec.decode(data[:-1])
-
-
-@dataclass
-class Picky:
-    value: int = 0
-
-    def __post_init__(self) -> None:
-        if self.value == 13:
-            raise KeyError("thirteen")
-        if self.value == 15:
-            raise ExternalShutdownException
 
 
 def test_an_error_in_a_dataclass_constructor_is_a_codec_error() -> None:

@@ -11,6 +11,7 @@ import pytest
 import zbot  # noqa: F401 - makes the messages importable
 from tests.conftest import in_threads
 from tests.unit.wire.messagepack.coded import decode, encode, packb
+from tests.unit.wire.picky import Picky
 from zbot.errors import ExternalShutdownException
 from zbot.interfaces import get_interface, get_message
 from zbot.interfaces.errors import NotAMessageTypeError
@@ -166,17 +167,6 @@ def test_dataclasses_are_messages() -> None:
 def test_a_dataclass_with_wrong_values_is_not_sent() -> None:
     with pytest.raises(CodecError, match="'small'"):
         encode(Reading("a", 2, 0.5, b"", [], 256, Twist()))
-
-
-@dataclass
-class Picky:
-    value: int
-
-    def __post_init__(self) -> None:
-        if self.value == 13:
-            raise KeyError("thirteen")
-        if self.value == 15:
-            raise ExternalShutdownException
 
 
 def test_an_error_in_a_dataclass_constructor_is_a_codec_error() -> None:

@@ -116,7 +116,7 @@ def test_random_messages_of_all_types_have_the_bytes_of_the_walker() -> None:
     assert len(walked) < len(TYPES) / 20, walked
 
 
-@pytest.mark.parametrize("message", USUAL, ids=lambda one: type(one).__name__)
+@pytest.mark.parametrize("message", USUAL, ids=lambda message: type(message).__name__)
 def test_usual_messages_need_no_walker(message: Any) -> None:
     encode, decode = fast(type(message))
     data = encode(message)

@@ -3,7 +3,7 @@
 
 from typing import TYPE_CHECKING
 
-from zbot.compat.first_use import at_first_use
+from zbot.lazy_imports import lazy_names
 from zbot.package import PackageNotFoundError
 from zbot.package.ament_index import (
     InvalidResourceNameError,
@@ -42,10 +42,14 @@ if TYPE_CHECKING:
     from . import resources as resources
     from . import search_paths as search_paths
 else:
-    __getattr__ = at_first_use(
+    __getattr__ = lazy_names(
         __name__,
-        "constants",
-        "packages",
-        "resources",
-        "search_paths",
-    )
+        {
+        },
+        submodules=(
+            "constants",
+            "packages",
+            "resources",
+            "search_paths",
+        ),
+    )[0]

@@ -3,7 +3,7 @@
 
 from typing import TYPE_CHECKING
 
-from zbot.compat.first_use import at_first_use
+from zbot.lazy_imports import lazy_names
 from zbot.libraries.camera_calibration import (
     CameraInfoError,
     loadCalibrationFile,
@@ -45,7 +45,11 @@ __all__ = [
 if TYPE_CHECKING:
     from . import camera_info_manager as camera_info_manager
 else:
-    __getattr__ = at_first_use(
+    __getattr__ = lazy_names(
         __name__,
-        "camera_info_manager",
-    )
+        {
+        },
+        submodules=(
+            "camera_info_manager",
+        ),
+    )[0]

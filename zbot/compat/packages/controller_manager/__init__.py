@@ -3,7 +3,7 @@
 
 from typing import TYPE_CHECKING
 
-from zbot.compat.first_use import at_first_use
+from zbot.lazy_imports import lazy_names
 from zbot.libraries.controller_manager import (
     cleanup_controller,
     configure_controller,
@@ -43,9 +43,13 @@ if TYPE_CHECKING:
     from . import launch_utils as launch_utils
     from . import test_utils as test_utils
 else:
-    __getattr__ = at_first_use(
+    __getattr__ = lazy_names(
         __name__,
-        "controller_manager_services",
-        "launch_utils",
-        "test_utils",
-    )
+        {
+        },
+        submodules=(
+            "controller_manager_services",
+            "launch_utils",
+            "test_utils",
+        ),
+    )[0]

@@ -3,7 +3,7 @@
 
 from typing import TYPE_CHECKING
 
-from zbot.compat.first_use import at_first_use
+from zbot.lazy_imports import lazy_names
 from zbot.libraries.image_array import CvBridge, CvBridgeError, cvtColorForDisplay, getCvType
 
 __all__ = [
@@ -17,8 +17,12 @@ if TYPE_CHECKING:
     from . import boost as boost
     from . import core as core
 else:
-    __getattr__ = at_first_use(
+    __getattr__ = lazy_names(
         __name__,
-        "boost",
-        "core",
-    )
+        {
+        },
+        submodules=(
+            "boost",
+            "core",
+        ),
+    )[0]

@@ -3,7 +3,7 @@
 
 from typing import TYPE_CHECKING
 
-from zbot.compat.first_use import at_first_use
+from zbot.lazy_imports import lazy_names
 from zbot.libraries.camera_model import PinholeCameraModel, StereoCameraModel
 
 __all__ = [
@@ -14,7 +14,11 @@ __all__ = [
 if TYPE_CHECKING:
     from . import cameramodels as cameramodels
 else:
-    __getattr__ = at_first_use(
+    __getattr__ = lazy_names(
         __name__,
-        "cameramodels",
-    )
+        {
+        },
+        submodules=(
+            "cameramodels",
+        ),
+    )[0]

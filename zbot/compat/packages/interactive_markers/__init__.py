@@ -3,7 +3,7 @@
 
 from typing import TYPE_CHECKING
 
-from zbot.compat.first_use import at_first_use
+from zbot.lazy_imports import lazy_names
 from zbot.libraries.interactive_markers import InteractiveMarkerServer, MenuHandler
 
 __all__ = [
@@ -15,8 +15,12 @@ if TYPE_CHECKING:
     from . import interactive_marker_server as interactive_marker_server
     from . import menu_handler as menu_handler
 else:
-    __getattr__ = at_first_use(
+    __getattr__ = lazy_names(
         __name__,
-        "interactive_marker_server",
-        "menu_handler",
-    )
+        {
+        },
+        submodules=(
+            "interactive_marker_server",
+            "menu_handler",
+        ),
+    )[0]

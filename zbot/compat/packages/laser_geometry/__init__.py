@@ -3,7 +3,7 @@
 
 from typing import TYPE_CHECKING
 
-from zbot.compat.first_use import at_first_use
+from zbot.lazy_imports import lazy_names
 from zbot.libraries.laser_projection import LaserProjection
 
 __all__ = [
@@ -13,7 +13,11 @@ __all__ = [
 if TYPE_CHECKING:
     from . import laser_geometry as laser_geometry
 else:
-    __getattr__ = at_first_use(
+    __getattr__ = lazy_names(
         __name__,
-        "laser_geometry",
-    )
+        {
+        },
+        submodules=(
+            "laser_geometry",
+        ),
+    )[0]

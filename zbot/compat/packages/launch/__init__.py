@@ -3,7 +3,7 @@
 
 from typing import TYPE_CHECKING
 
-from zbot.compat.first_use import at_first_use
+from zbot.lazy_imports import lazy_names
 from zbot.launch import (
     Action,
     Condition,
@@ -75,31 +75,35 @@ if TYPE_CHECKING:
     from . import substitutions as substitutions
     from . import utilities as utilities
 else:
-    __getattr__ = at_first_use(
+    __getattr__ = lazy_names(
         __name__,
-        "action",
-        "actions",
-        "condition",
-        "conditions",
-        "descriptions",
-        "event",
-        "event_handler",
-        "event_handlers",
-        "events",
-        "frontend",
-        "invalid_launch_file_error",
-        "launch_context",
-        "launch_description",
-        "launch_description_entity",
-        "launch_description_source",
-        "launch_description_sources",
-        "launch_introspector",
-        "launch_service",
-        "logging",
-        "some_actions_type",
-        "some_entities_type",
-        "some_substitutions_type",
-        "substitution",
-        "substitutions",
-        "utilities",
-    )
+        {
+        },
+        submodules=(
+            "action",
+            "actions",
+            "condition",
+            "conditions",
+            "descriptions",
+            "event",
+            "event_handler",
+            "event_handlers",
+            "events",
+            "frontend",
+            "invalid_launch_file_error",
+            "launch_context",
+            "launch_description",
+            "launch_description_entity",
+            "launch_description_source",
+            "launch_description_sources",
+            "launch_introspector",
+            "launch_service",
+            "logging",
+            "some_actions_type",
+            "some_entities_type",
+            "some_substitutions_type",
+            "substitution",
+            "substitutions",
+            "utilities",
+        ),
+    )[0]

@@ -3,7 +3,7 @@
 
 from typing import TYPE_CHECKING
 
-from zbot.compat.first_use import at_first_use
+from zbot.lazy_imports import lazy_names
 from zbot.launch.testing.launch_fixture import fixture
 
 __all__ = [
@@ -14,8 +14,12 @@ if TYPE_CHECKING:
     from . import actions as actions
     from . import tools as tools
 else:
-    __getattr__ = at_first_use(
+    __getattr__ = lazy_names(
         __name__,
-        "actions",
-        "tools",
-    )
+        {
+        },
+        submodules=(
+            "actions",
+            "tools",
+        ),
+    )[0]

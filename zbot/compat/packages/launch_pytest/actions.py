@@ -1,7 +1,7 @@
 # Written by python -m zbot.compat.generator; do not edit.
 """Action that marks when tests may begin."""
 
-from zbot.launch.actions.testing import ReadyToTest
+from zbot.launch.testing.test_action import ReadyToTest
 
 __all__ = [
     "ReadyToTest",

@@ -3,7 +3,7 @@
 
 from typing import TYPE_CHECKING
 
-from zbot.compat.first_use import at_first_use
+from zbot.lazy_imports import lazy_names
 
 if TYPE_CHECKING:
     from . import actions as actions
@@ -16,15 +16,19 @@ if TYPE_CHECKING:
     from . import substitutions as substitutions
     from . import utilities as utilities
 else:
-    __getattr__ = at_first_use(
+    __getattr__ = lazy_names(
         __name__,
-        "actions",
-        "descriptions",
-        "event_handlers",
-        "events",
-        "parameter_descriptions",
-        "parameters_type",
-        "ros_adapters",
-        "substitutions",
-        "utilities",
-    )
+        {
+        },
+        submodules=(
+            "actions",
+            "descriptions",
+            "event_handlers",
+            "events",
+            "parameter_descriptions",
+            "parameters_type",
+            "ros_adapters",
+            "substitutions",
+            "utilities",
+        ),
+    )[0]

@@ -3,7 +3,7 @@
 
 from typing import TYPE_CHECKING
 
-from zbot.compat.first_use import at_first_use
+from zbot.lazy_imports import lazy_names
 from zbot.launch.testing.marker import parametrize, post_shutdown_test, ready_to_test_action_timeout
 from zbot.launch.testing.record import (
     ExitRecord as ActiveProcInfoHandler,
@@ -35,17 +35,21 @@ if TYPE_CHECKING:
     from . import tools as tools
     from . import util as util
 else:
-    __getattr__ = at_first_use(
+    __getattr__ = lazy_names(
         __name__,
-        "actions",
-        "asserts",
-        "event_handlers",
-        "io_handler",
-        "launch_test",
-        "loader",
-        "markers",
-        "proc_info_handler",
-        "test_runner",
-        "tools",
-        "util",
-    )
+        {
+        },
+        submodules=(
+            "actions",
+            "asserts",
+            "event_handlers",
+            "io_handler",
+            "launch_test",
+            "loader",
+            "markers",
+            "proc_info_handler",
+            "test_runner",
+            "tools",
+            "util",
+        ),
+    )[0]

@@ -3,7 +3,7 @@
 
 from typing import TYPE_CHECKING
 
-from zbot.compat.first_use import at_first_use
+from zbot.lazy_imports import lazy_names
 from zbot.launch.testing.topics import WaitForTopics
 
 __all__ = [
@@ -15,9 +15,13 @@ if TYPE_CHECKING:
     from . import tools as tools
     from . import wait_for_topics as wait_for_topics
 else:
-    __getattr__ = at_first_use(
+    __getattr__ = lazy_names(
         __name__,
-        "actions",
-        "tools",
-        "wait_for_topics",
-    )
+        {
+        },
+        submodules=(
+            "actions",
+            "tools",
+            "wait_for_topics",
+        ),
+    )[0]

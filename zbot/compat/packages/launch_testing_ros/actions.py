@@ -1,7 +1,7 @@
 # Written by python -m zbot.compat.generator; do not edit.
 """Actions of `launch_testing`."""
 
-from zbot.launch.actions.testing import ReadyToTest
+from zbot.launch.testing.test_action import ReadyToTest
 
 __all__ = [
     "ReadyToTest",

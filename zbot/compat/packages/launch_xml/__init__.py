@@ -3,7 +3,7 @@
 
 from typing import TYPE_CHECKING
 
-from zbot.compat.first_use import at_first_use
+from zbot.lazy_imports import lazy_names
 from zbot.launch.frontend.parser import Parser
 from zbot.launch.frontend.xml_file import Entity
 
@@ -17,9 +17,13 @@ if TYPE_CHECKING:
     from . import launch_description_sources as launch_description_sources
     from . import parser as parser
 else:
-    __getattr__ = at_first_use(
+    __getattr__ = lazy_names(
         __name__,
-        "entity",
-        "launch_description_sources",
-        "parser",
-    )
+        {
+        },
+        submodules=(
+            "entity",
+            "launch_description_sources",
+            "parser",
+        ),
+    )[0]

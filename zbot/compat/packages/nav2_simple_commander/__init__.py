@@ -3,7 +3,7 @@
 
 from typing import TYPE_CHECKING
 
-from zbot.compat.first_use import at_first_use
+from zbot.lazy_imports import lazy_names
 
 if TYPE_CHECKING:
     from . import costmap_2d as costmap_2d
@@ -13,12 +13,16 @@ if TYPE_CHECKING:
     from . import robot_navigator as robot_navigator
     from . import utils as utils
 else:
-    __getattr__ = at_first_use(
+    __getattr__ = lazy_names(
         __name__,
-        "costmap_2d",
-        "footprint_collision_checker",
-        "line_iterator",
-        "occupancy_grid",
-        "robot_navigator",
-        "utils",
-    )
+        {
+        },
+        submodules=(
+            "costmap_2d",
+            "footprint_collision_checker",
+            "line_iterator",
+            "occupancy_grid",
+            "robot_navigator",
+            "utils",
+        ),
+    )[0]

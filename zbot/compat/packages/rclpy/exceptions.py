@@ -14,7 +14,6 @@ from zbot.executor.errors import RateInterruptedError as ROSInterruptException, 
 from zbot.interfaces.errors import NotAMessageTypeError as NoTypeSupportImportedException
 from zbot.parameters.errors import (
     InvalidParameterException,
-    InvalidParameterTypeException,
     InvalidParameterValueException,
     ParameterAlreadyDeclaredException,
     ParameterException,
@@ -22,6 +21,7 @@ from zbot.parameters.errors import (
     ParameterNotDeclaredException,
     ParameterUninitializedException,
 )
+from zbot.parameters.parameter import InvalidParameterTypeException
 
 __all__ = [
     "InvalidHandle",

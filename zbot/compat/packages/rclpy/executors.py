@@ -11,9 +11,8 @@ from zbot.executor.errors import (
     TimerCancelledError,
 )
 from zbot.executor.executor import Executor
-from zbot.executor.guard_condition import GuardCondition
+from zbot.executor.guard_condition import GuardCondition, SignalHandlerGuardCondition
 from zbot.executor.multi_threaded_executor import MultiThreadedExecutor
-from zbot.executor.signal_guard_condition import SignalHandlerGuardCondition
 from zbot.executor.single_threaded_executor import SingleThreadedExecutor
 from zbot.executor.task import Future, Task, await_or_execute
 from zbot.executor.timer import Timer, TimerInfo

@@ -20,7 +20,7 @@ from zbot.executor.timer import Rate, Timer, TimerInfo
 from zbot.executor.waitable import Waitable
 from zbot.graph.endpoint_info import TopicEndpointInfo
 from zbot.interfaces.message import Service as Srv
-from zbot.interfaces.type_support import (
+from zbot.interfaces.python_class import (
     MsgT,
     MsgT as MsgType,
     SrvRequestT,
@@ -42,7 +42,7 @@ from zbot.names import (
     validate_topic_name,
 )
 from zbot.node.client import Client
-from zbot.node.content_filter_options import ContentFilterOptions
+from zbot.node.message_decoder import ContentFilterOptions
 from zbot.node.errors import UnknownNodeError as NodeNameNonExistentError
 from zbot.node.event_callbacks import PublisherEventCallbacks, SubscriptionEventCallbacks
 from zbot.node.logger_services import LoggingService
@@ -55,14 +55,13 @@ from zbot.node.subscription import Subscription
 from zbot.node.time_source import TimeSource
 from zbot.node.type_description import TypeDescriptionService
 from zbot.parameters.errors import (
-    InvalidParameterTypeException,
     InvalidParameterValueException,
     ParameterAlreadyDeclaredException,
     ParameterImmutableException,
     ParameterNotDeclaredException,
     ParameterUninitializedException,
 )
-from zbot.parameters.parameter import Parameter
+from zbot.parameters.parameter import InvalidParameterTypeException, Parameter
 from zbot.parameters.qos_overrides import QoSOverridingOptions
 from zbot.qos import (
     QoSProfile,

@@ -2,7 +2,7 @@
 """Publishers."""
 
 from zbot.executor.callback_group import CallbackGroup
-from zbot.interfaces.type_support import MsgT, MsgT as MsgType
+from zbot.interfaces.python_class import MsgT, MsgT as MsgType
 from zbot.node.event_callbacks import PublisherEventCallbacks
 from zbot.node.event_handlers import EventHandler
 from zbot.node.publisher import Publisher

@@ -2,7 +2,7 @@
 """Messages as bytes, in ROS 2's CDR."""
 
 from zbot.interfaces.message import Message as Msg
-from zbot.interfaces.type_support import MsgT, check_for_type_support
+from zbot.interfaces.python_class import MsgT, check_for_type_support
 from zbot.wire.serialization import deserialize_message, serialize_message
 
 __all__ = [

@@ -4,7 +4,7 @@
 from zbot.executor.callback_group import CallbackGroup
 from zbot.executor.clock import Clock
 from zbot.interfaces.message import Service as Srv
-from zbot.interfaces.type_support import (
+from zbot.interfaces.python_class import (
     SrvRequestT,
     SrvRequestT as SrvTypeRequest,
     SrvResponseT,

@@ -2,8 +2,7 @@
 """Ctrl-C and SIGTERM."""
 
 from zbot.errors import InvalidHandleError as InvalidHandle
-from zbot.executor.guard_condition import GuardCondition
-from zbot.executor.signal_guard_condition import SignalHandlerGuardCondition
+from zbot.executor.guard_condition import GuardCondition, SignalHandlerGuardCondition
 from zbot.process.signals import (
     SignalHandlerOptions,
     install as install_signal_handlers,

@@ -3,8 +3,8 @@
 
 from zbot.errors import ZbotError as RCLError
 from zbot.executor.callback_group import CallbackGroup
-from zbot.interfaces.type_support import MsgT, MsgT as MsgType
-from zbot.node.content_filter_options import ContentFilterOptions
+from zbot.interfaces.python_class import MsgT, MsgT as MsgType
+from zbot.node.message_decoder import ContentFilterOptions
 from zbot.node.event_callbacks import SubscriptionEventCallbacks
 from zbot.node.message_info import MessageInfo
 from zbot.node.subscription import Subscription

@@ -1,7 +1,7 @@
 # Written by python -m zbot.compat.generator; do not edit.
 """Service that returns the definitions of a node's types."""
 
-from zbot.interfaces.type_support import check_is_valid_srv_type
+from zbot.interfaces.python_class import check_is_valid_srv_type
 from zbot.node.service import Service
 from zbot.node.type_description import TypeDescriptionService
 from zbot.parameters.parameter import Parameter

@@ -1,7 +1,7 @@
 # Written by python -m zbot.compat.generator; do not edit.
 """Checks of types."""
 
-from zbot.action.generic import FeedbackT, GoalT, ResultT
+from zbot.action.endpoint import FeedbackT, GoalT, ResultT
 from zbot.compat.annotation import (
     CommonMsgSrvMetaClass,
     EventMessage,
@@ -18,7 +18,7 @@ from zbot.compat.annotation import (
 )
 from zbot.interfaces.errors import NotAMessageTypeError as NoTypeSupportImportedException
 from zbot.interfaces.message import Action, Message as Msg, Service as Srv
-from zbot.interfaces.type_support import (
+from zbot.interfaces.python_class import (
     ActionT,
     MsgT,
     SrvRequestT,

@@ -3,12 +3,16 @@
 
 from typing import TYPE_CHECKING
 
-from zbot.compat.first_use import at_first_use
+from zbot.lazy_imports import lazy_names
 
 if TYPE_CHECKING:
     from . import api as api
 else:
-    __getattr__ = at_first_use(
+    __getattr__ = lazy_names(
         __name__,
-        "api",
-    )
+        {
+        },
+        submodules=(
+            "api",
+        ),
+    )[0]

@@ -26,7 +26,6 @@ from zbot.compat.rosbag2.storage import (
     ReadOrder,
     ReadOrderSortBy,
     StorageFilter,
-    StorageOptions,
     TopicInformation,
     TopicMetadata,
     compression_mode_from_string,
@@ -35,11 +34,12 @@ from zbot.compat.rosbag2.storage import (
     to_rclcpp_qos_vector,
 )
 from zbot.compat.rosbag2.transport import Player, Recorder, bag_rewrite
-from zbot.compat.rosbag2.transport_options import (
+from zbot.bag.options import (
     MessageOrder,
     PlayOptions,
     RecordOptions,
     ServiceRequestsSource,
+    StorageOptions,
 )
 
 __all__ = [

@@ -3,7 +3,7 @@
 
 from typing import TYPE_CHECKING
 
-from zbot.compat.first_use import at_first_use
+from zbot.lazy_imports import lazy_names
 from zbot.compat.rosidl.conversion import (
     get_message_slot_types,
     message_to_csv,
@@ -42,10 +42,14 @@ if TYPE_CHECKING:
     from . import set_message as set_message
     from . import utilities as utilities
 else:
-    __getattr__ = at_first_use(
+    __getattr__ = lazy_names(
         __name__,
-        "convert",
-        "import_message",
-        "set_message",
-        "utilities",
-    )
+        {
+        },
+        submodules=(
+            "convert",
+            "import_message",
+            "set_message",
+            "utilities",
+        ),
+    )[0]

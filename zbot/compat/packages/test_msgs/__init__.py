@@ -3,14 +3,18 @@
 
 from typing import TYPE_CHECKING
 
-from zbot.compat.first_use import at_first_use
+from zbot.lazy_imports import lazy_names
 
 if TYPE_CHECKING:
     from . import message_fixtures as message_fixtures
     from . import service_fixtures as service_fixtures
 else:
-    __getattr__ = at_first_use(
+    __getattr__ = lazy_names(
         __name__,
-        "message_fixtures",
-        "service_fixtures",
-    )
+        {
+        },
+        submodules=(
+            "message_fixtures",
+            "service_fixtures",
+        ),
+    )[0]

@@ -3,7 +3,7 @@
 
 from typing import TYPE_CHECKING
 
-from zbot.compat.first_use import at_first_use
+from zbot.lazy_imports import lazy_names
 from zbot.tf2.conversion import (
     do_transform_point,
     do_transform_polygon_stamped,
@@ -14,12 +14,27 @@ from zbot.tf2.conversion import (
     do_transform_wrench,
     transform_covariance,
 )
-from geometry_msgs.msg import PointStamped, PoseStamped, PoseWithCovarianceStamped, Vector3Stamped
+from geometry_msgs.msg import (
+    Point,
+    Point32,
+    PointStamped,
+    PolygonStamped,
+    Pose,
+    PoseStamped,
+    PoseWithCovarianceStamped,
+    TransformStamped,
+    Vector3Stamped,
+)
 
 __all__ = [
+    "Point",
+    "Point32",
     "PointStamped",
+    "PolygonStamped",
+    "Pose",
     "PoseStamped",
     "PoseWithCovarianceStamped",
+    "TransformStamped",
     "Vector3Stamped",
     "do_transform_point",
     "do_transform_polygon_stamped",
@@ -34,7 +49,11 @@ __all__ = [
 if TYPE_CHECKING:
     from . import tf2_geometry_msgs as tf2_geometry_msgs
 else:
-    __getattr__ = at_first_use(
+    __getattr__ = lazy_names(
         __name__,
-        "tf2_geometry_msgs",
-    )
+        {
+        },
+        submodules=(
+            "tf2_geometry_msgs",
+        ),
+    )[0]

@@ -11,12 +11,27 @@ from zbot.tf2.conversion import (
     do_transform_wrench,
     transform_covariance,
 )
-from geometry_msgs.msg import PointStamped, PoseStamped, PoseWithCovarianceStamped, Vector3Stamped
+from geometry_msgs.msg import (
+    Point,
+    Point32,
+    PointStamped,
+    PolygonStamped,
+    Pose,
+    PoseStamped,
+    PoseWithCovarianceStamped,
+    TransformStamped,
+    Vector3Stamped,
+)
 
 __all__ = [
+    "Point",
+    "Point32",
     "PointStamped",
+    "PolygonStamped",
+    "Pose",
     "PoseStamped",
     "PoseWithCovarianceStamped",
+    "TransformStamped",
     "Vector3Stamped",
     "do_transform_point",
     "do_transform_polygon_stamped",

@@ -3,7 +3,7 @@
 
 from typing import TYPE_CHECKING
 
-from zbot.compat.first_use import at_first_use
+from zbot.lazy_imports import lazy_names
 from zbot.tf2.cloud_transform import do_transform_cloud, transform_points
 
 __all__ = [
@@ -14,7 +14,11 @@ __all__ = [
 if TYPE_CHECKING:
     from . import tf2_sensor_msgs as tf2_sensor_msgs
 else:
-    __getattr__ = at_first_use(
+    __getattr__ = lazy_names(
         __name__,
-        "tf2_sensor_msgs",
-    )
+        {
+        },
+        submodules=(
+            "tf2_sensor_msgs",
+        ),
+    )[0]

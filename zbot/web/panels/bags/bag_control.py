@@ -15,9 +15,8 @@ from weakref import WeakKeyDictionary
 
 from zbot.bag.background import BackgroundPlayback, BackgroundRecording
 from zbot.bag.errors import BagError, BagValueError
-from zbot.bag.play_options import PlayOptions
+from zbot.bag.options import MAX_CACHE_BYTES, PlayOptions, RecordOptions, StorageOptions
 from zbot.bag.reader import Reader
-from zbot.bag.selection import Selection
 from zbot.errors import ZbotError
 from zbot.observer.system import System, read_only_error
 from zbot.time import S_TO_NS
@@ -72,9 +71,9 @@ class BagControl:
         """
         recording = self.recording
         present = recording.path if recording is not None and recording.is_running else None
-        found = [one for one in self.folder.iterdir() if one != present and _is_bag(one)]
+        found = [path for path in self.folder.iterdir() if path != present and _is_bag(path)]
         found.sort(key=_modified_s, reverse=True)
-        return {one.name: self._look(one) for one in found[:_MOST_BAGS]}
+        return {bag.name: self._look(bag) for bag in found[:_MOST_BAGS]}
 
     def path(self, name: str) -> Path:
         """Return the path of a bag in the folder.
@@ -84,7 +83,7 @@ class BagControl:
         """
         # A bag of another program may have any name, e.g. with spaces, so `_checked` is not used.
         # The name `..` is not found, because the folder does not list it.
-        path = next((one for one in self.folder.iterdir() if one.name == name), None)
+        path = next((entry for entry in self.folder.iterdir() if entry.name == name), None)
         if path is None or not _is_bag(path):
             raise bag_name_error(name, "there is no bag with this name")
         return path
@@ -100,19 +99,16 @@ class BagControl:
         """
         self._check_writable("recording")
         path = self.folder / _checked(name)
-        selection = Selection(
-            all_topics=topics is None,
-            all_services=topics is None,
-            all_actions=topics is None,
-            topics=frozenset(topics or ()),
-        )
+        everything = RecordOptions.everything()
+        options = everything if topics is None else RecordOptions(topics=list(topics))
+        storage = StorageOptions(str(path), max_cache_size=MAX_CACHE_BYTES)
         with self._lock:
             if self.recording is not None and self.recording.is_running:
                 raise BagError(
                     f"the page records '{self.recording.path.name}' already: "
                     "stop this recording first"
                 )
-            self.recording = BackgroundRecording(path, selection, self._system.domain_id)
+            self.recording = BackgroundRecording(storage, options, self._system.domain_id)
         if self.recording.error:
             raise BagError(self.recording.error)
 
@@ -139,17 +135,9 @@ class BagControl:
             BagError: The bag cannot be played.
         """
         self._check_writable("playing")
-        is_all = topics is None
-        options = PlayOptions(
-            selection=Selection(
-                all_topics=is_all,
-                all_services=is_all,
-                all_actions=is_all,
-                topics=frozenset(topics or ()),
-            ),
-            rate=rate,
-            start_offset_s=offset_s,
-        )
+        if topics is not None and not topics:
+            raise BagError("no topic is selected")
+        options = PlayOptions(rate=rate, topics_to_filter=list(topics or ()), start_offset=offset_s)
         with self._lock:
             self._stop_playing()
             self.playback = BackgroundPlayback(self.path(name), options, self._system.domain_id)
@@ -241,7 +229,7 @@ def _checked(name: str) -> str:
 def _is_bag(path: Path) -> bool:
     if path.suffix in _SUFFIXES:
         return path.is_file()
-    return path.is_dir() and any(one.suffix in _SUFFIXES for one in path.glob("*"))
+    return path.is_dir() and any(file.suffix in _SUFFIXES for file in path.glob("*"))
 
 
 def _modified_s(path: Path) -> float:
@@ -255,6 +243,6 @@ def _state(path: Path) -> object:
     """Return a value that changes when a bag changes, or `None` if the bag was removed."""
     try:
         files = sorted(path.iterdir()) if path.is_dir() else [path]
-        return [(one.name, one.stat().st_size, one.stat().st_mtime_ns) for one in files]
+        return [(file.name, file.stat().st_size, file.stat().st_mtime_ns) for file in files]
     except OSError:
         return None

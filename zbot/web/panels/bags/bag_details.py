@@ -95,12 +95,14 @@ class BagDetails:
         """Add a checkbox for each topic that can be played."""
         ui.label("Topics").classes("zb-heading")
         self.boxes = {}
-        for one in self.metadata.topics if self.metadata else ():
+        for information in self.metadata.topics if self.metadata else ():
             with ui.element("div").classes("zb-row"):
-                box = ui.checkbox(one.topic.name, value=True).props("dense")
+                box = ui.checkbox(information.topic.name, value=True).props("dense")
                 box.classes("zb-mono zb-grow")
-                ui.label(f"{one.topic.type_name}, {one.message_count}").classes("zb-muted")
-            self.boxes[one.topic.name] = box
+                ui.label(f"{information.topic.type_name}, {information.message_count}").classes(
+                    "zb-muted"
+                )
+            self.boxes[information.topic.name] = box
 
     def add_plot(self) -> None:
         """Add the choice of a curve, and the plot."""
@@ -129,18 +131,21 @@ class BagDetails:
     def curves(self) -> list[str]:
         """Return the numeric fields of all topics."""
         found = []
-        for one in self.metadata.topics if self.metadata else ():
+        for information in self.metadata.topics if self.metadata else ():
             try:
-                fields = fields_of(one.topic.type_name, only_numbers=True)
+                fields = fields_of(information.topic.type_name, only_numbers=True)
             except LookupError:
                 continue  # the type's definition is only in the bag
-            found += [f"{one.topic.name}.{field}" for field in fields]
+            found += [f"{information.topic.name}.{field}" for field in fields]
         return found
 
     def has_images(self, topic: str | None) -> bool:
         """Return whether a topic can be exported as a video."""
         topics = self.metadata.topics if self.metadata else ()
-        return any(one.topic.name == topic and one.topic.type_name in IMAGE_TYPES for one in topics)
+        return any(
+            information.topic.name == topic and information.topic.type_name in IMAGE_TYPES
+            for information in topics
+        )
 
     def update(self) -> None:
         """Show the state of the player."""
@@ -229,7 +234,7 @@ class BagDetails:
         topic, field = self.split(name)
         times, columns = topic_columns(self.control.path(self.name), topic, [field])
         values = columns[field]
-        if not all(isinstance(one, int | float) for one in values):
+        if not all(isinstance(value, int | float) for value in values):
             raise ViewerError(f"{name} cannot be plotted: its values are not single numbers")
         start_ns = self.metadata.start_ns if self.metadata else 0
         seconds = [(time_ns - start_ns) / S_TO_NS for time_ns in times]
@@ -237,7 +242,7 @@ class BagDetails:
 
     def split(self, name: str) -> tuple[str, str]:
         """Return the topic and the field of a curve."""
-        topic = max((one for one in self.boxes if name.startswith(f"{one}.")), key=len)
+        topic = max((topic for topic in self.boxes if name.startswith(f"{topic}.")), key=len)
         return topic, name[len(topic) + 1 :]
 
     async def save_csv(self) -> None:
@@ -274,7 +279,7 @@ def _chart(series: list[dict[str, Any]], duration_s: float) -> dict[str, Any]:
             {"type": "slider", "height": 16, "bottom": 4},
         ],
         "series": [
-            {"type": "line", "showSymbol": False, "emphasis": {"disabled": True}, **one}
-            for one in series
+            {"type": "line", "showSymbol": False, "emphasis": {"disabled": True}, **line}
+            for line in series
         ],
     }

@@ -10,8 +10,8 @@ from zbot.bag.columns import csv_lines
 from zbot.bag.errors import BagValueError
 from zbot.bag.reader import Reader
 from zbot.bag.video import VideoTooLongError, write_video
+from zbot.observer.image_encoder import encode_jpeg
 from zbot.time import S_TO_NS
-from zbot.web.page.image_encoder import encode_jpeg
 from zbot.wire.serialization import deserialize_message
 
 if TYPE_CHECKING:
@@ -53,7 +53,7 @@ def export_video(path: Path, topic: str, start_ns: int, end_ns: int) -> bytes:
         ImageError: An encoding is not known.
     """
     with Reader(path) as bag:
-        times = [one.log_ns for one in bag.messages([topic], start_ns, end_ns)]
+        times = [message.log_ns for message in bag.messages([topic], start_ns, end_ns)]
         if not times:
             raise BagValueError(f"topic '{topic}' has no images in this part")
         seconds = (times[-1] - times[0]) / S_TO_NS
@@ -73,8 +73,8 @@ def export_video(path: Path, topic: str, start_ns: int, end_ns: int) -> bytes:
 
 def _pictures(bag: Reader, topic: str, start_ns: int, end_ns: int) -> Iterator[bytes]:
     cls = bag.message_class(bag.topics[topic])
-    for one in bag.messages([topic], start_ns, end_ns):
-        message: Any = deserialize_message(one.data, cls)
+    for recorded in bag.messages([topic], start_ns, end_ns):
+        message: Any = deserialize_message(recorded.data, cls)
         is_plain = hasattr(message, "encoding")
         yield encode_jpeg(message) if is_plain else _jpeg(bytes(message.data))
 
@@ -104,7 +104,7 @@ def _size(jpeg: bytes) -> tuple[int, int]:
 
 def _same_size(first: bytes, others: Iterator[bytes], width: int, height: int) -> Iterator[bytes]:
     yield first
-    for one in others:
-        if _size(one) != (width, height):
+    for other in others:
+        if _size(other) != (width, height):
             raise BagValueError("the images change their size: choose a shorter part")
-        yield one
+        yield other

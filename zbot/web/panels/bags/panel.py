@@ -6,7 +6,7 @@ import time
 from datetime import datetime
 from typing import TYPE_CHECKING, Any
 
-from nicegui import background_tasks, ui
+from nicegui import ui
 
 from zbot.bag.packages import import_mcap
 from zbot.errors import ZbotError
@@ -16,6 +16,7 @@ from zbot.time import S_TO_NS
 from zbot.web.page.command_line import command_line
 from zbot.web.page.list_panel import ListPanel
 from zbot.web.page.panel import Page, Panel
+from zbot.web.page.repeated_reading import RepeatedReading
 from zbot.web.page.service_call import run_in_thread, with_errors_shown
 from zbot.web.page.table import Cell, Column
 from zbot.web.panels.bags.bag_control import FoundBag, control_of
@@ -39,9 +40,8 @@ class _Bags:
     def __init__(self, page: Page) -> None:
         self.page = page
         self.control = control_of(page.system)
-        self.found: dict[str, FoundBag] = {}
-        self.number = 0  # how many times the list of bags has changed
-        self.is_looking = False
+        self.found: RepeatedReading[dict[str, FoundBag]]
+        self.found = RepeatedReading(page, self.control.bags, {}, max_hz=_HZ)
         with ui.element("div").classes("zb-fill zb-bags"):
             self.state = ui.element("div").classes("zb-row zb-card zb-recording")
             with self.state:
@@ -50,7 +50,7 @@ class _Bags:
                 stop = ui.button("Stop", icon="stop", on_click=with_errors_shown(self.stop))
                 stop.props("unelevated dense")
             self.state.set_visibility(False)
-            with ui.element("div").classes("zb-grow zb-bags-list"):
+            with ui.element("div").classes("zb-grow zb-below"):
                 ListPanel(
                     page,
                     columns=_COLUMNS,
@@ -60,36 +60,19 @@ class _Bags:
                     command="zbot bag info",
                     empty=f"No bag in {self.control.folder.name} yet: press Record",
                     hidden="Damaged bags",
-                    version=lambda: self.number,
+                    version=lambda: self.found.number,
                 )
         with page.toolbar:
             self.button = ui.button("Record", icon="fiber_manual_record", on_click=self.ask)
             self.button.props("unelevated dense")
             self.button.set_visibility(not page.read_only)
-        page.live(self.look, _HZ)
         page.live(self.show_state, _STATE_HZ)
-
-    def look(self) -> None:
-        """Start to list the bags in the background, because files may have to be read."""
-        if not self.is_looking:
-            self.is_looking = True
-            background_tasks.create(self.look_at_all(), name="zbot bags")
-
-    async def look_at_all(self) -> None:
-        """List the bags."""
-        try:
-            found = await run_in_thread(self.control.bags)
-            if found != self.found:
-                self.found = found
-                self.number += 1
-        finally:
-            self.is_looking = False
 
     def rows(self, _graph: Snapshot, hidden: bool) -> dict[str, list[str | Cell]]:
         return {
-            name: _row(one)
-            for name, one in self.found.items()
-            if one.metadata is not None or hidden
+            name: _row(bag)
+            for name, bag in self.found.value.items()
+            if bag.metadata is not None or hidden
         }
 
     def show_state(self) -> None:
@@ -117,11 +100,13 @@ class _Bags:
             name.props('dense outlined aria-label="Name of the bag"').classes("zb-grow")
             every = ui.checkbox("All topics, also later ones", value=True).props("dense")
             with ui.element("div").classes("zb-col zb-topic-choice") as choice:
-                boxes = {one: ui.checkbox(one, value=True).props("dense") for one in topics}
+                boxes = {topic: ui.checkbox(topic, value=True).props("dense") for topic in topics}
             choice.bind_visibility_from(every, "value", lambda value: not value)
 
             async def begin() -> None:
-                chosen = None if every.value else [one for one, box in boxes.items() if box.value]
+                chosen = (
+                    None if every.value else [topic for topic, box in boxes.items() if box.value]
+                )
                 await self.record(name.value or "", chosen)
                 dialog.close()
 
@@ -155,16 +140,16 @@ def _no_result(function: Any) -> Any:
     return call
 
 
-def _row(one: FoundBag) -> list[str | Cell]:
-    if one.metadata is None:
-        return [one.name, Cell(one.problem, "zb-warn", hint=one.problem), "", "", ""]
-    start = datetime.fromtimestamp(one.metadata.start_ns / 1e9).astimezone()
+def _row(bag: FoundBag) -> list[str | Cell]:
+    if bag.metadata is None:
+        return [bag.name, Cell(bag.problem, "zb-warn", hint=bag.problem), "", "", ""]
+    start = datetime.fromtimestamp(bag.metadata.start_ns / 1e9).astimezone()
     return [
-        Cell(one.name, hint=one.problem or one.name),
-        f"{start:%Y-%m-%d %H:%M:%S}" if one.metadata.message_count else "",
-        f"{one.metadata.duration_ns / S_TO_NS:.1f} s",
-        str(one.metadata.message_count),
-        amount(one.metadata.bag_size, "B"),
+        Cell(bag.name, hint=bag.problem or bag.name),
+        f"{start:%Y-%m-%d %H:%M:%S}" if bag.metadata.message_count else "",
+        f"{bag.metadata.duration_ns / S_TO_NS:.1f} s",
+        str(bag.metadata.message_count),
+        amount(bag.metadata.bag_size, "B"),
     ]
 
 

@@ -83,19 +83,19 @@ def _show_node(section: Section, name: str, close: Callable[[], None]) -> None:
     body = ui.element("div").classes("zb-col")
 
     def fill(snapshot: Snapshot) -> None:
-        count = sum(fully_qualified(one.namespace, one.node) == name for one in snapshot.nodes)
+        count = sum(fully_qualified(node.namespace, node.node) == name for node in snapshot.nodes)
         if not count:
             ui.label("This node is not running.").classes("zb-muted")
         if count > 1:
             ui.label(f"{count} nodes have this name.").classes("zb-bad")
         for title, kind in _ENDS:
             found = snapshot.names_and_types(kind, node=name)
-            shown = [(one, types) for one, types in found if _is_own(one)]
+            shown = [(entity, types) for entity, types in found if _is_own(entity)]
             if shown:
                 ui.label(title).classes("zb-heading")
-                for one, types in shown:
+                for entity, types in shown:
                     is_topic = kind in {EntityKind.PUBLISHER, EntityKind.SUBSCRIPTION}
-                    _add_name(one, ", ".join(types), is_link=is_topic)
+                    _add_name(entity, ", ".join(types), is_link=is_topic)
 
     _keep_filled(section, body, fill)
 
@@ -109,8 +109,8 @@ def _show_box(section: Section, key: str, close: Callable[[], None]) -> None:
     body = ui.element("div").classes("zb-col")
 
     def fill(snapshot: Snapshot) -> None:
-        nodes = {fully_qualified(one.namespace, one.node) for one in snapshot.nodes}
-        boxes = {one.key: one for one in find_topics(snapshot, nodes, Grouping())}
+        nodes = {fully_qualified(node.namespace, node.node) for node in snapshot.nodes}
+        boxes = {topic.key: topic for topic in find_topics(snapshot, nodes, Grouping())}
         if key in boxes:
             _add_box(boxes[key])
         else:

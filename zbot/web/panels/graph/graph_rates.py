@@ -44,7 +44,7 @@ class GraphRates:
         The rate of a topic is the sum of the rates of its publishers. If there are several
         publishers, the rate is only beside the arrows to subscriptions.
         """
-        alone = {one.name: len(one.publishers) == 1 for one in shown.topics}
+        alone = {topic.name: len(topic.publishers) == 1 for topic in shown.topics}
         found = {}
         for edge in shown.edges:
             watch = self._watches.get(edge.topic) if edge.kind is BoxKind.TOPIC else None

@@ -7,8 +7,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from zbot.interfaces import FieldType
+from zbot.interfaces.message_reader import FieldMisfitError
 from zbot.parameters.parameter import Parameter
-from zbot.web.forms.form_value import Entry, EntryError, read, show
+from zbot.web.forms.form_value import Entry, read, show
 
 if TYPE_CHECKING:
     from zbot.observer.system import System
@@ -63,11 +64,11 @@ class DescribedParameter:
         """Return the value for an entry.
 
         Raises:
-            EntryError: The entry does not fit the parameter's type.
+            FieldMisfitError: The entry does not fit the parameter's type.
         """
         kind = _TYPES.get(self.type)
         if kind is None:
-            raise EntryError(self.name, "it has no value: set one with `zbot param set`")
+            raise FieldMisfitError(self.name, "it has no value: set one with `zbot param set`")
         return read(kind, entry, self.name, lambda: 0)
 
 
@@ -77,8 +78,8 @@ def show_value(type_: Parameter.Type, value: Any) -> str:
     return "" if kind is None else show(kind, value)
 
 
-def load(parameters: RemoteParameters, node: str) -> list[DescribedParameter]:
-    """Return a node's parameters, sorted by name. This may take seconds.
+def load(parameters: RemoteParameters, node: str, prefix: str = "") -> list[DescribedParameter]:
+    """Return a node's parameters whose names begin with a prefix. This may take seconds.
 
     Raises:
         NoServiceError: The node has ended.
@@ -86,11 +87,14 @@ def load(parameters: RemoteParameters, node: str) -> list[DescribedParameter]:
         WrongValueError: The node's answer does not fit the request.
         UnknownParameterTypeError: A value has an unknown type.
     """
-    names = parameters.names(node)
+    names = [name for name in parameters.names(node) if name.startswith(prefix)]
     if not names:
         return []
     values = parameters.values(node, names)
-    return [_shown(values[one.name], one) for one in parameters.descriptors(node, names)]
+    return [
+        _shown(values[descriptor.name], descriptor)
+        for descriptor in parameters.descriptors(node, names)
+    ]
 
 
 def set_value(system: System, node: str, parameter: Parameter[Any]) -> str:
@@ -119,8 +123,8 @@ def _shown(parameter: Parameter[Any], descriptor: Any) -> DescribedParameter:
 
 
 def _range(descriptor: Any) -> Range | None:
-    for one in (*descriptor.integer_range, *descriptor.floating_point_range):
-        low, high, step = float(one.from_value), float(one.to_value), float(one.step)
+    for limits in (*descriptor.integer_range, *descriptor.floating_point_range):
+        low, high, step = float(limits.from_value), float(limits.to_value), float(limits.step)
         if math.isfinite(low) and math.isfinite(high) and low < high:
             return Range(low, high, step)
     return None

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 from nicegui import ui
 
 from zbot.errors import ZbotError
+from zbot.interfaces.message_reader import FieldMisfitError
 from zbot.parameters.parameter import Parameter
-from zbot.web.forms.form_value import EntryError
 from zbot.web.page.command_line import command_line
 from zbot.web.page.service_call import run_in_thread, with_errors_shown
 from zbot.web.panels.parameters.described_parameter import set_value, show_value
@@ -33,10 +33,21 @@ class ParameterInput:
         section: The section of the page.
         node: The node's full name.
         parameter: The parameter and its description.
+        label: The name that is shown.
+        beside: Function that returns a text for a value, which is shown beside it.
     """
 
-    def __init__(self, section: Section, node: str, parameter: DescribedParameter) -> None:
+    def __init__(
+        self,
+        section: Section,
+        node: str,
+        parameter: DescribedParameter,
+        *,
+        label: str,
+        beside: Callable[[DescribedParameter, Any], str] | None = None,
+    ) -> None:
         self._section, self._node, self._parameter = section, node, parameter
+        self._label = label
         self._value = parameter.value
         self._is_setting = False
         self._waiting: Any = None  # the next value to send, while the node has not answered yet
@@ -47,7 +58,7 @@ class ParameterInput:
         row.props["data-name"] = parameter.name
         with row:
             with ui.element("div").classes("zb-row"):
-                ui.label(parameter.name).classes("zb-mono zb-parameter-name")
+                ui.label(label).classes("zb-mono zb-parameter-name")
                 ui.label(parameter.type.text).classes("zb-muted")
                 if parameter.is_read_only:
                     ui.label("read-only").classes("zb-badge")
@@ -55,6 +66,8 @@ class ParameterInput:
             ui.label(about).classes("zb-muted zb-about").set_visibility(bool(about))
             with ui.element("div").classes("zb-row"):
                 self._build()
+                if beside is not None:
+                    self._add_beside(beside)
             self._refusal = ui.label().classes("zb-bad zb-refusal")
             self._refusal.set_visibility(False)
 
@@ -82,7 +95,7 @@ class ParameterInput:
 
     def _add_switch(self) -> None:
         switch = ui.switch().props("dense")
-        switch.props["aria-label"] = self._parameter.name
+        switch.props["aria-label"] = self._label
         switch.on("click", with_errors_shown(self._on_switch(switch)))
         self._showers.append(switch.set_value)
 
@@ -96,20 +109,26 @@ class ParameterInput:
         is_whole = self._parameter.type is Parameter.Type.INTEGER
         step = limits.step or (1 if is_whole else (limits.high - limits.low) / _STEPS)
         slider = ui.slider(min=limits.low, max=limits.high, step=step)
-        slider.classes("zb-grow").props["aria-label"] = f"{self._parameter.name} slider"
+        slider.classes("zb-grow").props["aria-label"] = f"{self._label} slider"
         convert = round if is_whole else float
 
-        async def slide(_event: object) -> None:
-            await self._set(convert(slider.value or 0.0))
+        # The value is that of the event: an older value may have moved the slider since then.
+        async def slide(event: GenericEventArguments) -> None:
+            await self._set(convert(event.args or 0.0))
 
         # This event comes only when the user moves the slider, not when this program moves it.
-        slider.on("update:model-value", with_errors_shown(slide), throttle=_DRAG_S, args=[])
+        slider.on(
+            "update:model-value",
+            with_errors_shown(slide),
+            throttle=_DRAG_S,
+            js_handler="(value) => emit(value)",
+        )
         self._showers.append(slider.set_value)
 
     def _add_text(self) -> None:
         parameter = self._parameter
         box = ui.input().props("dense outlined hide-bottom-space")
-        box.props["aria-label"] = parameter.name
+        box.props["aria-label"] = self._label
         box.classes("zb-short-number" if parameter.range is not None else "zb-grow")
         if parameter.range is not None:
             ui.label(parameter.range.text).classes("zb-muted zb-range")
@@ -117,13 +136,17 @@ class ParameterInput:
         async def commit(event: GenericEventArguments) -> None:
             try:
                 value = parameter.read(event.args)
-            except EntryError as error:
-                self._refuse(error.reason)
+            except FieldMisfitError as error:
+                self._refuse(error.sentence)
                 return
             await self._set(value)
 
         box.on("change", with_errors_shown(commit), js_handler="(value) => emit(value)")
         self._showers.append(lambda value: box.set_value(self._text(value)))
+
+    def _add_beside(self, text: Callable[[DescribedParameter, Any], str]) -> None:
+        label = ui.label(text(self._parameter, self._value)).classes("zb-mono zb-beside")
+        self._showers.append(lambda value: label.set_text(text(self._parameter, value)))
 
     def _text(self, value: Any) -> str:
         return show_value(self._parameter.type, value)

@@ -5,14 +5,15 @@ from __future__ import annotations
 from datetime import datetime
 from typing import TYPE_CHECKING
 
-from nicegui import background_tasks, ui
+from nicegui import ui
 
 from zbot.observer.system import read_only_error
 from zbot.observer.value_text import amount
 from zbot.web.page.command_line import command_line
 from zbot.web.page.list_panel import ListPanel
 from zbot.web.page.panel import Page, Panel
-from zbot.web.page.service_call import run_in_thread, with_errors_shown
+from zbot.web.page.repeated_reading import RepeatedReading
+from zbot.web.page.service_call import with_errors_shown
 from zbot.web.page.table import Cell, Column
 from zbot.web.panels.processes.process_list import ProcessList, RunningProcess, stop
 
@@ -34,12 +35,9 @@ _COLUMNS = (
 class _Processes:
     def __init__(self, page: Page) -> None:
         self.page = page
-        self.list = ProcessList()
-        self.found: dict[str, RunningProcess] = {}
-        self.number = 0  # how many times the processes were listed
-        self.is_looking = False
-        self.revision = -1
-        page.live(self.look, _HZ)
+        processes = ProcessList()
+        self.reading: RepeatedReading[list[RunningProcess]]
+        self.reading = RepeatedReading(page, lambda: processes.look(page.system), [], max_hz=_HZ)
         ListPanel(
             page,
             columns=_COLUMNS,
@@ -49,44 +47,34 @@ class _Processes:
             command="zbot node list",
             empty="No node is running: start one, e.g. zbot run talker",
             hidden="Hidden nodes",
-            version=lambda: self.number,
+            version=lambda: self.reading.number,
         )
 
-    def look(self) -> None:
-        """Start to list the processes in the background, because sessions may answer slowly."""
-        if not self.is_looking:
-            self.is_looking = True
-            background_tasks.create(self.look_at_all(), name="zbot processes")
-
-    async def look_at_all(self) -> None:
-        """List the processes. The data comes from all sessions and the operating system."""
-        try:
-            found = await run_in_thread(self.list.look, self.page.system)
-            self.found = {one.key: one for one in found}
-            self.number += 1
-        finally:
-            self.is_looking = False
+    @property
+    def found(self) -> dict[str, RunningProcess]:
+        """The processes by key. The data comes from all sessions and the operating system."""
+        return {process.key: process for process in self.reading.value}
 
     def rows(self, _graph: Snapshot, hidden: bool) -> dict[str, list[str | Cell]]:
         return {
-            key: _row(one)
-            for key, one in self.found.items()
-            if hidden or any("/_" not in node for node in one.nodes)
+            key: _row(process)
+            for key, process in self.found.items()
+            if hidden or any("/_" not in node for node in process.nodes)
         }
 
     def details(self, section: Section, key: str) -> None:
         _Details(section, self, key)
 
 
-def _row(one: RunningProcess) -> list[str | Cell]:
-    nodes = ", ".join(one.nodes)
+def _row(process: RunningProcess) -> list[str | Cell]:
+    nodes = ", ".join(process.nodes)
     return [
         Cell(nodes, hint=nodes),
-        Cell(one.host, hint=one.host),
-        str(one.pid),
-        "" if one.cpu_percent is None else f"{one.cpu_percent:.0f} %",
-        "" if one.memory_bytes is None else amount(one.memory_bytes, "B"),
-        Cell(one.command, hint=one.command),
+        Cell(process.host, hint=process.host),
+        str(process.pid),
+        "" if process.cpu_percent is None else f"{process.cpu_percent:.0f} %",
+        "" if process.memory_bytes is None else amount(process.memory_bytes, "B"),
+        Cell(process.command, hint=process.command),
     ]
 
 
@@ -145,23 +133,23 @@ class _Details:
             stop(self.one, force=force)
 
 
-def _why_not(one: RunningProcess, *, read_only: bool) -> str:
-    if one.is_page:
+def _why_not(process: RunningProcess, *, read_only: bool) -> str:
+    if process.is_page:
         return "This process serves this page."
     if read_only:
         return "This page is read-only."
-    return f"This process runs on {one.host}: stop it there."
+    return f"This process runs on {process.host}: stop it there."
 
 
-def _show_facts(one: RunningProcess) -> None:
-    started = datetime.fromtimestamp(one.started_ns / 1e9).astimezone()
+def _show_facts(process: RunningProcess) -> None:
+    started = datetime.fromtimestamp(process.started_ns / 1e9).astimezone()
     facts = {
-        "Nodes": "\n".join(one.nodes),
-        "Host": one.host,
-        "Process": str(one.pid),
-        "Command": one.command,
+        "Nodes": "\n".join(process.nodes),
+        "Host": process.host,
+        "Process": str(process.pid),
+        "Command": process.command,
         "Started": f"{started:%Y-%m-%d %H:%M:%S}",
-        "zbot": one.version,
+        "zbot": process.version,
     }
     for name, text in facts.items():
         ui.label(name).classes("zb-muted")

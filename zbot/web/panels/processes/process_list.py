@@ -10,14 +10,16 @@ from typing import TYPE_CHECKING
 
 import psutil
 
-from zbot.graph.snapshot import full_names, processes
+from zbot.graph.snapshot import full_names
 from zbot.observer.errors import ViewerError
+from zbot.transport.admin_query import processes
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from zbot.graph.snapshot import Process, Snapshot
+    from zbot.graph.snapshot import Snapshot
     from zbot.observer.system import System
+    from zbot.transport.admin_query import Process
 
 #: Tolerance between the start of a process and the start that its session reports.
 _SLACK_S = 2.0
@@ -55,7 +57,9 @@ class ProcessList:
         """Query the sessions of the domain's nodes (1 to 25 ms), and return their processes."""
         by_session = processes(system.context.session)
         found = _merged(system.snapshot(), by_session)
-        self._known = {pid: one for pid, one in self._known.items() if psutil.pid_exists(pid)}
+        self._known = {
+            pid: process for pid, process in self._known.items() if psutil.pid_exists(pid)
+        }
         return [self._measured(process, nodes) for process, nodes in found]
 
     def _measured(self, process: Process, nodes: tuple[str, ...]) -> RunningProcess:
@@ -97,7 +101,7 @@ def _merged(
             first.setdefault(key, process)
             nodes.setdefault(key, []).extend(full_names([node]))
     found = [(first[key], tuple(sorted(nodes[key]))) for key in first]
-    return sorted(found, key=lambda one: one[1])
+    return sorted(found, key=lambda pair: pair[1])
 
 
 def stop(process: RunningProcess, *, force: bool = False) -> None:

@@ -12,9 +12,8 @@ from zbot.names import is_hidden
 from zbot.observer.value_text import amount, brief
 from zbot.web.page.panel import Page, Panel
 from zbot.web.page.table import Cell, Column, Table
-from zbot.web.panels.topics.folded_names import FoldedRow, folded
 from zbot.web.panels.topics.topic_details import show_topic
-from zbot.web.panels.topics.topic_rows import topic_rows
+from zbot.web.panels.topics.topic_rows import FoldedRow, folded, topic_rows
 
 if TYPE_CHECKING:
     from zbot.observer.watch import Watch

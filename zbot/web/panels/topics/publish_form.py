@@ -11,7 +11,7 @@ from zbot.errors import ZbotError
 from zbot.web.forms.form_view import FormView
 
 if TYPE_CHECKING:
-    from zbot.observer.repeated_publishing import RepeatedPublishing
+    from zbot.observer.shared_entities import RepeatedPublishing
     from zbot.observer.watch import Watch
     from zbot.web.page.panel import Section
 

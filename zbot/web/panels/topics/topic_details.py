@@ -7,11 +7,12 @@ from urllib.parse import urlencode
 
 from nicegui import ui
 
+from zbot.errors import counted
 from zbot.observer.value_text import amount, tree
 from zbot.web.page.message_view import TREE_COLUMNS
 from zbot.web.page.table import Cell, Table
+from zbot.web.page.topic_picture import add_picture
 from zbot.web.panels.topics.publish_form import add_publish_form
-from zbot.web.panels.topics.topic_picture import add_picture
 from zbot.web.panels.topics.topic_rows import topic_rows
 
 if TYPE_CHECKING:
@@ -61,7 +62,7 @@ def _add_facts(section: Section, watch: Watch) -> None:
         if section.system.revision != seen:
             seen = section.system.revision
             rows = topic_rows(section.system.snapshot(), section.system.node_name)
-            row = next((one for one in rows if one.name == watch.topic), None)
+            row = next((other for other in rows if other.name == watch.topic), None)
             _fill(publishers, row.publishers if row else ())
             _fill(subscriptions, row.subscriptions if row else ())
 
@@ -72,7 +73,7 @@ def _numbers(watch: Watch) -> str:
     parts = [
         amount(watch.rate_hz, "Hz"),
         amount(watch.bytes_per_second, "B/s"),
-        "1 message" if watch.count == 1 else f"{watch.count} messages",
+        counted(watch.count, "message"),
         f"{watch.lost} lost" if watch.lost else "",
     ]
     return " · ".join(filter(None, parts))

@@ -159,7 +159,9 @@ class TurtlePanel:
             self._match_pen(seen)
 
     def _match_simulators(self) -> None:
-        found = {one.node: one for one in simulators(self._page.system.snapshot())}
+        found = {
+            simulator.node: simulator for simulator in simulators(self._page.system.snapshot())
+        }
         self._simulator.set_options(list(found))
         self._simulator.set_visibility(len(found) > 1)
         self._empty.set_visibility(not found)
@@ -170,7 +172,9 @@ class TurtlePanel:
 
     def _on_simulator(self) -> None:
         found = simulators(self._page.system.snapshot())
-        chosen = next((one for one in found if one.node == self._simulator.value), None)
+        chosen = next(
+            (simulator for simulator in found if simulator.node == self._simulator.value), None
+        )
         if chosen is not None and self._control is not None and chosen != self._control.simulator:
             self._look_at(chosen)
 
@@ -244,7 +248,7 @@ class TurtlePanel:
             await self._control.teleport(self._chosen, *self._where())
 
     def _where(self) -> tuple[float, float, float]:
-        x, y, theta = (float(one.value or 0.0) for one in (self._x, self._y, self._theta))
+        x, y, theta = (float(field.value or 0.0) for field in (self._x, self._y, self._theta))
         return x, y, theta
 
     async def _set_pen(self, _event: object = None) -> None:

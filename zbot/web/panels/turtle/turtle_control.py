@@ -212,7 +212,9 @@ class TurtleControl:
 
     async def set_background(self, colour: tuple[int, int, int]) -> None:
         """Change the background."""
-        values = {f"background_{one}": value for one, value in zip("rgb", colour, strict=True)}
+        values = {
+            f"background_{channel}": value for channel, value in zip("rgb", colour, strict=True)
+        }
         pairs = [word for name, value in values.items() for word in (name, str(value))]
         self._show("param", "set", self.simulator.node, *pairs)
         parameters = [Parameter(name, value=value) for name, value in values.items()]

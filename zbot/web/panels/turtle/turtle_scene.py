@@ -81,7 +81,7 @@ class SceneView:
 
     def _show(self, scene: Any) -> None:
         self._request.run, self._request.until = scene.run, scene.until
-        self.turtles = {one.name: _seen(one) for one in scene.turtles}
+        self.turtles = {turtle.name: _seen(turtle) for turtle in scene.turtles}
         self.background = (scene.background.r, scene.background.g, scene.background.b)
         standing = [self.background, *self.turtles.values()]
         if standing == self._shown and not scene.lines and not scene.sheet:
@@ -109,8 +109,8 @@ def _picture(
     """Return the arguments of `zbotTurtle.show`, as JSON values."""
     picture: dict[str, Any] = {
         "background": background,
-        "turtles": [[one.name, one.x, one.y, one.theta] for one in turtles.values()],
-        "lines": [round(one, 2) for one in scene.lines],
+        "turtles": [[turtle.name, turtle.x, turtle.y, turtle.theta] for turtle in turtles.values()],
+        "lines": [round(number, 2) for number in scene.lines],
         "pens": list(scene.pens),
     }
     if scene.sheet:

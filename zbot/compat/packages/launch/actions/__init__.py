@@ -3,7 +3,7 @@
 
 from typing import TYPE_CHECKING
 
-from zbot.compat.first_use import at_first_use
+from zbot.lazy_imports import lazy_names
 from zbot.launch.actions import (
     Action,
     AppendEnvironmentVariable,
@@ -109,37 +109,41 @@ if TYPE_CHECKING:
     from . import unset_environment_variable as unset_environment_variable
     from . import unset_launch_configuration as unset_launch_configuration
 else:
-    __getattr__ = at_first_use(
+    __getattr__ = lazy_names(
         __name__,
-        "append_environment_variable",
-        "declare_boolean_launch_argument",
-        "declare_launch_argument",
-        "emit_event",
-        "execute_local",
-        "execute_process",
-        "for_loop",
-        "group_action",
-        "include_launch_description",
-        "log",
-        "log_debug",
-        "log_error",
-        "log_info",
-        "log_warning",
-        "opaque_coroutine",
-        "opaque_function",
-        "pop_environment",
-        "pop_launch_configurations",
-        "push_environment",
-        "push_launch_configurations",
-        "register_event_handler",
-        "replace_environment_variables",
-        "reset_environment",
-        "reset_launch_configurations",
-        "set_environment_variable",
-        "set_launch_configuration",
-        "shutdown_action",
-        "timer_action",
-        "unregister_event_handler",
-        "unset_environment_variable",
-        "unset_launch_configuration",
-    )
+        {
+        },
+        submodules=(
+            "append_environment_variable",
+            "declare_boolean_launch_argument",
+            "declare_launch_argument",
+            "emit_event",
+            "execute_local",
+            "execute_process",
+            "for_loop",
+            "group_action",
+            "include_launch_description",
+            "log",
+            "log_debug",
+            "log_error",
+            "log_info",
+            "log_warning",
+            "opaque_coroutine",
+            "opaque_function",
+            "pop_environment",
+            "pop_launch_configurations",
+            "push_environment",
+            "push_launch_configurations",
+            "register_event_handler",
+            "replace_environment_variables",
+            "reset_environment",
+            "reset_launch_configurations",
+            "set_environment_variable",
+            "set_launch_configuration",
+            "shutdown_action",
+            "timer_action",
+            "unregister_event_handler",
+            "unset_environment_variable",
+            "unset_launch_configuration",
+        ),
+    )[0]

@@ -3,7 +3,7 @@
 
 from typing import TYPE_CHECKING
 
-from zbot.compat.first_use import at_first_use
+from zbot.lazy_imports import lazy_names
 from zbot.launch.condition import (
     AndCondition,
     IfCondition,
@@ -35,13 +35,17 @@ if TYPE_CHECKING:
     from . import or_condition as or_condition
     from . import unless_condition as unless_condition
 else:
-    __getattr__ = at_first_use(
+    __getattr__ = lazy_names(
         __name__,
-        "and_condition",
-        "evaluate_condition_expression_impl",
-        "if_condition",
-        "launch_configuration_equals",
-        "launch_configuration_not_equals",
-        "or_condition",
-        "unless_condition",
-    )
+        {
+        },
+        submodules=(
+            "and_condition",
+            "evaluate_condition_expression_impl",
+            "if_condition",
+            "launch_configuration_equals",
+            "launch_configuration_not_equals",
+            "or_condition",
+            "unless_condition",
+        ),
+    )[0]

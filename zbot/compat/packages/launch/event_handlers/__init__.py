@@ -3,7 +3,7 @@
 
 from typing import TYPE_CHECKING
 
-from zbot.compat.first_use import at_first_use
+from zbot.lazy_imports import lazy_names
 from zbot.launch.event_handler import (
     OnActionEventBase,
     OnExecutionComplete,
@@ -33,13 +33,17 @@ if TYPE_CHECKING:
     from . import on_process_start as on_process_start
     from . import on_shutdown as on_shutdown
 else:
-    __getattr__ = at_first_use(
+    __getattr__ = lazy_names(
         __name__,
-        "on_action_event_base",
-        "on_execution_complete",
-        "on_include_launch_description",
-        "on_process_exit",
-        "on_process_io",
-        "on_process_start",
-        "on_shutdown",
-    )
+        {
+        },
+        submodules=(
+            "on_action_event_base",
+            "on_execution_complete",
+            "on_include_launch_description",
+            "on_process_exit",
+            "on_process_io",
+            "on_process_start",
+            "on_shutdown",
+        ),
+    )[0]

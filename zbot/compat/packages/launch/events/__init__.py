@@ -3,7 +3,7 @@
 
 from typing import TYPE_CHECKING
 
-from zbot.compat.first_use import at_first_use
+from zbot.lazy_imports import lazy_names
 from zbot.launch.event import (
     ExecutionComplete,
     IncludeLaunchDescriptionEvent as IncludeLaunchDescription,
@@ -28,12 +28,16 @@ if TYPE_CHECKING:
     from . import shutdown as shutdown
     from . import timer_event as timer_event
 else:
-    __getattr__ = at_first_use(
+    __getattr__ = lazy_names(
         __name__,
-        "execution_complete",
-        "include_launch_description",
-        "matchers",
-        "process",
-        "shutdown",
-        "timer_event",
-    )
+        {
+        },
+        submodules=(
+            "execution_complete",
+            "include_launch_description",
+            "matchers",
+            "process",
+            "shutdown",
+            "timer_event",
+        ),
+    )[0]

@@ -3,9 +3,9 @@
 
 from typing import TYPE_CHECKING
 
-from zbot.compat.first_use import at_first_use
+from zbot.lazy_imports import lazy_names
 from zbot.launch.frontend.entity import Entity
-from zbot.launch.frontend.errors import InvalidFrontendLaunchFileError
+from zbot.launch.errors import InvalidFrontendLaunchFileError
 from zbot.launch.frontend.parser import Parser
 from zbot.launch.frontend.registry import expose_action, expose_substitution
 
@@ -24,11 +24,15 @@ if TYPE_CHECKING:
     from . import parser as parser
     from . import type_utils as type_utils
 else:
-    __getattr__ = at_first_use(
+    __getattr__ = lazy_names(
         __name__,
-        "entity",
-        "expose",
-        "parse_substitution",
-        "parser",
-        "type_utils",
-    )
+        {
+        },
+        submodules=(
+            "entity",
+            "expose",
+            "parse_substitution",
+            "parser",
+            "type_utils",
+        ),
+    )[0]

@@ -3,12 +3,12 @@
 
 from typing import TYPE_CHECKING
 
-from zbot.compat.first_use import at_first_use
+from zbot.lazy_imports import lazy_names
 from zbot.launch.errors import (
+    InvalidFrontendLaunchFileError,
     InvalidLaunchFileError,
     LaunchFileError as InvalidPythonLaunchFileError,
 )
-from zbot.launch.frontend.errors import InvalidFrontendLaunchFileError
 from zbot.launch.python_file import load_module as load_python_launch_file_as_module
 from zbot.launch.source import (
     AnyLaunchDescriptionSource,
@@ -40,12 +40,16 @@ if TYPE_CHECKING:
     from . import python_launch_description_source as python_launch_description_source
     from . import python_launch_file_utilities as python_launch_file_utilities
 else:
-    __getattr__ = at_first_use(
+    __getattr__ = lazy_names(
         __name__,
-        "any_launch_description_source",
-        "any_launch_file_utilities",
-        "frontend_launch_description_source",
-        "frontend_launch_file_utilities",
-        "python_launch_description_source",
-        "python_launch_file_utilities",
-    )
+        {
+        },
+        submodules=(
+            "any_launch_description_source",
+            "any_launch_file_utilities",
+            "frontend_launch_description_source",
+            "frontend_launch_file_utilities",
+            "python_launch_description_source",
+            "python_launch_file_utilities",
+        ),
+    )[0]

@@ -3,7 +3,7 @@
 
 from typing import TYPE_CHECKING
 
-from zbot.compat.first_use import at_first_use
+from zbot.lazy_imports import lazy_names
 from zbot.launch.errors import SubstitutionError as SubstitutionFailure
 from zbot.launch.substitutions import (
     AllSubstitution,
@@ -94,30 +94,34 @@ if TYPE_CHECKING:
     from . import this_launch_file as this_launch_file
     from . import this_launch_file_dir as this_launch_file_dir
 else:
-    __getattr__ = at_first_use(
+    __getattr__ = lazy_names(
         __name__,
-        "anon_name",
-        "boolean_substitution",
-        "command",
-        "environment_variable",
-        "equals_substitution",
-        "file_content",
-        "find_executable",
-        "for_loop_var",
-        "if_else_substitution",
-        "is_empty_substitution",
-        "launch_configuration",
-        "launch_log_dir",
-        "local_substitution",
-        "not_empty_substitution",
-        "not_equals_substitution",
-        "path_join_substitution",
-        "path_substitution",
-        "python_expression",
-        "string_join_substitution",
-        "string_strip_substitution",
-        "substitution_failure",
-        "text_substitution",
-        "this_launch_file",
-        "this_launch_file_dir",
-    )
+        {
+        },
+        submodules=(
+            "anon_name",
+            "boolean_substitution",
+            "command",
+            "environment_variable",
+            "equals_substitution",
+            "file_content",
+            "find_executable",
+            "for_loop_var",
+            "if_else_substitution",
+            "is_empty_substitution",
+            "launch_configuration",
+            "launch_log_dir",
+            "local_substitution",
+            "not_empty_substitution",
+            "not_equals_substitution",
+            "path_join_substitution",
+            "path_substitution",
+            "python_expression",
+            "string_join_substitution",
+            "string_strip_substitution",
+            "substitution_failure",
+            "text_substitution",
+            "this_launch_file",
+            "this_launch_file_dir",
+        ),
+    )[0]

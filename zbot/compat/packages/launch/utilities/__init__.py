@@ -3,7 +3,7 @@
 
 from typing import TYPE_CHECKING
 
-from zbot.compat.first_use import at_first_use
+from zbot.lazy_imports import lazy_names
 from zbot.launch.signal_manager import AsyncSafeSignalManager
 from zbot.launch.substitution import (
     is_a_substitution,
@@ -44,16 +44,20 @@ if TYPE_CHECKING:
     from . import typing_file_path as typing_file_path
     from . import visit_all_entities_and_collect_futures_impl as visit_all_entities_and_collect_futures_impl
 else:
-    __getattr__ = at_first_use(
+    __getattr__ = lazy_names(
         __name__,
-        "class_tools_impl",
-        "create_future_impl",
-        "ensure_argument_type_impl",
-        "normalize_to_list_of_substitutions_impl",
-        "perform_substitutions_impl",
-        "shutdown_on_process_exit",
-        "signal_management",
-        "type_utils",
-        "typing_file_path",
-        "visit_all_entities_and_collect_futures_impl",
-    )
+        {
+        },
+        submodules=(
+            "class_tools_impl",
+            "create_future_impl",
+            "ensure_argument_type_impl",
+            "normalize_to_list_of_substitutions_impl",
+            "perform_substitutions_impl",
+            "shutdown_on_process_exit",
+            "signal_management",
+            "type_utils",
+            "typing_file_path",
+            "visit_all_entities_and_collect_futures_impl",
+        ),
+    )[0]

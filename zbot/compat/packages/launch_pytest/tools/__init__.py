@@ -3,7 +3,7 @@
 
 from typing import TYPE_CHECKING
 
-from zbot.compat.first_use import at_first_use
+from zbot.lazy_imports import lazy_names
 from zbot.launch.testing.tool import (
     assert_output,
     assert_output_sync,
@@ -37,7 +37,11 @@ __all__ = [
 if TYPE_CHECKING:
     from . import process as process
 else:
-    __getattr__ = at_first_use(
+    __getattr__ = lazy_names(
         __name__,
-        "process",
-    )
+        {
+        },
+        submodules=(
+            "process",
+        ),
+    )[0]

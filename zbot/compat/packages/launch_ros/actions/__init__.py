@@ -3,7 +3,7 @@
 
 from typing import TYPE_CHECKING
 
-from zbot.compat.first_use import at_first_use
+from zbot.lazy_imports import lazy_names
 from zbot.launch.actions import (
     ComposableNodeContainer,
     LifecycleNode,
@@ -54,18 +54,22 @@ if TYPE_CHECKING:
     from . import set_ros_log_dir as set_ros_log_dir
     from . import set_use_sim_time as set_use_sim_time
 else:
-    __getattr__ = at_first_use(
+    __getattr__ = lazy_names(
         __name__,
-        "composable_node_container",
-        "lifecycle_node",
-        "lifecycle_transition",
-        "load_composable_nodes",
-        "node",
-        "push_ros_namespace",
-        "ros_timer",
-        "set_parameter",
-        "set_parameters_from_file",
-        "set_remap",
-        "set_ros_log_dir",
-        "set_use_sim_time",
-    )
+        {
+        },
+        submodules=(
+            "composable_node_container",
+            "lifecycle_node",
+            "lifecycle_transition",
+            "load_composable_nodes",
+            "node",
+            "push_ros_namespace",
+            "ros_timer",
+            "set_parameter",
+            "set_parameters_from_file",
+            "set_remap",
+            "set_ros_log_dir",
+            "set_use_sim_time",
+        ),
+    )[0]

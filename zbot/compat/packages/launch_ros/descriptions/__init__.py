@@ -3,7 +3,7 @@
 
 from typing import TYPE_CHECKING
 
-from zbot.compat.first_use import at_first_use
+from zbot.lazy_imports import lazy_names
 from zbot.launch.actions.composable import ComposableNode
 from zbot.launch.parameters import Parameter, ParameterFile, ParameterValue
 
@@ -17,7 +17,11 @@ __all__ = [
 if TYPE_CHECKING:
     from . import composable_node as composable_node
 else:
-    __getattr__ = at_first_use(
+    __getattr__ = lazy_names(
         __name__,
-        "composable_node",
-    )
+        {
+        },
+        submodules=(
+            "composable_node",
+        ),
+    )[0]

@@ -3,8 +3,8 @@
 
 from typing import TYPE_CHECKING
 
-from zbot.compat.first_use import at_first_use
-from zbot.launch.lifecycle_event import OnStateTransition
+from zbot.lazy_imports import lazy_names
+from zbot.launch.actions.lifecycle_node import OnStateTransition
 
 __all__ = [
     "OnStateTransition",
@@ -13,7 +13,11 @@ __all__ = [
 if TYPE_CHECKING:
     from . import on_state_transition as on_state_transition
 else:
-    __getattr__ = at_first_use(
+    __getattr__ = lazy_names(
         __name__,
-        "on_state_transition",
-    )
+        {
+        },
+        submodules=(
+            "on_state_transition",
+        ),
+    )[0]

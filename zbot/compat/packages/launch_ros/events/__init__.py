@@ -3,8 +3,8 @@
 
 from typing import TYPE_CHECKING
 
-from zbot.compat.first_use import at_first_use
-from zbot.launch.lifecycle_event import matches_node_name
+from zbot.lazy_imports import lazy_names
+from zbot.launch.actions.lifecycle_node import matches_node_name
 
 __all__ = [
     "matches_node_name",
@@ -14,8 +14,12 @@ if TYPE_CHECKING:
     from . import lifecycle as lifecycle
     from . import matchers as matchers
 else:
-    __getattr__ = at_first_use(
+    __getattr__ = lazy_names(
         __name__,
-        "lifecycle",
-        "matchers",
-    )
+        {
+        },
+        submodules=(
+            "lifecycle",
+            "matchers",
+        ),
+    )[0]

@@ -3,7 +3,7 @@
 
 from typing import TYPE_CHECKING
 
-from zbot.compat.first_use import at_first_use
+from zbot.lazy_imports import lazy_names
 from zbot.launch.substitutions import (
     ExecutableInPackage,
     FindPackage,
@@ -25,9 +25,13 @@ if TYPE_CHECKING:
     from . import find_package as find_package
     from . import parameter as parameter
 else:
-    __getattr__ = at_first_use(
+    __getattr__ = lazy_names(
         __name__,
-        "executable_in_package",
-        "find_package",
-        "parameter",
-    )
+        {
+        },
+        submodules=(
+            "executable_in_package",
+            "find_package",
+            "parameter",
+        ),
+    )[0]

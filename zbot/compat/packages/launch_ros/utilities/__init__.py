@@ -3,14 +3,14 @@
 
 from typing import TYPE_CHECKING
 
-from zbot.compat.first_use import at_first_use
+from zbot.lazy_imports import lazy_names
 from zbot.launch.actions.ros_names import (
     absolute as make_namespace_absolute,
     is_namespace_absolute,
     is_root_namespace,
     prefix_namespace,
 )
-from zbot.launch.node_names import add_node_name, get_node_name_count
+from zbot.launch.actions.node import add_node_name, get_node_name_count
 from .evaluate_parameters import evaluate_parameters
 from .normalize_parameters import normalize_parameters
 
@@ -29,8 +29,12 @@ if TYPE_CHECKING:
     from . import namespace_utils as namespace_utils
     from . import track_node_names as track_node_names
 else:
-    __getattr__ = at_first_use(
+    __getattr__ = lazy_names(
         __name__,
-        "namespace_utils",
-        "track_node_names",
-    )
+        {
+        },
+        submodules=(
+            "namespace_utils",
+            "track_node_names",
+        ),
+    )[0]

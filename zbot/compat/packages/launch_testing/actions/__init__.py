@@ -3,9 +3,8 @@
 
 from typing import TYPE_CHECKING
 
-from zbot.compat.first_use import at_first_use
-from zbot.launch.actions.testing import ReadyToTest
-from zbot.launch.testing.test_action import GTest, PyTest, Test
+from zbot.lazy_imports import lazy_names
+from zbot.launch.testing.test_action import GTest, PyTest, ReadyToTest, Test
 
 __all__ = [
     "GTest",
@@ -18,8 +17,12 @@ if TYPE_CHECKING:
     from . import ready as ready
     from . import ready_to_test as ready_to_test
 else:
-    __getattr__ = at_first_use(
+    __getattr__ = lazy_names(
         __name__,
-        "ready",
-        "ready_to_test",
-    )
+        {
+        },
+        submodules=(
+            "ready",
+            "ready_to_test",
+        ),
+    )[0]

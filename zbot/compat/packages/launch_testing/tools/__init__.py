@@ -3,7 +3,7 @@
 
 from typing import TYPE_CHECKING
 
-from zbot.compat.first_use import at_first_use
+from zbot.lazy_imports import lazy_names
 from zbot.launch.testing.expected_output import expect_output, expected_output_from_file
 from zbot.launch.testing.output_text import (
     basic_output_filter,
@@ -26,8 +26,12 @@ if TYPE_CHECKING:
     from . import output as output
     from . import process as process
 else:
-    __getattr__ = at_first_use(
+    __getattr__ = lazy_names(
         __name__,
-        "output",
-        "process",
-    )
+        {
+        },
+        submodules=(
+            "output",
+            "process",
+        ),
+    )[0]

@@ -3,7 +3,7 @@
 
 from typing import TYPE_CHECKING
 
-from zbot.compat.first_use import at_first_use
+from zbot.lazy_imports import lazy_names
 from zbot.launch.testing.output_text import ros_output_filter as basic_output_filter
 
 __all__ = [
@@ -13,7 +13,11 @@ __all__ = [
 if TYPE_CHECKING:
     from . import output as output
 else:
-    __getattr__ = at_first_use(
+    __getattr__ = lazy_names(
         __name__,
-        "output",
-    )
+        {
+        },
+        submodules=(
+            "output",
+        ),
+    )[0]

@@ -3,7 +3,7 @@
 
 from typing import TYPE_CHECKING
 
-from zbot.compat.first_use import at_first_use
+from zbot.lazy_imports import lazy_names
 from zbot.action.client import ActionClient
 from zbot.action.graph import (
     get_action_client_names_and_types_by_node,
@@ -27,9 +27,13 @@ if TYPE_CHECKING:
     from . import graph as graph
     from . import server as server
 else:
-    __getattr__ = at_first_use(
+    __getattr__ = lazy_names(
         __name__,
-        "client",
-        "graph",
-        "server",
-    )
+        {
+        },
+        submodules=(
+            "client",
+            "graph",
+            "server",
+        ),
+    )[0]

@@ -3,7 +3,7 @@
 
 from zbot.action.client import ActionClient
 from zbot.action.client_goal_handle import ClientGoalHandle
-from zbot.action.generic import FeedbackT, GoalT, ResultT
+from zbot.action.endpoint import FeedbackT, GoalT, ResultT
 from zbot.compat.annotation import (
     ClientGoalHandleDict,
     FeedbackMessage,
@@ -15,7 +15,7 @@ from zbot.executor.clock import Clock
 from zbot.executor.task import Future, await_or_execute
 from zbot.executor.waitable import NumberOfEntities, Waitable
 from zbot.interfaces.message import Action
-from zbot.interfaces.type_support import check_for_type_support
+from zbot.interfaces.python_class import check_for_type_support
 from zbot.node.service_introspection import ServiceIntrospectionState
 from zbot.qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
 from action_msgs.msg import GoalStatus, GoalStatusArray

@@ -1,7 +1,7 @@
 # Written by python -m zbot.compat.generator; do not edit.
 """Action servers."""
 
-from zbot.action.generic import FeedbackT, GoalT, ResultT
+from zbot.action.endpoint import FeedbackT, GoalT, ResultT
 from zbot.action.goal_state import GoalEvent
 from zbot.action.server import (
     ActionServer,
@@ -24,7 +24,7 @@ from zbot.executor.clock import Clock
 from zbot.executor.task import Future, Task, await_or_execute
 from zbot.executor.waitable import NumberOfEntities, Waitable
 from zbot.interfaces.message import Action
-from zbot.interfaces.type_support import check_for_type_support
+from zbot.interfaces.python_class import check_for_type_support
 from zbot.node.service_introspection import ServiceIntrospectionState
 from zbot.qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
 from action_msgs.msg import GoalInfo, GoalStatus

@@ -3,7 +3,7 @@
 
 from typing import TYPE_CHECKING
 
-from zbot.compat.first_use import at_first_use
+from zbot.lazy_imports import lazy_names
 from zbot.executor.single_threaded_executor import SingleThreadedExecutor as EventsExecutor
 
 __all__ = [
@@ -13,7 +13,11 @@ __all__ = [
 if TYPE_CHECKING:
     from . import events_executor as events_executor
 else:
-    __getattr__ = at_first_use(
+    __getattr__ = lazy_names(
         __name__,
-        "events_executor",
-    )
+        {
+        },
+        submodules=(
+            "events_executor",
+        ),
+    )[0]

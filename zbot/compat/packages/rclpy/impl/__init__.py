@@ -3,16 +3,20 @@
 
 from typing import TYPE_CHECKING
 
-from zbot.compat.first_use import at_first_use
+from zbot.lazy_imports import lazy_names
 
 if TYPE_CHECKING:
     from . import implementation_singleton as implementation_singleton
     from . import logging_severity as logging_severity
     from . import rcutils_logger as rcutils_logger
 else:
-    __getattr__ = at_first_use(
+    __getattr__ = lazy_names(
         __name__,
-        "implementation_singleton",
-        "logging_severity",
-        "rcutils_logger",
-    )
+        {
+        },
+        submodules=(
+            "implementation_singleton",
+            "logging_severity",
+            "rcutils_logger",
+        ),
+    )[0]

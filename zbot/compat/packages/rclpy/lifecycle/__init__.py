@@ -3,7 +3,7 @@
 
 from typing import TYPE_CHECKING
 
-from zbot.compat.first_use import at_first_use
+from zbot.lazy_imports import lazy_names
 from zbot.lifecycle import (
     LifecycleState,
     Node,
@@ -12,9 +12,8 @@ from zbot.lifecycle import (
     State,
     TransitionCallbackReturn,
 )
-from zbot.lifecycle.managed_entity import ManagedEntity, SimpleManagedEntity
+from zbot.lifecycle.managed_entity import LifecyclePublisher, ManagedEntity, SimpleManagedEntity
 from zbot.lifecycle.node import LifecycleNode, LifecycleNodeMixin
-from zbot.lifecycle.publisher import LifecyclePublisher
 
 __all__ = [
     "LifecycleNode",
@@ -35,9 +34,13 @@ if TYPE_CHECKING:
     from . import node as node
     from . import publisher as publisher
 else:
-    __getattr__ = at_first_use(
+    __getattr__ = lazy_names(
         __name__,
-        "managed_entity",
-        "node",
-        "publisher",
-    )
+        {
+        },
+        submodules=(
+            "managed_entity",
+            "node",
+            "publisher",
+        ),
+    )[0]

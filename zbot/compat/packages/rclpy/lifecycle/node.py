@@ -3,11 +3,10 @@
 
 from zbot.compat.annotation import CallbackNames, CreateLifecyclePublisherArgs, LifecycleNodeArgs
 from zbot.executor.callback_group import CallbackGroup
-from zbot.interfaces.type_support import MsgT, check_is_valid_srv_type
+from zbot.interfaces.python_class import MsgT, check_is_valid_srv_type
 from zbot.lifecycle import LifecycleState, TransitionCallbackReturn
-from zbot.lifecycle.managed_entity import ManagedEntity
+from zbot.lifecycle.managed_entity import LifecyclePublisher, ManagedEntity
 from zbot.lifecycle.node import LifecycleNode, LifecycleNodeMixin
-from zbot.lifecycle.publisher import LifecyclePublisher
 from zbot.log import Logger as RcutilsLogger
 from zbot.node.node import Node
 from zbot.node.service import Service

@@ -2,9 +2,8 @@
 """Publishers of managed nodes."""
 
 from zbot.executor.callback_group import CallbackGroup
-from zbot.interfaces.type_support import MsgT
-from zbot.lifecycle.managed_entity import SimpleManagedEntity
-from zbot.lifecycle.publisher import LifecyclePublisher
+from zbot.interfaces.python_class import MsgT
+from zbot.lifecycle.managed_entity import LifecyclePublisher, SimpleManagedEntity
 from zbot.node.event_callbacks import PublisherEventCallbacks
 from zbot.node.publisher import Publisher
 from zbot.qos import QoSProfile

@@ -3,14 +3,18 @@
 
 from typing import TYPE_CHECKING
 
-from zbot.compat.first_use import at_first_use
+from zbot.lazy_imports import lazy_names
 
 if TYPE_CHECKING:
     from . import direct as direct
     from . import strategy as strategy
 else:
-    __getattr__ = at_first_use(
+    __getattr__ = lazy_names(
         __name__,
-        "direct",
-        "strategy",
-    )
+        {
+        },
+        submodules=(
+            "direct",
+            "strategy",
+        ),
+    )[0]

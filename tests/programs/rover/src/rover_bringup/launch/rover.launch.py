@@ -75,10 +75,10 @@ def generate_launch_description() -> LaunchDescription:
             IncludeLaunchDescription(
                 PythonLaunchDescriptionSource(
                     PathJoinSubstitution(
-                        [FindPackageShare("ros_gz_sim"), "launch", "gz_sim.launch.py"]
+                        [FindPackageShare("stage_ros2"), "launch", "world.launch.py"]
                     )
                 ),
-                launch_arguments={"gz_args": "-r empty.sdf"}.items(),
+                launch_arguments={"gui": "false"}.items(),
                 condition=IfCondition(LaunchConfiguration("gazebo")),
             ),
         ]

@@ -3,7 +3,7 @@
 
 from typing import TYPE_CHECKING
 
-from zbot.compat.first_use import at_first_use
+from zbot.lazy_imports import lazy_names
 from zbot.launch.process_event import (
     ProcessExited,
     ProcessIO,
@@ -51,17 +51,21 @@ if TYPE_CHECKING:
     from . import shutdown_process as shutdown_process
     from . import signal_process as signal_process
 else:
-    __getattr__ = at_first_use(
+    __getattr__ = lazy_names(
         __name__,
-        "process_exited",
-        "process_io",
-        "process_matchers",
-        "process_started",
-        "process_stderr",
-        "process_stdin",
-        "process_stdout",
-        "process_targeted_event",
-        "running_process_event",
-        "shutdown_process",
-        "signal_process",
-    )
+        {
+        },
+        submodules=(
+            "process_exited",
+            "process_io",
+            "process_matchers",
+            "process_started",
+            "process_stderr",
+            "process_stdin",
+            "process_stdout",
+            "process_targeted_event",
+            "running_process_event",
+            "shutdown_process",
+            "signal_process",
+        ),
+    )[0]

@@ -3,8 +3,8 @@
 
 from typing import TYPE_CHECKING
 
-from zbot.compat.first_use import at_first_use
-from zbot.launch.lifecycle_event import ChangeState, StateTransition, matches_node_name
+from zbot.lazy_imports import lazy_names
+from zbot.launch.actions.lifecycle_node import ChangeState, StateTransition, matches_node_name
 
 __all__ = [
     "ChangeState",
@@ -16,8 +16,12 @@ if TYPE_CHECKING:
     from . import change_state as change_state
     from . import state_transition as state_transition
 else:
-    __getattr__ = at_first_use(
+    __getattr__ = lazy_names(
         __name__,
-        "change_state",
-        "state_transition",
-    )
+        {
+        },
+        submodules=(
+            "change_state",
+            "state_transition",
+        ),
+    )[0]

@@ -1,0 +1,1 @@
+"""Cameras: drivers of webcams, and programs that show and rectify their images."""

@@ -1,0 +1,1 @@
+"""Programs of Gazebo's packages, answered by zbot's simulator."""

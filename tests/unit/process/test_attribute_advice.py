@@ -1,0 +1,86 @@
+"""Tests of what is said about a name that rclpy does not have."""
+
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+import zbot
+from zbot.process.attribute_advice import advise_of_attribute
+from zbot.time import Time
+
+from example_interfaces.action import Fibonacci
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+
+class Robot(zbot.Node):
+    speed: Any
+
+    def __init__(self) -> None:
+        """Create no node."""
+
+    def turn(self) -> None: ...
+
+
+class ServerGoalHandle:
+    request = Fibonacci.Goal()
+
+    def publish_feedback(self, feedback: Any) -> None: ...
+
+
+robot: Any = Robot()
+library: Any = importlib.import_module("rclpy")
+
+
+def text_of(call: Callable[[], Any]) -> str:
+    with pytest.raises(AttributeError) as caught:
+        call()
+    advise_of_attribute(caught.value)
+    return str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("call", "advice"),
+    [
+        (lambda: library.Publisher, "write self.create_publisher(String, 'chatter', 10) in a node"),
+        (lambda: library.init_node("x"), "write rclpy.init(), and then rclpy.create_node('name')"),
+        (lambda: library.loginfo("x"), "write self.get_logger().info('text') in a node"),
+        (lambda: robot.get_logger.info("x"), "write get_logger().info, with parentheses"),
+        (lambda: robot.subscribe, "write create_subscription"),
+        (lambda: robot.create_subscriber, "write create_subscription"),
+        (lambda: zbot.Future[Any]().success, "write result().success, after rclpy.spin_until_"),  # type: ignore[attr-defined]
+        (
+            lambda: zbot.Future[Any]().result().success,  # type: ignore[union-attr]
+            "write rclpy.spin_until_future_complete(node,",
+        ),
+        (lambda: Time().nanosec, "write to_msg().nanosec"),  # type: ignore[attr-defined]
+        (lambda: setattr(robot, "context", 5), "nodes use this name themselves; choose another"),
+        (lambda: ServerGoalHandle().order, "write goal_handle.request.order"),  # type: ignore[attr-defined]
+    ],
+)
+def test_a_typical_wrong_name_says_what_to_write(call: Callable[[], Any], advice: str) -> None:
+    assert f": {advice}" in text_of(call)
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda: library.nonsense,
+        lambda: robot.nonsense,
+        lambda: robot.turn.count,
+        lambda: pytest.sleep,  # type: ignore[attr-defined]
+        lambda: [].subscribe,  # type: ignore[attr-defined]
+    ],
+)
+def test_other_names_keep_the_text_of_python(call: Callable[[], Any]) -> None:
+    assert "write" not in text_of(call)
+
+
+def test_other_errors_are_left_alone() -> None:
+    error = ValueError("x")
+    advise_of_attribute(error)
+    assert error.args == ("x",)

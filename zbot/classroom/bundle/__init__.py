@@ -1,0 +1,1 @@
+"""Bundle: a folder from which laptops install zbot without the internet."""

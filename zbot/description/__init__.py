@@ -1,0 +1,1 @@
+"""Reader of robot descriptions in URDF."""

@@ -1,0 +1,1 @@
+"""Control of a running launch by the page: its processes, their output, restart and stop."""

@@ -1,0 +1,1 @@
+"""Servers for browsers: their addresses, their ports, and the browser of this machine."""

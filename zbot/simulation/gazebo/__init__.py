@@ -1,0 +1,1 @@
+"""Sensors and plugins of Gazebo, of both generations, in robot descriptions and in SDF."""

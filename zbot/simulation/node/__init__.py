@@ -1,0 +1,1 @@
+"""Node of the simulator: its topics, its services and its time."""

@@ -1,0 +1,1 @@
+"""Robots: bodies, drives and equipment from robot descriptions."""

@@ -1,0 +1,1 @@
+"""Reader of SDF, the format of Gazebo's worlds and models."""

@@ -1,0 +1,1 @@
+"""Sensors: what a robot measures in a world."""

@@ -1,0 +1,1 @@
+"""Worlds: walls and things from plans, maps and MJCF files."""

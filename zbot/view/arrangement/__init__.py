@@ -1,0 +1,1 @@
+"""Arrangement of a view: its displays, its fixed frame and its camera, as in an `.rviz` file."""

@@ -1,1 +1,0 @@
-"""Panel Class of the live page."""

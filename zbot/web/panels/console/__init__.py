@@ -1,1 +1,0 @@
-"""Panel Console of the live page."""

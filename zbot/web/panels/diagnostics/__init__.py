@@ -1,0 +1,1 @@
+"""Panel Diagnostics of the live page."""

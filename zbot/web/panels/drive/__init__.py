@@ -1,0 +1,1 @@
+"""Panel Drive of the live page."""

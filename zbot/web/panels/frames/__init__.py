@@ -1,0 +1,1 @@
+"""Panel Frames of the live page."""

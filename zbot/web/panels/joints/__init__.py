@@ -1,0 +1,1 @@
+"""Panel Joints of the live page."""

@@ -1,0 +1,1 @@
+"""Panel Launch of the live page."""

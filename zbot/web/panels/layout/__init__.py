@@ -1,0 +1,1 @@
+"""Panel Layout of the live page."""

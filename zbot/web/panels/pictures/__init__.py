@@ -1,0 +1,1 @@
+"""Panel Pictures of the live page."""

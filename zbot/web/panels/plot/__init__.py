@@ -1,1 +1,0 @@
-"""Panel Plot of the live page."""

@@ -1,1 +1,0 @@
-"""Panel Services of the live page."""

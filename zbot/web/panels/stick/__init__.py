@@ -1,1 +1,0 @@
-"""Panel Stick of the live page."""

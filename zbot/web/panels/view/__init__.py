@@ -1,0 +1,1 @@
+"""Panel View of the live page."""
