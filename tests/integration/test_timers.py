@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import statistics
 import threading
 import time
-from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import pytest
@@ -67,15 +65,20 @@ def simulation(make_context: MakeContext) -> Simulation:
 
 
 def test_a_timer_keeps_1_khz_without_drift(node: zbot.Node, executor: zbot.Executor) -> None:
-    infos: list[TimerInfo] = []
-    node.create_timer(0.001, infos.append, clock=Clock(clock_type=ClockType.STEADY_TIME))
-    while len(infos) < 400:
+    expected: list[int] = []
+    node.create_timer(
+        0.001,
+        lambda info: expected.append(info.expected_call_time.nanoseconds),
+        clock=Clock(clock_type=ClockType.STEADY_TIME),
+    )
+
+    # On a busy machine, periods are skipped now and then: wait for 50 calls without a gap.
+    deadline = time.monotonic() + allowed(15)
+    while len(expected) < 400 or expected[-1] - expected[-50] > 49_500_000:
+        assert time.monotonic() < deadline
         executor.spin_once(timeout_sec=1)
-    begin_ns = infos[0].expected_call_time.nanoseconds
-    periods = [(info.expected_call_time.nanoseconds - begin_ns) / 1e6 for info in infos]
-    # Medians: on a busy machine some calls are late and some periods are skipped.
-    assert statistics.median(b - a for a, b in pairwise(periods)) == pytest.approx(1, rel=0.01)
-    assert statistics.median(abs(number - round(number)) for number in periods) < 0.01
+    numbers = [(time_ns - expected[0]) / 1e6 for time_ns in expected]
+    assert max(abs(number - round(number)) for number in numbers) < 0.01
 
 
 def test_a_late_timer_skips_missed_periods(node: zbot.Node, executor: zbot.Executor) -> None:

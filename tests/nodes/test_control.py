@@ -4,20 +4,21 @@ from __future__ import annotations
 
 import math
 import signal
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import pytest
 
 import zbot
 from tests.conftest import wait_until
-from zbot.action import ActionClient
+from zbot.action import ActionClient, ActionServer
 from zbot.qos import DurabilityPolicy, QoSProfile
 from zbot_nodes.control.controller import Controller
 from zbot_nodes.control.controller_manager import ControllerManager
 from zbot_nodes.control.controller_types import TYPES
 from zbot_nodes.control.spawner import read_arguments
 
-from control_msgs.action import FollowJointTrajectory
+from control_msgs.action import FollowJointTrajectory, GripperCommand
 from control_msgs.msg import DynamicJointState, JointTrajectoryControllerState
 from control_msgs.srv import QueryTrajectoryState, SetOdometry
 from controller_manager_msgs import srv
@@ -30,6 +31,7 @@ from trajectory_msgs.msg import JointTrajectory, JointTrajectoryPoint
 from visualization_msgs.msg import MarkerArray
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from pathlib import Path
 
     from tests.conftest import Start
@@ -374,23 +376,63 @@ def test_an_arm_follows_a_goal(robot: Robot) -> None:
     assert query.position[0] < 2.0
 
 
-def test_an_arm_follows_the_topic_and_replaces_a_goal(robot: Robot) -> None:
+def test_an_arm_follows_the_topic_and_replaces_a_goal(
+    robot: Robot, monkeypatch: pytest.MonkeyPatch
+) -> None:
     states = robot.bench.watch(JointTrajectoryControllerState, "/arm/controller_state")
     robot.start("arm", "joint_trajectory_controller/JointTrajectoryController", ARM)
     client: Any = ActionClient(
         robot.bench.watcher, FollowJointTrajectory, "/arm/follow_joint_trajectory"
     )
-    assert client.wait_for_server(10)
+    assert client.wait_for_server()
+    begin_later = hold_executions(monkeypatch)
     accepted = client.send_goal_async(goal_for(9.0, 60))
     assert wait_until(accepted.done)
     ended = accepted.result().get_result_async()
     robot.bench.publisher(JointTrajectory, "/arm/joint_trajectory").publish(trajectory(-0.25, 1))
-    assert wait_until(ended.done, 10)
-    assert ended.result().status == 6  # ABORTED
-    assert wait_until(lambda: bool(states), 10)
     assert wait_until(
-        lambda: bool(states) and states[-1].feedback.positions[0] == pytest.approx(-0.25), 10
+        lambda: bool(states) and states[-1].feedback.positions[0] == pytest.approx(-0.25)
     )
+    begin_later()
+    assert wait_until(ended.done)
+    assert ended.result().status == 6  # ABORTED
+    seen = len(states)
+    assert wait_until(lambda: len(states) > seen + 1)
+    assert states[-1].feedback.positions[0] == pytest.approx(-0.25)
+
+
+def test_a_gripper_that_is_deactivated_ends_a_goal_that_was_just_accepted(
+    robot: Robot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    kind = "position_controllers/GripperActionController"
+    robot.start("gripper", kind, {"joint": "elbow", "goal_tolerance": 0})
+    client: Any = ActionClient(robot.bench.watcher, GripperCommand, "/gripper/gripper_cmd")
+    assert client.wait_for_server()
+    begin_later = hold_executions(monkeypatch)
+    accepted = client.send_goal_async(GripperCommand.Goal())
+    assert wait_until(accepted.done)
+    assert robot.switch([], ["gripper"]).ok
+    begin_later()
+    ended = accepted.result().get_result_async()
+    assert wait_until(ended.done)
+    assert ended.result().status == 6  # ABORTED
+
+
+def hold_executions(monkeypatch: pytest.MonkeyPatch) -> Callable[[], None]:
+    """Hold the executions of goals, as on a busy machine; return a function that starts them."""
+    held: list[Callable[[], None]] = []
+    begin = ActionServer.notify_execute
+
+    def hold(*arguments: Any) -> None:
+        held.append(partial(begin, *arguments))
+
+    monkeypatch.setattr(ActionServer, "notify_execute", hold)
+
+    def begin_all() -> None:
+        for start in held:
+            start()
+
+    return begin_all
 
 
 def test_commands_are_passed_on(robot: Robot, logged: list[Any]) -> None:

@@ -43,8 +43,8 @@ class GripperActionController(Controller):
             self,
             self.action,
             "~/gripper_cmd",
-            self.execute,
             goal_callback=self.judge,
+            handle_accepted_callback=self.begin,
             cancel_callback=lambda _: CancelResponse.ACCEPT,
         )
 
@@ -89,13 +89,18 @@ class GripperActionController(Controller):
         """Return the commands for a goal."""
         return {f"{self.joint}/position": goal.command.position}
 
-    async def execute(self, handle: Any) -> Any:
-        """Move, and wait until `update` has finished the goal."""
+    def begin(self, handle: Any) -> None:
+        """Move to the position of an accepted goal. What comes later replaces this goal."""
         self.finish("abort", 0.0)
         self.commands = self.commands_of(handle.request)
         self.moved_ns = self.get_clock().now().nanoseconds
         self.goal_handle, self.done = handle, Future()
-        return await self.done
+        done = self.done
+
+        async def wait(_: Any) -> Any:
+            return await done
+
+        handle.execute(wait)
 
     def update(self, period_s: float) -> None:
         """Write the commands, and check the goal."""

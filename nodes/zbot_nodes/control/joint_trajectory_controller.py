@@ -48,6 +48,11 @@ class ActiveGoal:
     goal_time_s: float
     next_feedback_ns: int = 0
 
+    async def wait(self, _: Handle) -> FollowJointTrajectory.Result:
+        """Wait until `finish` has ended the goal, and return the result."""
+        result: Any = await self.done
+        return cast("FollowJointTrajectory.Result", result)
+
 
 class JointTrajectoryController(Controller):
     """Follows one trajectory at a time. A new trajectory replaces the old trajectory."""
@@ -98,8 +103,8 @@ class JointTrajectoryController(Controller):
             self,
             FollowJointTrajectory,
             "~/follow_joint_trajectory",
-            self.execute,
             goal_callback=self.judge,
+            handle_accepted_callback=self.begin,
             cancel_callback=lambda _: CancelResponse.ACCEPT,
         )
 
@@ -192,8 +197,12 @@ class JointTrajectoryController(Controller):
         self.get_logger().info("Accepted new action goal")
         return GoalResponse.ACCEPT
 
-    async def execute(self, handle: Handle) -> FollowJointTrajectory.Result:
-        """Follow the trajectory of a goal, and wait until `update` has finished it."""
+    def begin(self, handle: Handle) -> None:
+        """Follow the trajectory of an accepted goal.
+
+        This is not left to an execute callback, which runs later: what comes meanwhile, such as a
+        message of the topic, replaces this goal.
+        """
         self.finish(Result.INVALID_GOAL, "Another trajectory came in its place.")
         request = handle.request
         self.goal = ActiveGoal(
@@ -203,10 +212,8 @@ class JointTrajectoryController(Controller):
             {**self.ends, **_tolerances(request.goal_tolerance)},
             seconds(request.goal_time_tolerance) or self.goal_time_s,
         )
-        done = self.goal.done
         self.follow(request.trajectory)
-        result: Any = await done
-        return cast("FollowJointTrajectory.Result", result)
+        handle.execute(self.goal.wait)
 
     def finish(self, code: int, text: str) -> None:
         """End the goal, if there is one."""
