@@ -149,7 +149,8 @@ class HubChurn(Churn):
         if code != 0:
             self._report.violation(f"visitors ended with {code}: {visitors.output}")
         self._report.count("visits")
-        return sum(end["each_s"] for end in visitors.facts("end"))
+        each_s: float = sum(end["each_s"] for end in visitors.facts("end"))
+        return each_s
 
     def _note(self, number: int, each_s: float) -> None:
         answers = ", ".join(f"{what} {took_s:.3f} s" for what, took_s in self._answers(1).items())
