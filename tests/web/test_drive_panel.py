@@ -106,28 +106,50 @@ def hold(page: Page, label: str = "Stick", x: float = 0.0, y: float = -60.0) -> 
     page.mouse.move(at_x + x, at_y + y)
 
 
-def drive(page: Page, robot: Robot) -> None:
-    """Hold the stick until the robot drives. On a busy machine the first press may be stopped."""
+def press_until(
+    drives: Callable[[], bool], press: Callable[[], object], release: Callable[[], object]
+) -> None:
+    """Press until the robot drives as asked. On a busy machine, the page or the server may stop it.
+
+    Then the user must let go, and press again.
+    """
 
     def is_driving() -> bool:
-        page.mouse.up()
-        hold(page)
-        return wait_until(robot.drives, 1)
+        release()
+        press()
+        return wait_until(drives, 1)
 
-    expect(page.get_by_label("Stick", exact=True)).to_be_visible()
     assert wait_until(is_driving)
+
+
+def drive(page: Page, robot: Robot) -> None:
+    """Hold the stick until the robot drives."""
+    expect(page.get_by_label("Stick", exact=True)).to_be_visible()
+    press_until(robot.drives, partial(hold, page), page.mouse.up)
 
 
 def test_a_drag_drives_and_its_end_stops(server: Server, page: Page, robot: Robot) -> None:
     page.goto(f"{server.address}/drive")
     expect(command(page)).to_contain_text("zbot topic echo /cmd_vel")
-    drive(page, robot)
-    assert wait_until(lambda: robot.latest.linear.x > 0.4)
-    assert robot.latest.angular.z == pytest.approx(0, abs=0.05)
+    expect(page.get_by_label("Stick", exact=True)).to_be_visible()
+    press_until(
+        lambda: (
+            robot.drives()
+            and robot.latest.linear.x > 0.4
+            and robot.latest.angular.z == pytest.approx(0, abs=0.05)
+        ),
+        partial(hold, page),
+        page.mouse.up,
+    )
     assert robot.stops_after(page.mouse.up) < allowed(LIMIT_S)
-    hold(page, x=-200, y=0)  # left is positive, and the stick's circle is the limit
-    assert wait_until(lambda: robot.latest.angular.z == pytest.approx(1.0))
-    assert robot.latest.linear.x == pytest.approx(0, abs=0.05)
+    press_until(  # left is positive, and the stick's circle is the limit
+        lambda: (
+            robot.latest.angular.z == pytest.approx(1.0)
+            and robot.latest.linear.x == pytest.approx(0, abs=0.05)
+        ),
+        partial(hold, page, x=-200, y=0),
+        page.mouse.up,
+    )
     page.mouse.up()
     assert wait_until(lambda: not robot.drives())
 
@@ -139,12 +161,26 @@ def test_keys_drive_within_limits_that_the_browser_keeps(
     speed = page.get_by_label("Limit of the speed, m/s")
     speed.fill("0.2")
     speed.press("Enter")
-    page.keyboard.down("w")
-    page.keyboard.down("ArrowLeft")
-    assert wait_until(lambda: robot.drives() and robot.latest.angular.z == 1.0)
-    assert robot.latest.linear.x == pytest.approx(0.2)
-    page.keyboard.up("w")
-    assert wait_until(lambda: robot.latest.linear.x == 0.0)
+
+    def press(*codes: str) -> None:
+        for code in codes:
+            page.keyboard.down(code)
+
+    def release() -> None:
+        for code in ("w", "ArrowLeft"):
+            page.keyboard.up(code)
+
+    def turns(speed_m_s: float) -> bool:
+        linear_m_s = robot.latest.linear.x if robot.heard else None
+        return linear_m_s == pytest.approx(speed_m_s) and robot.latest.angular.z == 1.0
+
+    def press_both_and_release_one() -> None:
+        press("w", "ArrowLeft")
+        wait_until(partial(turns, 0.2), 1)
+        page.keyboard.up("w")
+
+    press_until(partial(turns, 0.2), partial(press, "w", "ArrowLeft"), release)
+    press_until(partial(turns, 0.0), press_both_and_release_one, release)
     assert robot.stops_after(lambda: page.keyboard.up("ArrowLeft")) < allowed(LIMIT_S)
     page.reload()
     expect(speed).to_have_value("0.2")
@@ -158,12 +194,17 @@ def test_a_robot_that_moves_sideways_has_a_second_stick(
     expect(page.get_by_label("Turn", exact=True)).to_be_hidden()
     page.get_by_text("sideways", exact=True).click()
     expect(page.get_by_label("Turn", exact=True)).to_be_visible()
-    hold(page, x=-200, y=0)
-    assert wait_until(lambda: robot.drives() and robot.latest.linear.y == pytest.approx(0.5))
-    assert robot.latest.angular.z == 0.0
-    page.mouse.up()
-    hold(page, "Turn", x=200, y=0)
-    assert wait_until(lambda: robot.latest.angular.z == pytest.approx(-1.0))
+    press_until(
+        lambda: robot.drives() and robot.latest.linear.y == pytest.approx(0.5),
+        partial(hold, page, x=-200, y=0),
+        page.mouse.up,
+    )
+    assert not any(message.angular.z for _, message in robot.heard)
+    press_until(
+        lambda: robot.latest.angular.z == pytest.approx(-1.0),
+        partial(hold, page, "Turn", x=200, y=0),
+        page.mouse.up,
+    )
     page.mouse.up()
     assert wait_until(lambda: not robot.drives())
     page.evaluate("localStorage.clear()")
@@ -181,16 +222,23 @@ def test_a_gamepad_drives_while_a_shoulder_button_is_held(
     expect(page.get_by_label("Stick", exact=True)).to_be_visible()
     page.wait_for_timeout(200)
     assert not robot.heard
-    page.evaluate("window.pad.buttons[4] = { pressed: true }")
-    assert wait_until(lambda: robot.drives() and robot.latest.linear.x == pytest.approx(0.5))
+
+    press, release = (
+        partial(page.evaluate, f"window.pad.buttons[4] = {{ pressed: {is_pressed} }}")
+        for is_pressed in ("true", "false")
+    )
+
+    def let_go() -> None:
+        release()
+        page.wait_for_timeout(200)
+
+    press_until(
+        lambda: robot.drives() and robot.latest.linear.x == pytest.approx(0.5), press, let_go
+    )
     unplug = "window.dispatchEvent(new Event('gamepaddisconnected'))"
     assert robot.stops_after(lambda: page.evaluate(unplug)) < allowed(LIMIT_S)
-    page.evaluate("window.pad.buttons[4] = { pressed: false }")
-    page.wait_for_timeout(200)
-    page.evaluate("window.pad.buttons[4] = { pressed: true }")
-    assert wait_until(robot.drives)
-    release = "window.pad.buttons[4] = { pressed: false }"
-    assert robot.stops_after(lambda: page.evaluate(release)) < allowed(LIMIT_S)
+    press_until(robot.drives, press, let_go)
+    assert robot.stops_after(release) < allowed(LIMIT_S)
 
 
 def test_a_stamped_twist_has_a_stamp_and_a_frame(
@@ -261,10 +309,20 @@ def test_on_a_phone_a_finger_drives_below_the_picture_of_the_camera(
         session.send("Input.dispatchTouchEvent", {"type": event, "touchPoints": places})
 
     x, y = stick["x"] + stick["width"] / 2, stick["y"] + stick["height"] / 2
-    touch("touchStart", (x, y))
-    touch("touchMove", (x, y - 60))
-    assert wait_until(lambda: robot.drives() and robot.latest.linear.x > 0.4)
-    assert robot.stops_after(lambda: touch("touchEnd")) < allowed(LIMIT_S)
+    touches: list[str] = []
+
+    def lift() -> None:
+        if touches:
+            touch("touchEnd")
+            touches.clear()
+
+    def push() -> None:
+        touch("touchStart", (x, y))
+        touch("touchMove", (x, y - 60))
+        touches.append("finger")
+
+    press_until(lambda: robot.drives() and robot.latest.linear.x > 0.4, push, lift)
+    assert robot.stops_after(lift) < allowed(LIMIT_S)
 
 
 def test_a_read_only_page_cannot_drive(read_only_server: Server, page: Page, robot: Robot) -> None:
@@ -381,13 +439,14 @@ def test_the_former_address_shows_a_gamepad_for_its_topic(
 ) -> None:
     page.goto(f"{server.address}/stick?topic=/joy")
     expect(command(page)).to_contain_text("zbot topic echo /joy")
-    hold(page, "Left stick", x=-30, y=-60)  # left and up are positive
-    assert wait_until(
+    press_until(
         lambda: (
             gamepad_node.drives()
-            and gamepad_node.latest.axes[1] > 0.5
+            and gamepad_node.latest.axes[1] > 0.5  # left and up are positive
             and gamepad_node.latest.axes[0] > 0.2
-        )
+        ),
+        partial(hold, page, "Left stick", x=-30, y=-60),
+        page.mouse.up,
     )
     assert len(gamepad_node.latest.buttons) == 11
     assert gamepad_node.stops_after(page.mouse.up) < allowed(LIMIT_S)
@@ -398,11 +457,16 @@ def test_buttons_stay_pressed_until_the_page_is_left(
 ) -> None:
     page.goto(f"{server.address}/drive?topic=/joy&type=sensor_msgs/msg/Joy")
     button = page.get_by_role("button", name="5", exact=True)
-    button.click()
-    assert wait_until(lambda: gamepad_node.drives() and gamepad_node.latest.buttons[5] == 1)
+
+    def release() -> None:
+        if button.get_attribute("aria-pressed") == "true":
+            button.click()
+
+    press_until(
+        lambda: gamepad_node.drives() and gamepad_node.latest.buttons[5] == 1, button.click, release
+    )
     assert gamepad_node.stops_after(button.click) < allowed(LIMIT_S)
-    button.click()
-    assert wait_until(gamepad_node.drives)
+    press_until(gamepad_node.drives, button.click, release)
     hide = "window.dispatchEvent(new Event('blur'))"
     assert gamepad_node.stops_after(lambda: page.evaluate(hide)) < allowed(LIMIT_S)
     expect(button).to_have_attribute("aria-pressed", "false")
