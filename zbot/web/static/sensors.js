@@ -4,6 +4,7 @@
 window.zbotSensors = (() => {
   const KEPT = "zbot-sensors";
   const MOST_PICTURE = 930000; // characters; the server takes 700,000 bytes
+  const MOST_SAMPLES = 32768; // the limit of an AnalyserNode in the Web Audio API
   const QUALITY = 0.8; // of a JPEG
   const SILENCE_MS = 4000;
   const PATIENCE_MS = 2000; // longest wait for an answer, which may be lost with the connection
@@ -103,11 +104,14 @@ window.zbotSensors = (() => {
     const context = new AudioContext();
     context.resume();
     const analyser = context.createAnalyser();
-    analyser.fftSize = 2048;
+    // The level is that of the whole time since the last one: a short sound is not missed.
+    const count = Math.min(MOST_SAMPLES, Math.ceil(context.sampleRate / hz));
+    analyser.fftSize = Math.max(32, 2 ** Math.ceil(Math.log2(count)));
     context.createMediaStreamSource(stream).connect(analyser);
-    const samples = new Float32Array(analyser.fftSize);
+    const kept = new Float32Array(analyser.fftSize);
+    const samples = kept.subarray(-count);
     const timer = setInterval(() => {
-      analyser.getFloatTimeDomainData(samples);
+      analyser.getFloatTimeDomainData(kept);
       const sum = samples.reduce((total, value) => total + value * value, 0);
       send(run, [Math.sqrt(sum / samples.length)]);
     }, 1000 / hz);
