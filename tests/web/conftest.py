@@ -70,6 +70,15 @@ class Visit:
         page.on("websocket", lambda socket: self.requests.append(socket.url))
         page.on("pageerror", lambda error: self.errors.append(str(error)))
         page.on("console", self._note)
+        go_to = page.goto
+
+        def go_to_and_connect(*words: Any, **more: Any) -> Any:
+            # What a test does before the page is connected may happen in another order.
+            response = go_to(*words, **more)
+            page.wait_for_function("window.did_handshake !== false")
+            return response
+
+        page.goto = go_to_and_connect  # type: ignore[method-assign]
         return page
 
     def _note(self, message: Any) -> None:

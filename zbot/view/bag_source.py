@@ -11,6 +11,7 @@ from zbot.observer.errors import ViewerError
 from zbot.observer.watch import Feed, Watch
 from zbot.qos import DurabilityPolicy
 from zbot.tf2.broadcaster import TF_STATIC_TOPIC, TF_TOPIC
+from zbot.threads.deadline import Deadline
 from zbot.view.displays import display_for
 from zbot.wire.errors import CodecError
 from zbot.wire.serialization import deserialize_message
@@ -137,7 +138,7 @@ class BagSource:
             self._take_all(self._bag.messages(latched, 0, before_ns - 1))
         self._messages = self._bag.messages(None, before_ns)
         self._next = self._read()
-        self._take_until_now(float("inf"))
+        self._take_until_now(Deadline(None))
         self._has_jumped = True
 
     def advance(self) -> None:
@@ -148,13 +149,13 @@ class BagSource:
             return
         end_ns = self._start_ns + round(self.length_s * 1e9)
         self._position_ns = min(self._position_ns + round(past_s * self._speed * 1e9), end_ns)
-        self._take_until_now(now_s + _MOST_WORK_S)
+        self._take_until_now(Deadline(_MOST_WORK_S))
         if self._position_ns >= end_ns:
             self._is_playing = False
 
-    def _take_until_now(self, latest_s: float) -> None:
+    def _take_until_now(self, turn: Deadline) -> None:
         while self._next is not None and self._next.log_ns <= self._position_ns:
-            if time.monotonic() > latest_s:
+            if turn.is_over:
                 self._position_ns = self._next.log_ns
                 return
             self._take(self._next)

@@ -16,6 +16,7 @@ from pathlib import Path
 import zbot
 from zbot.parameters.ros_args import remove_ros_args
 from zbot.tf2 import Buffer, TransformListener
+from zbot.threads.deadline import Deadline
 from zbot_nodes.frames.frame_tree import FrameTree
 
 _STEP_S = 0.1
@@ -38,8 +39,8 @@ def listen(node: zbot.Node, options: argparse.Namespace) -> FrameTree:
         buffer, node, tf_topic=options.tf_topic, tf_static_topic=options.tf_static_topic
     )
     node.get_logger().info(f"Listening to tf data for {options.wait_time} seconds...")
-    end = time.monotonic() + options.wait_time
-    while time.monotonic() < end:
+    deadline = Deadline(options.wait_time)
+    while not deadline.is_over:
         zbot.spin_once(node, timeout_sec=_STEP_S)
     listener.unregister()
     return FrameTree.of(buffer.all_frames_as_yaml(), node.get_clock().now().nanoseconds / 1e9)

@@ -7,13 +7,13 @@ world in each run, however fast the machine is.
 
 from __future__ import annotations
 
-import time
 from typing import TYPE_CHECKING, Any, Protocol
 
 import zenoh
 
 from zbot.names import fully_qualified
 from zbot.node.lockstep import WITH_OTHERS, lockstep_key
+from zbot.threads.deadline import Deadline
 from zbot.threads.foreign_call import called_by_zenoh
 
 if TYPE_CHECKING:
@@ -188,13 +188,12 @@ class Lockstep:
                 self._node.get_logger().info(f"{follower.name} answers again")
             follower.ask(wake, payload)
         waiting = [follower for follower in followers if not follower.is_late]
-        end_s = time.monotonic() + self.limit_s
+        deadline = Deadline(self.limit_s)
         while not all(follower.is_done for follower in waiting):
-            left_s = end_s - time.monotonic()
-            if left_s <= 0:
+            if deadline.is_over:
                 self._leave_late(waiting, now_ns)
                 break
-            executor.spin_until_future_complete(answered, left_s)
+            executor.spin_until_future_complete(answered, deadline.left_s)
         return [follower for follower in waiting if follower.is_done]
 
     def _leave_late(self, followers: list[Follower], now_ns: int) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Protocol
 
@@ -22,6 +21,7 @@ from zbot.simulation.node.ports import CONNECTIONS_TOPIC, Ports, read_connection
 from zbot.simulation.node.robot_topics import RobotTopics
 from zbot.simulation.node.schedule import Schedule
 from zbot.simulation.node.services import SimulationServices
+from zbot.threads.deadline import Deadline
 from zbot.time import ClockType, Time
 
 from rosgraph_msgs.msg import Clock as ClockMessage
@@ -270,7 +270,7 @@ class Simulator(Node):
     def _tick(self) -> None:
         """Do the steps that are due."""
         # In lockstep, other work is done during each wait.
-        end_s = time.monotonic() + (_BUSY_S if self.lockstep is None else _LOCKSTEP_BUSY_S)
+        turn = Deadline(_BUSY_S if self.lockstep is None else _LOCKSTEP_BUSY_S)
         while not self.is_paused and self.pace.is_due(self.world.step_s):
             self.step()
             reached = self.pace.count(self.world.step_s)
@@ -281,7 +281,7 @@ class Simulator(Node):
                     "machine is busy",
                     throttle_duration_sec=60.0,
                 )
-            if time.monotonic() > end_s:
+            if turn.is_over:
                 break
 
     def _follow(self) -> None:

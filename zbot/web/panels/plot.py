@@ -75,9 +75,15 @@ class _Plot:
         with self.page.toolbar:
             self.entry = ui.input(placeholder="/topic.field", autocomplete=self.proposals())
             self.entry.props('dense outlined aria-label="Curve"').classes("zb-curve-entry")
-            self.entry.on("keydown.enter", self.add_typed)
+            # The text comes with the key: while the page connects, the key may overtake the text.
+            self.entry.on(
+                "keydown.enter",
+                lambda event: self.add_typed(event.args),
+                js_handler="(event) => emit(event.target.value)",
+            )
             self.entry.on("focus", lambda: self.entry.set_autocomplete(self.proposals()))
-            ui.button("Add", icon="add", on_click=self.add_typed).props("unelevated dense")
+            add = ui.button("Add", icon="add", on_click=lambda: self.add_typed(self.entry.value))
+            add.props("unelevated dense")
             self.add_tree()
             over = ui.select([_OVER_TIME], value=_OVER_TIME, on_change=self.change_over)
             over.props('dense outlined options-dense aria-label="X axis"').classes("zb-over")
@@ -141,9 +147,9 @@ class _Plot:
         """Return the names of curves that the user can add now."""
         return [f"{topic}.{path}" for topic, paths in self.fields().items() for path in paths]
 
-    def add_typed(self) -> None:
+    def add_typed(self, text: Any) -> None:
         """Add the curve that the user typed in the toolbar."""
-        if self.add(self.entry.value or ""):
+        if self.add(str(text or "")):
             self.entry.set_value("")
             self.show_state()
 
