@@ -24,7 +24,7 @@ from control_msgs.msg import PidState, PidSatte
 from arm.tools import hello
 from moveit_configs_utils import MoveItConfigsBuilder
 import ament_flake8
-from wheel.parameters import wheel_parameters
+from winches.parameters import winch_parameters
 try:
     import optional_thing
 except ImportError:
@@ -53,7 +53,7 @@ def test_what_a_workspace_lacks_is_listed(write: Write, zbot_command: Command) -
         **{"msg/B.msg": "int32 a\n"},
     )
     write("arm", **{"arm/tools.py": ""})
-    write("wheel", build_type="ament_cmake", **{"CMakeLists.txt": "project(wheel)\n"})
+    write("winches", build_type="ament_cmake", **{"CMakeLists.txt": "project(winches)\n"})
     result = zbot_command("pkg", "deps")
     lines = [line.strip() for line in result.out.splitlines()]
     assert result.code == 1
@@ -69,7 +69,7 @@ def test_what_a_workspace_lacks_is_listed(write: Write, zbot_command: Command) -
             "moveit_configs_utils  (src/robot/robot/drive.py:9)",
             "download https://github.com/moveit",
         ),
-        ("wheel  (src/robot/robot/drive.py:11)", "the package is here, but only a build with"),
+        ("winches  (src/robot/robot/drive.py:11)", "the package is here, but only a build with"),
         ("no_such_thing  (src/robot/package.xml:9)", pip_install("no_such_thing")),
     ):
         assert lines[lines.index(first) + 1].startswith(second)
@@ -82,7 +82,7 @@ def test_what_a_workspace_lacks_is_listed(write: Write, zbot_command: Command) -
         assert word not in result.out
     rows = json.loads(zbot_command("pkg", "deps", "robot", "--json").out)
     assert {row["kind"] for row in rows} == {"message", "python", "other"}
-    assert {"wheel", "arm"} & {row["name"] for row in rows} == {"wheel"}
+    assert {"winches", "arm"} & {row["name"] for row in rows} == {"winches"}
     assert set(rows[0]) == {"name", "kind", "file", "line", "get"}
 
 
