@@ -35,7 +35,11 @@ class UnawaitedThread(threading.Thread):
             RuntimeError: No thread can be started any more, because the process ends.
         """
         self._is_begun.clear()
-        start_new_thread(self._begin, ())
+        try:
+            start_new_thread(self._begin, ())
+        except RuntimeError:
+            self._is_begun.set()  # otherwise, `join` would wait for a thread that never begins
+            raise
 
     def _begin(self) -> None:
         with contextlib.suppress(RuntimeError):  # the process ends

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import threading
-from typing import TYPE_CHECKING
+import time
+
+import pytest
 
 from zbot.threads.unawaited_thread import UnawaitedThread
-
-if TYPE_CHECKING:
-    import pytest
 
 
 def test_the_start_does_not_wait_for_the_thread(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -43,3 +42,16 @@ def test_no_thread_starts_while_the_process_ends(monkeypatch: pytest.MonkeyPatch
     thread.start()
     thread.join(10)
     assert not thread.is_alive()
+
+
+def test_a_thread_that_could_not_start_is_not_waited_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    def refuse(*_: object) -> None:
+        raise RuntimeError("can't create new thread at interpreter shutdown")
+
+    monkeypatch.setattr("zbot.threads.unawaited_thread.start_new_thread", refuse)
+    thread = UnawaitedThread(list, "zbot test")
+    with pytest.raises(RuntimeError):
+        thread.start()
+    begun_s = time.monotonic()
+    thread.join(10)
+    assert time.monotonic() - begun_s < 5
