@@ -94,13 +94,9 @@ class GripperActionController(Controller):
         self.finish("abort", 0.0)
         self.commands = self.commands_of(handle.request)
         self.moved_ns = self.get_clock().now().nanoseconds
-        self.goal_handle, self.done = handle, Future()
-        done = self.done
-
-        async def wait(_: Any) -> Any:
-            return await done
-
-        handle.execute(wait)
+        done: Future[Any] = Future()
+        self.goal_handle, self.done = handle, done
+        handle.execute(lambda _: done)
 
     def update(self, period_s: float) -> None:
         """Write the commands, and check the goal."""

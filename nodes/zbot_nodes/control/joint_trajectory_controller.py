@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any
 
 from zbot import Future
 from zbot.action import ActionServer, CancelResponse, GoalResponse
@@ -47,11 +47,6 @@ class ActiveGoal:
     goal_tolerances: dict[str, float]
     goal_time_s: float
     next_feedback_ns: int = 0
-
-    async def wait(self, _: Handle) -> FollowJointTrajectory.Result:
-        """Wait until `finish` has ended the goal, and return the result."""
-        result: Any = await self.done
-        return cast("FollowJointTrajectory.Result", result)
 
 
 class JointTrajectoryController(Controller):
@@ -205,15 +200,16 @@ class JointTrajectoryController(Controller):
         """
         self.finish(Result.INVALID_GOAL, "Another trajectory came in its place.")
         request = handle.request
+        done: Future[Any] = Future()
         self.goal = ActiveGoal(
             handle,
-            Future(),
+            done,
             {**self.path, **_tolerances(request.path_tolerance)},
             {**self.ends, **_tolerances(request.goal_tolerance)},
             seconds(request.goal_time_tolerance) or self.goal_time_s,
         )
         self.follow(request.trajectory)
-        handle.execute(self.goal.wait)
+        handle.execute(lambda _: done)
 
     def finish(self, code: int, text: str) -> None:
         """End the goal, if there is one."""
