@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import enum
 import html
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from zbot.view.arrangement.rviz_writer import FILE_NAME
@@ -74,7 +75,7 @@ class Row:
             self._switch = gui.add_checkbox(_short(label, 60), is_on, hint=_short(label, 200))
             self._sentence = gui.add_html("", visible=False)
             self._content = gui.add_html("", visible=False)
-        self._switch.on_update(lambda _: switch(bool(self._switch.value)))
+        _on_choice(self._switch.on_update, switch)
         self._settings: Any = None
         self._menus: dict[str, Any] = {}
         self._offered: Mapping[str, tuple[str, ...]] = {}
@@ -105,7 +106,7 @@ class Row:
             # A file may have a number outside of the usual limits.
             low, high = min(setting.low, value), max(setting.high, value)
             handle = gui.add_slider(name, low, high, setting.step, value)
-        handle.on_update(lambda _: change(name, handle.value))
+        _on_choice(handle.on_update, partial(change, name))
 
     def close(self) -> None:
         """Remove the settings, the sentence and the pictures."""
@@ -151,12 +152,12 @@ class Row:
         whole = dict(zip(options[1:], dict.fromkeys(entries), strict=True))
         handle = self._gui.add_dropdown(_short(name, 60), options, initial_value=_NO_ENTRY)
 
-        def take(_event: Any) -> None:
-            if handle.value in whole:
-                choose(name, whole[handle.value])
+        def take(entry: str) -> None:
+            if entry in whole:
+                choose(name, whole[entry])
                 handle.value = _NO_ENTRY  # the same entry can be chosen again
 
-        handle.on_update(take)
+        _on_choice(handle.on_update, take)
         return handle
 
     def remove(self) -> None:
@@ -184,7 +185,7 @@ class Panel:
         self._said: tuple[str, bool] = ("", False)
         self._groups: dict[str, Any] = {}
         self._tool = gui.add_dropdown("Tool", TOOL_NAMES, initial_value=TOOL_NAMES[0], order=3)
-        self._tool.on_update(lambda _: ask(Wish.TOOL, self._tool.value))
+        _on_choice(self._tool.on_update, partial(ask, Wish.TOOL))
         self._tool_sentence = gui.add_html("", order=4, visible=False)
         self._tool_said = ""
         with gui.add_folder("View", order=5, expand_by_default=False):
@@ -194,18 +195,18 @@ class Panel:
         gui, ask = self._gui, self._ask
         self._target = self._frames_list("Follow the frame", FIXED, 0, Wish.TARGET)
         self._turns = gui.add_checkbox("Turn with it", False)
-        self._turns.on_update(lambda _: ask(Wish.TURN, bool(self._turns.value)))
+        _on_choice(self._turns.on_update, partial(ask, Wish.TURN))
         look = gui.add_button_group("Look from", tuple(VIEWS))
-        look.on_click(lambda _: ask(Wish.VIEW, look.value))
+        _on_choice(look.on_click, partial(ask, Wish.VIEW))
         gui.add_html(_SAVE)
         gui.add_button("Make a link").on_click(lambda _: ask(Wish.LINK, None))
         self._link = gui.add_text("Link", "", visible=False)
         pause = gui.add_checkbox("Pause", False)
-        pause.on_update(lambda _: ask(Wish.PAUSE, bool(pause.value)))
+        _on_choice(pause.on_update, partial(ask, Wish.PAUSE))
 
     def _frames_list(self, label: str, first: str, order: float, wish: Wish) -> Any:
         found = self._gui.add_dropdown(label, (first,), initial_value=first, order=order)
-        found.on_update(lambda _: self._ask(wish, "" if found.value == first else found.value))
+        _on_choice(found.on_update, lambda name: self._ask(wish, "" if name == first else name))
         return found
 
     def set_dark(self, *, is_dark: bool) -> None:
@@ -253,9 +254,9 @@ class Panel:
             self._time = gui.add_slider("Time in s", 0.0, max(length_s, 0.1), 0.1, 0.0)
             speed = gui.add_dropdown("Speed", _SPEEDS, initial_value="1")
         # The view itself changes the first two. Only what a browser changes is a wish.
-        self._play.on_update(lambda event: event.client and ask(Wish.PLAY, bool(self._play.value)))
-        self._time.on_update(lambda event: event.client and ask(Wish.SEEK, self._time.value))
-        speed.on_update(lambda _: ask(Wish.SPEED, float(speed.value)))
+        _on_choice(self._play.on_update, partial(ask, Wish.PLAY), only_in_browser=True)
+        _on_choice(self._time.on_update, partial(ask, Wish.SEEK), only_in_browser=True)
+        _on_choice(speed.on_update, lambda text: ask(Wish.SPEED, float(text)))
 
     def show_time(self, position_s: float, *, is_playing: bool) -> None:
         """Show where a bag is."""
@@ -287,6 +288,29 @@ class Panel:
     def drop(self, group: str) -> None:
         """Remove a group that has no topics any more."""
         self._groups.pop(group).remove()
+
+
+def _on_choice(
+    register: Callable[[Any], object],
+    take: Callable[[Any], object],
+    *,
+    only_in_browser: bool = False,
+) -> None:
+    """Call a function with each new value of an element, in viser's event loop.
+
+    Args:
+        register: Method of the element that takes a callback.
+        take: Called with the value.
+        only_in_browser: Whether values that the view has set do not count.
+    """
+
+    # A coroutine: viser calls functions later, in other threads. The view may have written
+    # another value by then, and the user's choice would be lost.
+    async def tell(event: Any) -> None:
+        if event.client or not only_in_browser:
+            take(event.target.value)
+
+    register(tell)
 
 
 def _select(handle: Any, value: str) -> None:
