@@ -25,6 +25,7 @@ def server(start: Start) -> Program:
     program = start("zbot", "run", "add_two_ints_server")
     asking = start("zbot", "run", "add_two_ints_client", "1", "2")
     asking.wait_for("Result of add_two_ints: for 1 + 2 = 3")
+    asking.wait()
     program.wait_for("1 + 2 = 3")
     return program
 

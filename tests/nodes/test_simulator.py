@@ -124,7 +124,7 @@ def test_frames_lead_from_the_world_to_every_link(bench: Bench, simulate: Simula
     assert arrives(lambda: moving and any(msg.transforms for msg in fixed))
     parents = {
         frame.child_frame_id: frame.header.frame_id
-        for message in (moving[-1], fixed[-1])
+        for message in (moving[-1], *fixed)
         for frame in message.transforms
     }
     for link in ("base_scan", "camera_optical_frame", "wheel_left_link", "imu_link"):

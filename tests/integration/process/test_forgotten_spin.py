@@ -94,15 +94,17 @@ def test_a_callback_behind_an_endless_loop_is_named_once(tmp_path: Path) -> None
 
 def test_a_node_whose_spin_waits_for_the_end_of_another_is_named(tmp_path: Path) -> None:
     spins = """\
-other = Node("other")
-other.create_timer(0.1, print)
 import threading
+other, is_spinning = Node("other"), threading.Event()
+rclpy.get_global_executor().create_task(is_spinning.set)
 threading.Thread(target=rclpy.spin, args=(other,)).start()
+is_spinning.wait()
+node.create_timer(0.1, print)
 for line in sys.stdin: pass
 rclpy.shutdown()
 """
-    line, rest = running(tmp_path, TIMER + spins)
-    assert line.startswith("7: create_timer: the callback has waited for 0.1 s")
+    line, rest = running(tmp_path, spins)
+    assert line.startswith("12: create_timer: the callback has waited for 0.1 s")
     assert "nothing spins this node, only another one: give both nodes to one executor" in line
     assert rest == ""
 
