@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from zbot.package.user_folders import cache_folder, make_private
+from zbot.package.user_folders import cache_folder, home_folder, make_private
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -46,6 +46,48 @@ def test_a_file_in_the_way_is_an_error(tmp_path: Path) -> None:
     (tmp_path / "a").write_text("")
     with pytest.raises(OSError, match="a"):
         make_private(tmp_path / "a" / "b")
+
+
+@pytest.mark.parametrize(
+    ("platform", "folder"),
+    [("linux", "cache/zbot"), ("darwin", "Library/Caches/zbot"), ("win32", "local/zbot")],
+)
+def test_each_system_has_its_own_cache_folder(
+    platform: str, folder: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sys, "platform", platform)
+    monkeypatch.setenv("HOME", str(tmp_path))
+    monkeypatch.setenv("LOCALAPPDATA", str(tmp_path / "local"))
+    assert cache_folder() == tmp_path / folder
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="the folder has another name there")
+def test_a_user_without_a_home_gets_a_folder_among_the_temporary_files(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def no_home() -> Path:
+        raise RuntimeError("Could not determine home directory.")
+
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+    monkeypatch.setattr(Path, "home", no_home)
+    folder = tmp_path / f"zbot-{os.getuid()}"
+    assert home_folder() == folder
+    assert folder.stat().st_mode & 0o777 == 0o700
+    monkeypatch.setattr(os, "getuid", lambda: 12345)
+    (tmp_path / "zbot-12345").mkdir()
+    with pytest.raises(PermissionError, match="belongs to another user"):
+        home_folder()
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="the folder has another name there")
+def test_a_cache_that_cannot_be_written_is_among_the_temporary_files(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+    monkeypatch.setenv("HOME", str(tmp_path / "missing"))
+    monkeypatch.delenv("XDG_CACHE_HOME", raising=False)
+    monkeypatch.setattr(os, "access", lambda path, _: path != tmp_path)
+    assert cache_folder() == tmp_path / f"zbot-{os.getuid()}"
 
 
 @pytest.mark.skipif(
