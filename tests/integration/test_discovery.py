@@ -16,7 +16,7 @@ import zenoh
 
 import zbot
 from tests.conftest import allowed, wait_until
-from zbot.transport import config
+from zbot.transport import admin_query, config
 from zbot.transport.config import MEETING_PORT
 from zbot.transport.peering import Peering
 from zbot.transport.process_facts import process_facts
@@ -216,6 +216,28 @@ def test_a_check_ends_when_the_session_is_closed_meanwhile(
     monkeypatch.setattr(watch, "_routers", lambda: routers)  # as they were before the end
     session.close()
     assert watch._check() is None
+    point.close()
+
+
+def test_peers_of_a_router_that_answers_late_are_found(
+    domain: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def late(session: zenoh.Session, _router: str, timeout_s: float) -> dict[str, str]:
+        return {str(session.info.zid()): "peer", "1": "peer"} if timeout_s > 0.5 else {}
+
+    point = MeetingPoint(config.load(), domain, config.discovery_range(), process_facts("0"))
+    point.start_router()
+    session = point.open_node_session()
+    watch = Peering(session, point, zenoh.handlers.Callback)
+    assert watch.wait_for_router(allowed(5))
+    introduced: list[set[str]] = []
+    monkeypatch.setattr(admin_query, "sessions", late)
+    monkeypatch.setattr(watch, "_introduce", lambda: introduced.append({"1"}))
+    assert watch._check() is not None
+    assert introduced == [{"1"}]
+    monkeypatch.setattr(MeetingPoint, "uses_port", False)  # as with routers of ROS 2
+    assert watch.unreachable() == {"1"}
+    session.close()
     point.close()
 
 

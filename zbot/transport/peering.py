@@ -286,7 +286,7 @@ class Peering:
                 self._watch_pause_s = min(pause_s, _LONGEST_WATCH_PAUSE_S)
                 return self._watch_pause_s
             if listed.get(self._own()) == "peer":
-                return self._introduce_unlinked()
+                return self._introduce_unlinked(self._unlinked(listed))
             if not self._session.is_closed():
                 # The router accepts links, but does not answer. When it is killed, the session
                 # loses its link to the router.
@@ -294,24 +294,23 @@ class Peering:
                 return _CHECK_DELAY_S
         return None
 
-    def _introduce_unlinked(self) -> float | None:
+    def _introduce_unlinked(self, unlinked: set[str]) -> float | None:
         """Introduce the peers that are not linked. Return the seconds until the next check."""
         # Each peer is introduced a limited number of times, because a program with a Zenoh
         # configuration of its own may never be reachable.
         counts = self._introductions
-        unlinked = [zid for zid in self._unlinked() if counts[zid] < _MAX_INTRODUCTIONS]
-        if not unlinked:
+        chosen = [zid for zid in unlinked if counts[zid] < _MAX_INTRODUCTIONS]
+        if not chosen:
             return None
-        counts.update(unlinked)
+        counts.update(chosen)
         self._introduce()
-        return _CHECK_DELAY_S * (1 << min(counts[zid] for zid in unlinked))
+        return _CHECK_DELAY_S * (1 << min(counts[zid] for zid in chosen))
 
-    def _unlinked(self) -> set[str]:
-        """Return the listed peers that this session is not linked to."""
-        known = self._listed(_LISTING_TIMEOUT_S)
-        if known.get(self._own()) != "peer":
+    def _unlinked(self, listed: dict[str, str]) -> set[str]:
+        """Return the peers in the router's list that this session is not linked to."""
+        if listed.get(self._own()) != "peer":
             return set()  # a client is linked to the router only
-        peers = {zid for zid, kind in known.items() if kind == "peer"}
+        peers = {zid for zid, kind in listed.items() if kind == "peer"}
         return peers - self._peers() - {self._own()}
 
     def unreachable(self) -> set[str]:
@@ -322,13 +321,13 @@ class Peering:
         if self._meeting.uses_port:
             return set()
         with contextlib.suppress(zenoh.ZError):  # the session was closed
-            return self._unlinked()
+            return self._unlinked(self._listed(_ANSWER_TIMEOUT_S))
         return set()
 
     def _introduce(self) -> None:
         deadline = Deadline(_INTRODUCTION_TIMEOUT_S)
         with self._meeting.open_introducer():
-            while self._unlinked() and not deadline.is_over:
+            while self._unlinked(self._listed(_ANSWER_TIMEOUT_S)) and not deadline.is_over:
                 if self._closing.wait(_INTRODUCTION_PAUSE_S):
                     return
 

@@ -48,10 +48,9 @@ def first_reachable(candidates: Sequence[Address], timeout_s: float = _TIMEOUT_S
         ClassValueError: The name is unknown, or no name server answers.
     """
     answers: queue.SimpleQueue[tuple[Address, ClassroomError | None]] = queue.SimpleQueue()
-    refused_s = max(timeout_s, _REOPENING_S)
 
     def look(address: Address) -> None:
-        answers.put((address, problem_at(address, timeout_s, refused_s)))
+        answers.put((address, problem_at(address, timeout_s)))
 
     for candidate in candidates:
         threading.Thread(target=look, args=(candidate,), daemon=True).start()
@@ -61,7 +60,7 @@ def first_reachable(candidates: Sequence[Address], timeout_s: float = _TIMEOUT_S
     problems: list[ClassroomError] = []
     for candidate in candidates:
         try:
-            address, problem = answers.get(timeout=refused_s + patience_s)
+            address, problem = answers.get(timeout=max(timeout_s, _REOPENING_S) + patience_s)
         except queue.Empty:
             raise address_error(
                 candidate.host, "no name server answers: use the IP address"
@@ -86,19 +85,18 @@ def _rank(problem: ClassroomError) -> int:
     return next((place for place, kind in enumerate(order) if isinstance(problem, kind)), 9)
 
 
-def problem_at(
-    address: Address, timeout_s: float = _TIMEOUT_S, refused_s: float | None = None
-) -> ClassroomError | None:
+def problem_at(address: Address, timeout_s: float = _TIMEOUT_S) -> ClassroomError | None:
     """Return why an address cannot be reached, or `None`.
+
+    If the port refuses, try again for at least 3 s: a hub may be opened again at this moment.
 
     Args:
         address: The address.
         timeout_s: How long to wait for an answer. The time of a name look-up is not counted.
-        refused_s: How long to try again if the port refuses. `None` means `timeout_s`.
     """
     other_ports = _OtherPorts(address.host)
     deadline = Deadline(timeout_s)
-    reopened = Deadline(timeout_s if refused_s is None else refused_s)
+    reopened = Deadline(max(timeout_s, _REOPENING_S))
     while True:
         try:
             left = max(deadline.left_s, _PAUSE_S)
