@@ -16,6 +16,7 @@ import zenoh
 
 import zbot
 from tests.conftest import allowed, wait_until
+from zbot.testing.domain import open_router
 from zbot.transport import admin_query, config
 from zbot.transport.config import MEETING_PORT
 from zbot.transport.peering import Peering
@@ -239,6 +240,26 @@ def test_peers_of_a_router_that_answers_late_are_found(
     assert watch.unreachable() == {"1"}
     session.close()
     point.close()
+
+
+def test_a_command_asks_the_router_of_another_user_again(
+    domain: int, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    router = open_router(domain, monkeypatch)  # it is not in the files of this user's routers
+    assert router is not None
+    open_client = MeetingPoint._open_client
+
+    def open_late(
+        point: MeetingPoint, endpoint: str, *, is_patient: bool = False
+    ) -> zenoh.Session | None:
+        return open_client(point, endpoint, is_patient=True) if is_patient else None
+
+    monkeypatch.setattr(MeetingPoint, "_open_client", open_late)
+    with zbot.Context(mode="client") as context:
+        assert context.get_domain_id() == domain
+        assert context.connect()
+    assert "nobody answers" not in capsys.readouterr().err
+    router.close()
 
 
 def test_a_context_without_a_node_opens_no_port(make_context: MakeContext, domain: int) -> None:

@@ -369,13 +369,16 @@ class MeetingPoint:
             wait: Whether to start the domain's router if there is none.
 
         Returns:
-            The session, or `None` if there is no router, or if it does not answer within 5 s.
+            The session, or `None` if there is no router, or if it does not answer within about 5 s.
         """
         session, deadline = self.open_client(), Deadline(LINK_TIMEOUT_S)
         is_wanted = self.uses_port and (wait or self.reaches_out)
         while session is None and (is_wanted or self.is_expected()):
             if deadline.is_over or self.is_foreign():
-                session = self._open_client(hub_endpoint())  # the hub knows the nodes of the class
+                session = self.open_client(is_patient=True)  # the machine may be busy
+                if session is None:
+                    # The hub knows the nodes of the class.
+                    session = self._open_client(hub_endpoint())
                 if session is None:
                     self.warn_unanswered()
                 return session
@@ -397,8 +400,11 @@ class MeetingPoint:
             session = self._open_client(hub_endpoint())
         return session
 
-    def open_client(self) -> zenoh.Session | None:
+    def open_client(self, *, is_patient: bool = False) -> zenoh.Session | None:
         """Open a client session of the domain's router.
+
+        Args:
+            is_patient: Whether to wait longer for an answer, as on a busy machine.
 
         Returns:
             The session, or `None` if there is no router, or if it does not answer.
@@ -409,8 +415,8 @@ class MeetingPoint:
         number = router_process.pid(self._domain)
         is_old = number is not None and router_process.age_s(self._domain) >= _YOUNG_S
         watch = None if number is None else router_process.IdleWatch(number)
-        session = self._open_client(self.endpoint)
-        questions = 1 if is_old else _QUESTIONS
+        session = self._open_client(self.endpoint, is_patient=is_patient)
+        questions = 1 if is_old and not is_patient else _QUESTIONS
         state = None if session is None else RouterState.of(session, questions=questions)
         self._unanswered = watch if state is None else None
         if session is not None and state is None:
