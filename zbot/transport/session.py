@@ -369,7 +369,7 @@ class MeetingPoint:
             wait: Whether to start the domain's router if there is none.
 
         Returns:
-            The session, or `None` if there is no router, or if it does not answer within about 5 s.
+            The session, or `None` if there is no router, or if it does not answer within about 8 s.
         """
         session, deadline = self.open_client(), Deadline(LINK_TIMEOUT_S)
         is_wanted = self.uses_port and (wait or self.reaches_out)

@@ -15,7 +15,7 @@ from zbot.package.user_folders import cache_folder, home_folder, make_private
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="Windows has no such modes")
+needs_modes = pytest.mark.skipif(sys.platform == "win32", reason="Windows has no such modes")
 
 
 @pytest.fixture
@@ -25,6 +25,7 @@ def no_umask() -> Iterator[None]:
     os.umask(before)
 
 
+@needs_modes
 @pytest.mark.usefixtures("no_umask")
 def test_new_folders_are_private_whatever_the_umask(tmp_path: Path) -> None:
     folder = tmp_path / "a" / "b" / "c"
@@ -35,6 +36,7 @@ def test_new_folders_are_private_whatever_the_umask(tmp_path: Path) -> None:
     ] * 3
 
 
+@needs_modes
 def test_a_folder_that_exists_keeps_its_mode(tmp_path: Path) -> None:
     tmp_path.chmod(0o755)
     make_private(tmp_path / "new")
@@ -42,6 +44,7 @@ def test_a_folder_that_exists_keeps_its_mode(tmp_path: Path) -> None:
     assert tmp_path.stat().st_mode & 0o777 == 0o755
 
 
+@needs_modes
 def test_a_file_in_the_way_is_an_error(tmp_path: Path) -> None:
     (tmp_path / "a").write_text("")
     with pytest.raises(OSError, match="a"):

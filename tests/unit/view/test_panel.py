@@ -23,7 +23,7 @@ class Element:
         self.value, self._later = value, later
         self._listeners: list[Any] = []
         self.on_update = self.on_click = self._listeners.append
-        self.max, self.options = 100.0, ()
+        self.max = 100.0
 
     def choose(self, value: Any) -> None:
         """Do what viser does when a browser sends a value."""
