@@ -175,7 +175,7 @@ class Page(Section):
         query: The parameters of the address, e.g. `{"topic": "/scan"}`.
         toolbar: A row beside the title, for buttons and filters: `with page.toolbar: ...`
         command: The `zbot ...` command that the page shows below the panel.
-        is_awake: Whether the page is visible.
+        is_awake: Whether the page is visible and connected.
     """
 
     toolbar: ui.element
@@ -197,6 +197,7 @@ class Page(Section):
         ui.on("zbot_ask", self._on_ask)
         ui.on("zbot_sleep", self._sleep)
         ui.on("zbot_choose", self._chose)
+        client.on_disconnect(self._sleep)
         client.on_delete(self.close)
 
     @property

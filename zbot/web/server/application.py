@@ -28,8 +28,11 @@ if TYPE_CHECKING:
     from zbot.observer.system import System
     from zbot.web.page.panel import PageServer
 
-# If a browser does not reconnect within this time, the server deletes its page.
-_RECONNECT_S = 3.0
+# If a browser does not reconnect within this time, the server deletes its page, and the browser
+# loads a new one: what the user has typed or clicked since is lost. NiceGUI derives from it how
+# long a browser may be silent: it asks every 8 s, and waits 4 s for an answer. With 3 s it waited
+# 2 s, which a busy laptop with a large page can exceed.
+_RECONNECT_S = 10.0
 _SHUTDOWN_TIMEOUT_S = 1
 _HANDSHAKE_S = 10.0
 #: After a short loss of the connection, NiceGUI can send at most this number of messages again.

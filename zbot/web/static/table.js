@@ -60,9 +60,29 @@ zbot.table = (() => {
     });
   }
 
+  // Rows can move while the user presses the button. Then the row where the button was pressed
+  // counts, unless the pointer was moved, e.g. to select text.
+  const MOST_PIXELS = 4;
+  let pressed = null;
+  document.addEventListener("pointerdown", (event) => {
+    pressed = { row: rowOf(event), x: event.clientX, y: event.clientY };
+  });
+
+  function rowOf(event) {
+    if (event.target.closest?.("a")) return null;
+    return event.target.closest?.(".zb-choosable tbody tr");
+  }
+
+  function clickedRow(event) {
+    const isByKey = event.detail === 0;
+    if (isByKey || !pressed) return rowOf(event);
+    const distance = Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y);
+    return distance > MOST_PIXELS ? rowOf(event) : pressed.row;
+  }
+
   document.addEventListener("click", (event) => {
-    const row = event.target.closest?.(".zb-choosable tbody tr");
-    if (!row || event.target.closest("a")) return;
+    const row = clickedRow(event);
+    if (!row?.isConnected) return;
     emitEvent("zbot_choose", row.closest(".zb-choosable").id, row.dataset.key);
   });
   document.addEventListener("keydown", (event) => {
