@@ -47,7 +47,7 @@ def dialling(port: int, paths: Mapping[str, Any] | None = None) -> dict[str, Any
     return {
         "mode": "client",
         "connect/endpoints": [f"tcp/{HERE}:{port}"],
-        "connect/timeout_ms": 1500,
+        "connect/timeout_ms": round(1000 * allowed(3.0)),
         "connect/exit_on_failure": True,
         **(paths or {}),
     }

@@ -32,10 +32,14 @@ if TYPE_CHECKING:
 
     from zbot.context import Context
     from zbot.graph.snapshot import Token
+    from zbot.node.state import NodeState
     from zbot.parameters.store import ParameterStore
 
 # A missing publisher or server is reported after this time, because its program may start later.
 _CHECK_DELAY_S = 3.0
+#: A node that nobody spins yet may declare its parameters so long after its start, because its
+#: __init__ loads a model of a neural network before, for example.
+_LONGEST_INIT_S = 30.0
 _HISTORY_S = 0.3  # the tokens of the present endpoints of a type come within 25 ms
 _STANDARD_TYPES = {
     ROSOUT_TOPIC: "rcl_interfaces/msg/Log",
@@ -122,19 +126,16 @@ class Diagnostics:
             self._news.append(token)
         self._work.wake()
 
-    def add_parameters(self, parameters: ParameterStore, given: set[str], logger_name: str) -> None:
-        """Warn later if a node does not declare parameters that it is given.
-
-        Args:
-            parameters: The node's parameters.
-            given: The names on the command line. A file may have more, for other nodes.
-            logger_name: The name of the node's logger.
-        """
+    def add_parameters(self, node: NodeState) -> None:
+        """Warn later if a node does not declare parameters that it is given."""
+        parameters = node.parameters
         self._stores.add(parameters)
         if parameters.overrides and not parameters.allow_undeclared:
-            check = partial(self._check_parameters, parameters, given, logger_name)
-            self._check_later(parameters, check)
+            self._check_parameters_later(node, Deadline(_LONGEST_INIT_S))
             self._work.wake()
+
+    def _check_parameters_later(self, node: NodeState, longest: Deadline) -> None:
+        self._check_later(node.parameters, partial(self._check_parameters, node, longest))
 
     def _count(self, token: EndpointToken, logger_name: str) -> None:
         equality = _equality(token)
@@ -362,19 +363,23 @@ class Diagnostics:
                 "is one of the names misspelt?",
             )
 
-    def _check_parameters(
-        self, parameters: ParameterStore, given: set[str], logger_name: str
-    ) -> None:
-        if parameters.may_grow:
+    def _check_parameters(self, node: NodeState, longest: Deadline) -> None:
+        parameters, logger_name = node.parameters, node.logger_name
+        if parameters.may_grow or node.is_destroyed:
+            return
+        own = sorted(name for name in list(parameters.values) if name not in _STANDARD_PARAMETERS)
+        if not (own or node.ready_queue.was_attached or longest.is_over):
+            self._check_parameters_later(node, longest)
             return
         # A value without the name of a node may be meant for another node of the program.
         known = {name for store in self._stores for name in list(store.values)}
-        own = sorted(name for name in list(parameters.values) if name not in _STANDARD_PARAMETERS)
+        # A file may have more names than the command line, for other nodes.
+        given = node.arguments.names_for(node.token.node)
         listed = f"it declares {', '.join(own)}" if own else "it declares none"
         for name in sorted(given - known):
             advice = did_you_mean(name, own) or listed
             self._warn_of_parameter(logger_name, name, "of the command line", advice)
-        # A file may be for several nodes, so most names that this node lacks are no mistakes.
+        # Most names of a file that this node lacks are no mistakes.
         free = [name for name in own if name not in parameters.overrides]
         for name in sorted(parameters.overrides.keys() - given - known):
             guess = nearest(name, free)
