@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import threading
 from collections import Counter, deque
+from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -32,7 +33,6 @@ if TYPE_CHECKING:
 
     from zbot.context import Context
     from zbot.graph.snapshot import Token
-    from zbot.node.state import NodeState
     from zbot.parameters.store import ParameterStore
 
 # A missing publisher or server is reported after this time, because its program may start later.
@@ -76,6 +76,16 @@ def _leave_to_parent() -> None:
 
 
 fork.in_child.append(_leave_to_parent)
+
+
+@dataclass(frozen=True, slots=True)
+class GivenParameters:
+    """Values of parameters that a node is given, and what their check needs of the node."""
+
+    store: ParameterStore  #: the node's parameters
+    on_command_line: set[str]  #: the names on the command line. A file may have more.
+    logger_name: str
+    was_spun: Callable[[], bool]  #: returns whether an executor has had the node
 
 
 def diagnostics_of(context: Context) -> Diagnostics:
@@ -126,16 +136,16 @@ class Diagnostics:
             self._news.append(token)
         self._work.wake()
 
-    def add_parameters(self, node: NodeState) -> None:
+    def add_parameters(self, given: GivenParameters) -> None:
         """Warn later if a node does not declare parameters that it is given."""
-        parameters = node.parameters
-        self._stores.add(parameters)
-        if parameters.overrides and not parameters.allow_undeclared:
-            self._check_parameters_later(node, Deadline(_LONGEST_INIT_S))
+        store = given.store
+        self._stores.add(store)
+        if store.overrides and not store.allow_undeclared:
+            self._check_parameters_later(given, Deadline(_LONGEST_INIT_S))
             self._work.wake()
 
-    def _check_parameters_later(self, node: NodeState, longest: Deadline) -> None:
-        self._check_later(node.parameters, partial(self._check_parameters, node, longest))
+    def _check_parameters_later(self, given: GivenParameters, longest: Deadline) -> None:
+        self._check_later(given.store, partial(self._check_parameters, given, longest))
 
     def _count(self, token: EndpointToken, logger_name: str) -> None:
         equality = _equality(token)
@@ -363,28 +373,27 @@ class Diagnostics:
                 "is one of the names misspelt?",
             )
 
-    def _check_parameters(self, node: NodeState, longest: Deadline) -> None:
-        parameters, logger_name = node.parameters, node.logger_name
-        if parameters.may_grow or node.is_destroyed:
+    def _check_parameters(self, given: GivenParameters, longest: Deadline) -> None:
+        store = given.store
+        if store.may_grow:
             return
-        own = sorted(name for name in list(parameters.values) if name not in _STANDARD_PARAMETERS)
-        if not (own or node.ready_queue.was_attached or longest.is_over):
-            self._check_parameters_later(node, longest)
+        own = sorted(name for name in list(store.values) if name not in _STANDARD_PARAMETERS)
+        if not (own or given.was_spun() or longest.is_over):
+            self._check_parameters_later(given, longest)
             return
         # A value without the name of a node may be meant for another node of the program.
-        known = {name for store in self._stores for name in list(store.values)}
-        # A file may have more names than the command line, for other nodes.
-        given = node.arguments.names_for(node.token.node)
+        known = {name for other in self._stores for name in list(other.values)}
         listed = f"it declares {', '.join(own)}" if own else "it declares none"
-        for name in sorted(given - known):
+        for name in sorted(given.on_command_line - known):
             advice = did_you_mean(name, own) or listed
-            self._warn_of_parameter(logger_name, name, "of the command line", advice)
-        # Most names of a file that this node lacks are no mistakes.
-        free = [name for name in own if name not in parameters.overrides]
-        for name in sorted(parameters.overrides.keys() - given - known):
+            self._warn_of_parameter(given.logger_name, name, "of the command line", advice)
+        # A file may be for several nodes, so most names that this node lacks are no mistakes.
+        free = [name for name in own if name not in store.overrides]
+        for name in sorted(store.overrides.keys() - given.on_command_line - known):
             guess = nearest(name, free)
             if guess is not None:
-                self._warn_of_parameter(logger_name, name, "that it was given", question([guess]))
+                advice = question([guess])
+                self._warn_of_parameter(given.logger_name, name, "that it was given", advice)
 
     def _warn_of_parameter(self, logger_name: str, name: str, origin: str, advice: str) -> None:
         self._warn(

@@ -122,7 +122,7 @@ class Node(GraphQueries, NodeEntities, NodeParameters):
         if automatically_declare_parameters_from_overrides:
             self._zbot_declare_overrides()
         self._zbot_declare_own()
-        handle.diagnostics.add_parameters(handle)
+        handle.check_parameters()
         handle.check_remaps()
         self._zbot_time.attach_node(self)
         if start_parameter_services:

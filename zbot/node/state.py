@@ -21,7 +21,7 @@ from zbot.names import (
     validate_full_topic_name,
     validate_topic_name,
 )
-from zbot.node.diagnostics import diagnostics_of
+from zbot.node.diagnostics import GivenParameters, diagnostics_of
 from zbot.parameters.store import ParameterStore
 from zbot.process import fork
 from zbot.process.call_source import called_function
@@ -121,6 +121,18 @@ class NodeState:
         if self.is_destroyed or self.ready_queue.was_attached:
             return ""
         return waiting_text(self._first_callback, _SPIN_DELAY_S)
+
+    def check_parameters(self) -> None:
+        """Warn later of given parameters that the node does not declare."""
+        on_command_line = self.arguments.names_for(self.token.node)
+        self.diagnostics.add_parameters(
+            GivenParameters(
+                self.parameters,
+                on_command_line,
+                self.logger_name,
+                was_spun=lambda: self.ready_queue.was_attached,
+            )
+        )
 
     def check_remaps(self) -> None:
         """Warn later of remappings that may have a misspelt name, if there are remappings."""
