@@ -139,6 +139,14 @@ def action_server(node: Any, execute: Any = None, **options: Any) -> Any:
             r"write Request\(\), with parentheses$",
         ),
         (
+            lambda n: n.create_client(SetBool, "s").call_async(True),
+            r"not True; write SetBool.Request\(data=\.\.\.\)$",
+        ),
+        (
+            lambda n: n.set_parameters({"speed": 2.0}),
+            r"a Parameter, not \('speed', 2.0\); write Parameter\('speed', value=2.0\)$",
+        ),
+        (
             lambda n: n.create_timer(zbot.Parameter("rate", value=2.0), n.tick),
             "Parameter.*: write its .value$",
         ),

@@ -66,7 +66,14 @@ def test_an_incomplete_or_impossible_profile_is_refused(
         ({"depth": "a"}, "depth must be an integer, not str: 'a'"),
         ({"depth": True}, "depth must be an integer, not bool"),
         ({"depth": 1, "lifespan": 3}, "lifespan must be a Duration, not int: 3"),
-        ({"depth": 1, "reliability": "reliable"}, "reliability must be a ReliabilityPolicy"),
+        (
+            {"depth": 1, "reliability": "best-effort"},
+            "reliability must be a ReliabilityPolicy.BEST_EFFORT, not str: 'best-effort'",
+        ),
+        (
+            {"depth": 1, "reliability": "fast"},
+            "reliability must be a ReliabilityPolicy, not str: 'fast'",
+        ),
         ({"depth": 1, "avoid_ros_namespace_conventions": 1}, "must be a bool"),
     ],
 )

@@ -29,7 +29,6 @@ from zbot.executor.clock import Clock
 from zbot.executor.task import Future
 from zbot.executor.timer import Timer
 from zbot.executor.waitable import NumberOfEntities
-from zbot.interfaces import type_name
 from zbot.node.argument_check import is_name
 from zbot.node.errors import ServiceError
 from zbot.qos import (
@@ -279,7 +278,7 @@ class ActionClient(ActionEndpoint[GoalT, ResultT, FeedbackT]):
     def _request(self, goal: GoalT, goal_uuid: UUID | None) -> Any:
         expected = self._action_type.Goal
         if not isinstance(goal, expected):
-            raise ActionMessageError(self._action_name, type_name(expected), goal)
+            raise ActionMessageError(self._action_name, expected, goal)
         if goal_uuid is None:
             goal_uuid = UUID(uuid=list(uuid.uuid4().bytes))
         return self._action_type.Impl.SendGoalService.Request(goal_id=goal_uuid, goal=goal)

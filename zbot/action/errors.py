@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from zbot.errors import ZbotError
+from zbot.interfaces.message import call_text
+from zbot.interfaces.python_class import type_name
 
 
 class NotAnActionTypeError(ZbotError, TypeError):
@@ -20,8 +24,9 @@ class NotAnActionTypeError(ZbotError, TypeError):
 class ActionMessageError(ZbotError, TypeError):
     """A value is not of its action's `Goal`, `Result` or `Feedback` class."""
 
-    def __init__(self, action: str, expected: str, value: object) -> None:
-        self.action, self.expected, self.value = action, expected, value
+    def __init__(self, action: str, expected: type[Any], value: object) -> None:
+        self.action, self.expected, self.value = action, type_name(expected), value
         text = repr(value)
         text = text if len(text) <= 80 else f"{text[:77]}..."
-        super().__init__(f"{action} takes a {expected}, not {text}")
+        advice = f"write {call_text(expected)}"
+        super().__init__(f"{action} takes a {self.expected}, not {text}; {advice}")

@@ -27,7 +27,6 @@ from zbot.executor.callback_check import check_callback, unless_called
 from zbot.executor.callback_group import ReentrantCallbackGroup
 from zbot.executor.timer import Timer
 from zbot.executor.waitable import NumberOfEntities
-from zbot.interfaces import type_name
 from zbot.node.argument_check import is_name
 from zbot.process.hooks import advise, user_traceback
 from zbot.qos import (
@@ -358,7 +357,7 @@ class ActionServer(ActionEndpoint[GoalT, ResultT, FeedbackT]):
         """
         expected = self._action_type.Result
         if not isinstance(result, expected):
-            raise ActionMessageError(self._action_name, type_name(expected), result)
+            raise ActionMessageError(self._action_name, expected, result)
 
     def deliver(
         self, handle: ServerGoalHandle[GoalT, ResultT, FeedbackT], result: ResultT | None
@@ -410,7 +409,7 @@ class ActionServer(ActionEndpoint[GoalT, ResultT, FeedbackT]):
         """Publish feedback of a goal (see `ServerGoalHandle.publish_feedback`)."""
         expected = self._action_type.Feedback
         if not isinstance(feedback, expected):
-            raise ActionMessageError(self._action_name, type_name(expected), feedback)
+            raise ActionMessageError(self._action_name, expected, feedback)
         message = self._action_type.Impl.FeedbackMessage(goal_id=handle.goal_id, feedback=feedback)
         self._feedback.publish(message)
 

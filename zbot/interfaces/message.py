@@ -131,6 +131,13 @@ def shown_name(message: Message) -> str:
     return f"{package}.{cls.__name__}" if package else cls.__name__
 
 
+def call_text(cls: type[Any]) -> str:
+    """Return how a program makes a message: `Vector3(x=...)`, `SetBool.Request(data=...)`."""
+    fields: dict[str, str] = getattr(cls, "get_fields_and_field_types", dict)()
+    first = next(iter(fields), "")
+    return f"{cls.__name__.replace('_', '.')}({first and f'{first}=...'})"
+
+
 def rebuild(cls: type[Message], values: tuple[Any, ...]) -> Message:
     """Return the message that `Message.__reduce__` described. pickle calls this function."""
     message = cls.__new__(cls)

@@ -9,14 +9,12 @@ from __future__ import annotations
 import math
 import numbers
 import operator
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from zbot.interfaces.errors import FieldTypeError, FieldValueError
+from zbot.interfaces.message import call_text
 from zbot.interfaces.same_type import is_same_type
 from zbot.interfaces.spec import FLOAT32_MAX, INTEGER_RANGES, FieldType
-
-if TYPE_CHECKING:
-    from collections.abc import Iterator
 
 
 class ScalarCheck:
@@ -161,9 +159,7 @@ class _MessageCheck(ScalarCheck):
         return value
 
     def wrong_type(self, label: str, value: object) -> FieldTypeError:
-        names: Iterator[str] = iter(getattr(self.cls, "get_fields_and_field_types", dict)())
-        first, short = next(names, ""), self.cls_name.rpartition("/")[2]
-        hint = f"; write {short}({first}=...)" if first else ""
+        hint = f"; write {call_text(self.cls)}"
         return FieldTypeError(self.type_name, label, self.expected, value, hint)
 
     def fits(self, values: list[Any]) -> bool:

@@ -262,7 +262,7 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
     def _prepare(self, request: RequestT) -> ServiceRequest:
         expected = self.srv_type.Request
         if request.__class__ is not expected and not is_message_of(request, expected):
-            raise request_type_error(self.service_name, type_name(expected), request)
+            raise request_type_error(self.service_name, expected, request)
         payload = self._encode(request)
         if len(payload) >= LARGE_BYTES:
             keep_freed_memory()

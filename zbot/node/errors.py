@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from zbot.errors import InvalidNodeNameError, WrongTypeError, ZbotError, shortened
+from zbot.interfaces.message import call_text
+from zbot.interfaces.python_class import type_name
 
 
 def argument_order_error(call: str, arguments: str) -> WrongTypeError:
@@ -48,17 +52,20 @@ class UnsupportedEventTypeError(ZbotError, RuntimeError):
     """rclpy's error for events that a middleware does not support. zbot never raises it."""
 
 
-def request_type_error(service: str, expected: str, value: object) -> WrongTypeError:
+def request_type_error(service: str, expected: type[Any], value: object) -> WrongTypeError:
     """Return the error that a service was called with something else than its request."""
-    advice = "; write Request(), with parentheses" if isinstance(value, type) else ""
-    return WrongTypeError(f"{service} takes a {expected}, not {shortened(value)}{advice}")
-
-
-def response_type_error(service: str, expected: str, value: object) -> WrongTypeError:
-    """Return the error that a service's callback returned something else than its response."""
-    hint = ": does it end with `return response`?" if value is None else ""
+    is_class = isinstance(value, type)
+    advice = "Request(), with parentheses" if is_class else call_text(expected)
     return WrongTypeError(
-        f"the callback of {service} returned {shortened(value)}, not a {expected}{hint}"
+        f"{service} takes a {type_name(expected)}, not {shortened(value)}; write {advice}"
+    )
+
+
+def response_type_error(service: str, expected: type[Any], value: object) -> WrongTypeError:
+    """Return the error that a service's callback returned something else than its response."""
+    return WrongTypeError(
+        f"the callback of {service} returned {shortened(value)}, not a {type_name(expected)}: "
+        "does it end with `return response`?"
     )
 
 

@@ -387,7 +387,8 @@ def _checked_names(names: Iterable[Any]) -> list[str]:
 
 
 def _checked_parameters(parameters: Iterable[Any]) -> Parameters:
-    checked = list(parameters)
+    # The error of a dictionary tells how to write its items.
+    checked = list(parameters.items() if isinstance(parameters, dict) else parameters)
     for index, item in enumerate(checked):
         if not isinstance(item, Parameter):
             raise ParameterListError(index, item, "a Parameter")

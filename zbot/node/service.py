@@ -13,7 +13,6 @@ import zenoh
 
 from zbot.executor.forgotten_spin import Program
 from zbot.handle import Handle
-from zbot.interfaces import type_name
 from zbot.interfaces.same_type import is_message_of
 from zbot.log import get_logger
 from zbot.node.errors import response_type_error
@@ -207,7 +206,7 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
     def _answer(self, request_id: bytes, query: zenoh.Query, response: Any) -> None:
         expected = self.srv_type.Response
         if response.__class__ is not expected and not is_message_of(response, expected):
-            raise response_type_error(self.service_name, type_name(expected), response)
+            raise response_type_error(self.service_name, expected, response)
         self._reply_payload(request_id, query, self._encode(response), response)
 
     def _reply_payload(

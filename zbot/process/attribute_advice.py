@@ -10,6 +10,8 @@ import linecache
 import re
 from types import FunctionType, ModuleType
 
+from zbot.errors.suggestion import did_you_mean
+
 _NODE = "create_publisher"
 _WAIT = "rclpy.spin_until_future_complete(node, future) before it, because the future is not done"
 # The second form is that of Python 3.10.
@@ -44,7 +46,9 @@ _OF_NODE = {
     "create_server": "create_service",
     "create_subscriber": "create_subscription",
     "create_service_client": "create_client",
+    "destroy": "destroy_node",
     "get_param": "get_parameter",
+    "publish": "self.publisher.publish(message), with the result of self.create_publisher()",
     "subscribe": "create_subscription",
 }
 
@@ -57,9 +61,29 @@ def advise_of_attribute(error: BaseException) -> None:
     if advice:
         error.args = (f"{error}: write {advice}",)
         error.obj = None  # Python would suggest a name too
+    elif str(error).startswith("'property' object has no attribute"):
+        # `message = Twist`, and then `message.linear.x = 1.0`
+        error.args = (f"{error}: write parentheses after the class, e.g. message = Twist()",)
     elif (taken := _NO_SETTER.match(str(error))) and taken[1] in _TAKEN:
         advice = f"nodes use this name themselves; choose another, e.g. self.my_{taken[1]}"
         error.args = (f"{error}: {advice}",)
+
+
+def suggest_public_name(error: BaseException) -> None:
+    """Add a similar public name to an error about an object of zbot, if it has no advice yet.
+
+    Python up to 3.12 would also suggest private names.
+    """
+    if isinstance(error, AttributeError) and isinstance(error.name, str) and _is_ours(error.obj):
+        names = [name for name in dir(error.obj) if not name.startswith("_")]
+        error.args = (f"{error}{did_you_mean(error.name, names, before='; ')}",)
+        error.obj = None
+
+
+def _is_ours(obj: object) -> bool:
+    """Return whether zbot has made the class of an object, or a base of it."""
+    bases = () if isinstance(obj, (type, ModuleType)) else type(obj).__mro__
+    return any(base.__module__.startswith("zbot.") for base in bases)
 
 
 def _of_result(error: AttributeError) -> str:
@@ -82,8 +106,10 @@ def _advice(obj: object, name: object) -> str:
     if isinstance(obj, FunctionType):  # also for a method, whose attributes are its function's
         is_ours = str(obj.__module__).startswith("zbot.")
         return f"{obj.__name__}().{name}, with parentheses" if is_ours else ""
-    if isinstance(obj, type):
-        return ""
+    return "" if isinstance(obj, type) else _advice_for_object(obj, name)
+
+
+def _advice_for_object(obj: object, name: str) -> str:
     if name in _SECONDS and hasattr(type(obj), "nanoseconds"):
         return "nanoseconds / 1e9"
     if name in {"sec", "nanosec"} and hasattr(type(obj), "to_msg"):
@@ -91,7 +117,15 @@ def _advice(obj: object, name: object) -> str:
     if hasattr(getattr(obj, "request", None), name) and hasattr(type(obj), "publish_feedback"):
         return f"goal_handle.request.{name}"
     if hasattr(type(obj), _NODE):
-        return _OF_NODE.get(name, "")
+        return _OF_NODE.get(name, "") or _getter(obj, name)
     if hasattr(type(obj), "add_done_callback") and name not in dir(obj):
         return f"result().{name}, after rclpy.spin_until_future_complete(node, future)"
-    return ""
+    return _getter(obj, name)
+
+
+def _getter(obj: object, name: str) -> str:
+    """Return `get_clock()` for `node.clock`, and `value` for `parameter.get_value()`."""
+    bare = name.removeprefix("get_")
+    if _is_ours(obj) and name != bare and hasattr(type(obj), bare):
+        return bare
+    return f"get_{name}()" if _is_ours(obj) and hasattr(type(obj), f"get_{name}") else ""

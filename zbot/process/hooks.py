@@ -15,7 +15,7 @@ from typing import Any
 from zbot.errors import ExternalShutdownException, SetupError
 from zbot.interfaces.unknown_field import add_advice
 from zbot.process import at_exit, signals
-from zbot.process.attribute_advice import advise_of_attribute
+from zbot.process.attribute_advice import advise_of_attribute, suggest_public_name
 from zbot.process.call_advice import advise_of_call
 from zbot.terminal.typographic import advise_of_syntax
 
@@ -56,6 +56,7 @@ def advise(value: BaseException) -> None:
     advise_of_call(value)
     advise_of_attribute(value)
     add_advice(value)
+    suggest_public_name(value)
     advise_of_syntax(value)
 
 

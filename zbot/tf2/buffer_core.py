@@ -6,6 +6,7 @@ import math
 import threading
 from typing import TYPE_CHECKING, Any
 
+from zbot.errors import ArgumentTypeError
 from zbot.errors.suggestion import did_you_mean
 from zbot.log import get_logger
 from zbot.tf2.errors import (
@@ -325,6 +326,8 @@ def _stamped(pose: Rigid, stamp_ns: int, target: str, source: str) -> TransformS
 
 def _nanoseconds(time: Any) -> int:
     """Return a `Time` or a time message in nanoseconds."""
+    if isinstance(time, (int, float)):
+        raise ArgumentTypeError("time", "a Time, e.g. Time() for the newest transform", time)
     return int(
         time.nanoseconds if hasattr(time, "nanoseconds") else Time.from_msg(time).nanoseconds
     )

@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import importlib
+import traceback
 from typing import TYPE_CHECKING, Any
 
 import pytest
 
 import zbot
-from zbot.process.attribute_advice import advise_of_attribute
+from zbot.process.attribute_advice import advise_of_attribute, suggest_public_name
 from zbot.time import Time
 
 from example_interfaces.action import Fibonacci
+from geometry_msgs.msg import Pose
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -52,6 +54,11 @@ def text_of(call: Callable[[], Any]) -> str:
         (lambda: robot.get_logger.info("x"), "write get_logger().info, with parentheses"),
         (lambda: robot.subscribe, "write create_subscription"),
         (lambda: robot.create_subscriber, "write create_subscription"),
+        (lambda: robot.destroy, "write destroy_node"),
+        (lambda: robot.publish("hi"), "write self.publisher.publish(message), with the result"),
+        (lambda: zbot.Node.__new__(zbot.Node).clock, "write get_clock()"),  # type: ignore[attr-defined]
+        (lambda: zbot.Parameter("speed", value=2.0).get_value(), "write value"),  # type: ignore[attr-defined]
+        (lambda: setattr(Pose.position, "x", 1.0), "write parentheses after the class, e.g. messa"),
         (lambda: zbot.Future[Any]().success, "write result().success, after rclpy.spin_until_"),  # type: ignore[attr-defined]
         (
             lambda: zbot.Future[Any]().result().success,  # type: ignore[union-attr]
@@ -78,6 +85,14 @@ def test_a_typical_wrong_name_says_what_to_write(call: Callable[[], Any], advice
 )
 def test_other_names_keep_the_text_of_python(call: Callable[[], Any]) -> None:
     assert "write" not in text_of(call)
+
+
+def test_no_private_name_is_suggested() -> None:
+    with pytest.raises(AttributeError) as caught:
+        zbot.Parameter("speed", value=2.0).valeu  # type: ignore[attr-defined]  # noqa: B018
+    suggest_public_name(caught.value)
+    assert str(caught.value) == "'Parameter' object has no attribute 'valeu'; did you mean 'value'?"
+    assert "_value" not in "".join(traceback.format_exception(caught.value))
 
 
 def test_other_errors_are_left_alone() -> None:

@@ -72,6 +72,13 @@ def robot() -> Buffer:
     return buffer
 
 
+@pytest.mark.parametrize("time", [0, 0.5])
+def test_a_number_is_no_time(time: float) -> None:
+    buffer = Buffer()
+    with pytest.raises(TypeError, match=r"time must be a Time, e.g. Time\(\) for the newest tra"):
+        buffer.lookup_transform("a", "b", time)
+
+
 def test_interpolation_takes_the_shorter_rotation() -> None:
     buffer = Buffer()
     buffer.set_transform(make_transform("a", "b", 1.0))
