@@ -112,6 +112,23 @@ def test_keys_move_the_joints_within_their_limits(server: Server, page: Page, ar
     expect(entry(page, "wheel")).to_contain_text("-3.14159 to 3.14159")
 
 
+def test_a_value_of_another_program_does_not_replace_what_is_typed(
+    server: Server, page: Page, arm: Arm
+) -> None:
+    page.goto(f"{server.address}/joints")
+    lift = page.get_by_label("lift", exact=True)
+    expect(lift).to_have_value("0.0")
+    lift.fill("7")
+    zbot("param", "set", "/joint_state_publisher", "joints.lift", "0.5")
+    assert wait_until(lambda: arm.at("lift") == 0.5)
+    slider = page.get_by_role("slider", name="lift slider")
+    expect(slider).to_have_attribute("aria-valuenow", "0.5")
+    expect(lift).to_have_value("7")
+    lift.press("Enter")
+    expect(entry(page, "lift")).to_contain_text("out of range")
+    expect(lift).to_have_value("0.5")
+
+
 def test_all_joints_are_centered_and_moved_at_random(server: Server, page: Page, arm: Arm) -> None:
     page.goto(f"{server.address}/joints")
     expect(page.get_by_label("elbow", exact=True)).to_have_value("0.0")

@@ -14,7 +14,7 @@ from zbot.web.page.service_call import run_in_thread, with_errors_shown
 from zbot.web.panels.parameters.described_parameter import set_value, show_value
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Awaitable, Callable
 
     from nicegui.events import GenericEventArguments
 
@@ -127,22 +127,20 @@ class ParameterInput:
 
     def _add_text(self) -> None:
         parameter = self._parameter
-        box = ui.input().props("dense outlined hide-bottom-space")
-        box.props["aria-label"] = self._label
-        box.classes("zb-short-number" if parameter.range is not None else "zb-grow")
+        box = _TextBox(self._commit)
+        box.element.props["aria-label"] = self._label
+        box.element.classes("zb-short-number" if parameter.range is not None else "zb-grow")
         if parameter.range is not None:
             ui.label(parameter.range.text).classes("zb-muted zb-range")
+        self._showers.append(lambda value: box.show(self._text(value)))
 
-        async def commit(event: GenericEventArguments) -> None:
-            try:
-                value = parameter.read(event.args)
-            except FieldMisfitError as error:
-                self._refuse(error.sentence)
-                return
-            await self._set(value)
-
-        box.on("change", with_errors_shown(commit), js_handler="(value) => emit(value)")
-        self._showers.append(lambda value: box.set_value(self._text(value)))
+    async def _commit(self, text: str) -> None:
+        try:
+            value = self._parameter.read(text)
+        except FieldMisfitError as error:
+            self._refuse(error.sentence)
+            return
+        await self._set(value)
 
     def _add_beside(self, text: Callable[[DescribedParameter, Any], str]) -> None:
         label = ui.label(text(self._parameter, self._value)).classes("zb-mono zb-beside")
@@ -190,3 +188,32 @@ class ParameterInput:
     def _restore(self) -> None:
         for shower in self._showers:
             shower(self._value)
+
+
+class _TextBox:
+    """Text input that shows a value, but not over a text that the user is typing.
+
+    Args:
+        commit: Called with the text when the user has pressed Enter or left the input.
+    """
+
+    def __init__(self, commit: Callable[[str], Awaitable[None]]) -> None:
+        self.element = ui.input().props("dense outlined hide-bottom-space")
+        self._shown = ""  # another text was typed by the user, and is not committed yet
+
+        async def end(event: GenericEventArguments) -> None:
+            self._leave()
+            await commit(event.args)
+
+        self.element.on("change", with_errors_shown(end), js_handler="(value) => emit(value)")
+        self.element.on("blur", self._leave)
+
+    def show(self, text: str) -> None:
+        """Show a text, unless the user is typing another one."""
+        is_typing = self.element.value != self._shown
+        self._shown = text
+        if not is_typing:
+            self.element.set_value(text)
+
+    def _leave(self) -> None:
+        self._shown = self.element.value
