@@ -50,6 +50,7 @@ _WRONG_CLASS = re.compile(r"cannot import '([A-Z]\w*)' from '([\w.]+)'")
 _UNDEFINED = re.compile(r"name '(\w+)' is not defined")
 _MISSING_ARGUMENT = re.compile(r"__init__\(\) missing \d+ required keyword-only argument: '(\w+)'")
 _TOO_MANY = re.compile(r"LaunchDescription\.__init__\(\) takes from 1 to 2 positional arguments")
+_UNNAMED = re.compile(r"Node\.__init__\(\) takes 1 positional argument but")
 _OF_RCLPY = re.compile(r"Node\.__init__\(\) got an unexpected keyword argument '(package|exec\w*)'")
 _QUOTED = re.compile(r"'(\w+)'")
 #: Arguments of nodes and components until ROS 2 Foxy, and their names today.
@@ -189,12 +190,16 @@ def advice(error: Exception | SystemExit) -> str:
         return f"write {match[1]}=...{f', not {words}' if words else ''}"
     if _TOO_MANY.search(text):
         return "put the actions into a list: LaunchDescription([...])"
+    if _UNNAMED.search(text):
+        return "name the arguments, e.g. Node(package='turtlesim', executable='turtlesim_node')"
     if _OF_RCLPY.search(text):
         return "write: from launch_ros.actions import Node"
     if _TAKES_ARGUMENTS.search(text):
         return f"write: def {FUNCTION}():"
     if isinstance(error, AttributeError) and error.name and error.obj is not None:
-        return did_you_mean(error.name, _public(error.obj))
+        is_module = isinstance(error.obj, ModuleType)
+        imported = _import_of(error.name) if is_module else ""
+        return imported or did_you_mean(error.name, _public(error.obj))
     return ""
 
 
