@@ -11,7 +11,7 @@ from zbot.executor.single_threaded_executor import SingleThreadedExecutor
 from zbot.executor.spinnable import check_node
 from zbot.interfaces.unknown_field import add_advice
 from zbot.node.node import Node
-from zbot.process import signals
+from zbot.process import error_advice, signals
 from zbot.process.signals import SignalHandlerOptions
 from zbot.transport.rmw_choice import IDENTIFIERS
 
@@ -69,6 +69,8 @@ def init(
     if signal_handler_options is None:
         signal_handler_options = SignalHandlerOptions.ALL if default else SignalHandlerOptions.NO
     signals.install(signal_handler_options)
+    if default:
+        error_advice.install()
     context.init(args, domain_id=domain_id)
     return InitContextManager(context)
 

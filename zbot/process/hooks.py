@@ -1,6 +1,7 @@
 """Exception hooks for processes in which `zbot run` runs a program.
 
-A program that is started in another way, e.g. with `python`, keeps its own hooks.
+A program that is started in another way, e.g. with `python`, keeps its own hooks. Without any, it
+gets advice for its errors (see `zbot.process.error_advice`).
 """
 
 from __future__ import annotations

@@ -86,6 +86,9 @@ def use_a_node():
     zbot.shutdown()
     print("heard", heard[0].data)
 
+# A process that has hooks of its own keeps them.
+sys.excepthook = lambda *error: sys.__excepthook__(*error)
+threading.excepthook = lambda error: threading.__excepthook__(error)
 own, had = state(), resources()
 import zbot
 from std_msgs.msg import String
