@@ -15,14 +15,14 @@ if TYPE_CHECKING:
 
 _MISSING = re.compile(
     r"\A(?:((?:\w+Broadcaster|\w+Listener)\.|(?:Client|LifecycleNode|Logger|Node|Publisher)\w*\.)\w*|"
-    r"spin\w*|create_node)\(\) "
+    r"spin\w*)\(\) "
     r"missing \d+ required positional arguments?: .*'(\w+)'\Z"
 )
 #: What to write for an argument that a program forgot.
 _ARGUMENTS = {
     "request": "the request, e.g. Trigger.Request()",
     "timer_period_sec": "the seconds between two calls, e.g. 0.5",
-    "node_name": "the node's name, e.g. 'my_node'",
+    "node_name": "the node's name, e.g. super().__init__('my_node')",
     "qos_profile": "the depth of the queue, e.g. 10",
     "node": "the node, e.g. rclpy.spin(node)",
     "future": "the node and the future: spin_until_future_complete(node, future)",
@@ -46,6 +46,7 @@ _SENTENCES = {
     r"(\w*TransformBroadcaster)\.sendTransform\(\) takes": (
         "sendTransform(transform), with one TransformStamped"
     ),
+    r"create_node\(\) missing": "the node's name, e.g. create_node('my_node')",
     r"spin_once\(\) takes 1 positional": "spin_once(node, timeout_sec=1.0)",
     r"Duration\.__init__\(\) takes 1 positional": "Duration(seconds=1.5)",
     r"Time\.__init__\(\) takes 1 positional": "Time(seconds=1.5)",

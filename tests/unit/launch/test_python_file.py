@@ -45,7 +45,12 @@ _ALL = f"LaunchDescription([{_NODE}])"
         (_IMPORT, "from launch.actions import Node", "cannot import", f"write: {_IMPORT}"),
         (_IMPORT, "", "name 'Node' is not defined", f"write: {_IMPORT}"),
         (_IMPORT, "import launch\nNode = launch.actions.Node", "no attribute", f"write: {_IMPORT}"),
-        (_NODE, "Node('zbot', 'talker')", "takes 1 positional argument", "name the arguments, e.g."),
+        (
+            _NODE,
+            "Node('zbot', 'talker')",
+            "takes 1 positional argument",
+            "name the arguments, e.g.",
+        ),
         (
             _IMPORT,
             "from launch_ros.actions import ExecuteProcess",

@@ -55,7 +55,7 @@ five, now, parameter = (Duration(seconds=5), Time(), Parameter("speed", value=0.
         (lambda: robot.create_publisher(String, "a"), "the depth of the queue, e.g. 10"),
         (lambda: spin(zbot.Future()), "the node and the future: spin_until_future_complete(node, "),
         (lambda: zbot.spin_once(robot, 1.0), "spin_once(node, timeout_sec=1.0)"),  # type: ignore[arg-type,call-arg]
-        (zbot.create_node, "the node's name, e.g. 'my_node'"),
+        (zbot.create_node, "the node's name, e.g. create_node('my_node')"),
         (publisher.publish, "the message, e.g. publish(message)"),
         (lambda: module("Robot", (), {}), "the class in the module, e.g. rclpy.node.Node"),
         (lambda: base.__init__("robot"), "super().__init__(...), with parentheses after super"),
