@@ -187,18 +187,15 @@ class _Policy(Generic[_PolicyT]):
 
     def __set__(self, profile: QoSProfile, value: _PolicyT | int) -> None:
         if not isinstance(value, int):
-            raise ArgumentTypeError(self._name, f"a {self._example(value)}", value)
+            name = str(value).upper().replace("-", "_")
+            member = f".{name}" if name in self._policy.__members__ else ""
+            raise ArgumentTypeError(self._name, f"a {self._policy.__name__}{member}", value)
         try:
             policy = self._policy(value)
         except ValueError:
             reason = f"{self._name} must be a {self._policy.__name__}, not {value!r}"
             raise InvalidQoSProfileError(reason) from None
         setattr(profile, self._slot, policy)
-
-    def _example(self, value: object) -> str:
-        """Return the class, and the member that a text means: ReliabilityPolicy.BEST_EFFORT."""
-        name = str(value).upper().replace("-", "_")
-        return f"{self._policy.__name__}{f'.{name}' if name in self._policy.__members__ else ''}"
 
 
 class _Value(Generic[_ValueT]):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from zbot.errors import ZbotError
+from zbot.errors import ZbotError, shortened
 from zbot.interfaces.message import call_text
 from zbot.interfaces.python_class import type_name
 
@@ -26,7 +26,6 @@ class ActionMessageError(ZbotError, TypeError):
 
     def __init__(self, action: str, expected: type[Any], value: object) -> None:
         self.action, self.expected, self.value = action, type_name(expected), value
-        text = repr(value)
-        text = text if len(text) <= 80 else f"{text[:77]}..."
-        advice = f"write {call_text(expected)}"
-        super().__init__(f"{action} takes a {self.expected}, not {text}; {advice}")
+        super().__init__(
+            f"{action} takes a {self.expected}, not {shortened(value)}; write {call_text(expected)}"
+        )
