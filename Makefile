@@ -1,4 +1,4 @@
-.PHONY: check mypy pyright docs pictures test bench bags classroom torture chaos soak ends holders churn periods nightly zenoh-faults
+.PHONY: check mypy pyright docs pictures test bench bags classroom torture chaos soak ends holders churn periods attacks nightly zenoh-faults
 
 # Tests use what only POSIX has. What is shipped is checked for Windows and macOS, too.
 SHIPPED = zbot cli nodes
@@ -66,6 +66,11 @@ churn:
 periods: ROUNDS = 20
 periods:
 	python -m tests.torture.periods --rounds $(ROUNDS) --seed "$(SEED)"
+
+# Clients of `zbot foxglove` and rosbridge that want too much, beside an honest one. Linux.
+SECONDS = 600
+attacks:
+	python -m tests.torture.client_attacks --seconds $(SECONDS)
 
 # All of these runs in one hour, with a report of one page. Needs root for the class and stuck routers.
 nightly:

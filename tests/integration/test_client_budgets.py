@@ -24,6 +24,7 @@ from websockets.sync.client import connect
 
 import zbot
 from tests.conftest import allowed, wait_until
+from tests.torture.client_attacks import CLIENTS
 from zbot.serving.client_budget import (
     MAX_CLIENTS,
     MAX_MESSAGE_BYTES,
@@ -199,6 +200,23 @@ def test_a_message_that_would_fill_the_memory_is_refused(
         greedy.publish("/attack", '{"transforms":[' + "{}," * 100_000 + "{}]}")
         assert greedy.was_told("the messages in transforms leave out too many values")
         assert server.memory_mb - before_mb < 100
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="the memory of a process is read from /proc")
+def test_what_waits_for_a_client_that_does_not_read_is_bounded(
+    server: Server, watcher: zbot.Node
+) -> None:
+    silent = CLIENTS[server.kind](server.address)
+    silent.advertise("/attack")
+    silent.subscribe("/attack")
+    message = silent.publication("/attack", json.dumps({"data": "x" * 1_000_000}))
+    with contextlib.closing(silent.socket), server.client() as honest:
+        silent.socket.send(message)
+        before_mb = server.memory_mb
+        for _ in range(150):
+            silent.socket.send(message)
+        assert works(honest, watcher)
+        assert server.memory_mb - before_mb < 90
 
 
 def test_messages_above_the_rate_are_refused_by_name(server: Server, watcher: zbot.Node) -> None:

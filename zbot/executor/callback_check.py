@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.errors import WrongStateError, WrongTypeError
 from zbot.executor.errors import callback_signature_error, not_callable_error
+from zbot.log import get_logger
 from zbot.process.call_source import argument_source
 
 if TYPE_CHECKING:
@@ -116,21 +117,40 @@ def _surely_accepts(callback: Any, count: int) -> bool:
 def _accepted_form(call: str, callback: Any, forms: tuple[str, ...]) -> int:
     try:
         # A decorator may give its function other arguments than the ones that it takes itself.
-        signatures = [inspect.signature(callback, follow_wrapped=each) for each in (True, False)]
+        written, own = (inspect.signature(callback, follow_wrapped=each) for each in (True, False))
     except (TypeError, ValueError):
         if _takes_nothing(callback):
             raise _signature_error(call, callback, forms) from None
         return 0
-    if _is_method_of_class(callback, signatures[0]):
+    if _is_method_of_class(callback, own):
         raise WrongTypeError(
             f"{call} was given {callback.__qualname__}, a method without its object: "
             f"write self.{callback.__name__}"
         )
-    for signature in signatures:
+    for signature in (_bound(written, own), own):
         for index, form in enumerate(forms):
             if _accepts(signature, _count(form)):
                 return index
+    if _does_nothing(callback):
+        # Programs give such a lambda to a service or an action that nobody calls.
+        get_logger("zbot").warning(str(_signature_error(call, callback, forms)))
+        return 0
     raise _signature_error(call, callback, forms)
+
+
+def _bound(written: inspect.Signature, own: inspect.Signature) -> inspect.Signature:
+    """Return the signature of a method without `self` if a wrapper around it gives the object."""
+    first = next(iter(written.parameters), "")
+    if first != "self" or first in own.parameters:
+        return written
+    return written.replace(parameters=list(written.parameters.values())[1:])
+
+
+def _does_nothing(callback: Any) -> bool:
+    """Return whether this is a lambda that only returns `None`, e.g. `lambda: None`."""
+    if type(callback) is not FunctionType or callback.__name__ != "<lambda>":
+        return False
+    return callback.__code__.co_code == (lambda: None).__code__.co_code
 
 
 def _takes_nothing(callback: Any) -> bool:

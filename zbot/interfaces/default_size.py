@@ -61,12 +61,16 @@ def _octets(kind: FieldType, each: int) -> int:
 class DefaultMemory:
     """Memory that a message of `size` bytes may still use for default values.
 
+    Args:
+        size: The message's length in bytes. Each byte allows 64 bytes of memory.
+        each: Bytes of memory that each message may use in addition.
+
     In a message, one byte can stand for an element with default values. Such an element can need
     thousands of bytes of memory, so a message of some kilobytes could fill the memory.
     """
 
-    def __init__(self, size: int) -> None:
-        self._left = _BYTES_FOR_EACH_MESSAGE + _BYTES_FOR_EACH_BYTE * size
+    def __init__(self, size: int, each: int = _BYTES_FOR_EACH_MESSAGE) -> None:
+        self._left = each + _BYTES_FOR_EACH_BYTE * size
 
     def suffices(self, kind: FieldType, elements: int) -> bool:
         """Count the elements of a list. Return False if they would need too much memory."""

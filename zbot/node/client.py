@@ -378,6 +378,11 @@ class ResponseHeader(NamedTuple):
 
     sequence_number: int  #: the number that `send_request` returned
 
+    @property
+    def request_id(self) -> ResponseHeader:
+        """What has the attribute `sequence_number` in rclpy."""
+        return self
+
 
 class ClientHandle(Handle[Client[Any, Any]]):
     """A client's handle."""

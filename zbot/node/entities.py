@@ -10,6 +10,7 @@ from zbot.executor.callback_check import check_callback, unless_called
 from zbot.executor.guard_condition import GuardCondition
 from zbot.executor.timer import Rate, Timer, check_timer_callback
 from zbot.interfaces.python_class import check_is_valid_msg_type, check_is_valid_srv_type
+from zbot.names import ACTION_PART
 from zbot.node.argument_check import (
     check_object,
     check_order,
@@ -46,10 +47,14 @@ EntityT = TypeVar("EntityT")
 
 
 class _Listing:
-    """Iterator over entities of a node, e.g. `timers`. A `Node` subclass may override it."""
+    """Iterator over entities of a node, e.g. `timers`. A `Node` subclass may override it.
 
-    def __init__(self, attribute: str) -> None:
+    As in rclpy, it leaves out the topics and services of actions.
+    """
+
+    def __init__(self, attribute: str, name: str = "") -> None:
         self._read: Callable[[Any], list[Any]] = attrgetter(f"_zbot_state.{attribute}")
+        self._name = name  #: attribute with an entity's topic or service
 
     @overload
     def __get__(self, node: None, owner: type[NodeEntities]) -> _Listing: ...
@@ -60,7 +65,10 @@ class _Listing:
     ) -> _Listing | Iterator[Any]:
         if node is None:  # read on the class, e.g. by inspect.getmembers
             return self
-        return iter(self._read(node).copy())
+        found = self._read(node).copy()
+        if self._name:
+            found = [each for each in found if ACTION_PART not in getattr(each, self._name, "")]
+        return iter(found)
 
 
 class NodeEntities(PrivateAliases):
@@ -73,10 +81,10 @@ class NodeEntities(PrivateAliases):
         """The node's internal state, which user code must not use."""
         return self._zbot_state
 
-    publishers = _Listing("publishers")
-    subscriptions = _Listing("subscriptions")
-    services = _Listing("services")
-    clients = _Listing("clients")
+    publishers = _Listing("publishers", "topic_name")
+    subscriptions = _Listing("subscriptions", "topic_name")
+    services = _Listing("services", "service_name")
+    clients = _Listing("clients", "service_name")
     timers = _Listing("timers")
     guards = _Listing("guards")
 

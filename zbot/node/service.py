@@ -275,6 +275,17 @@ class RequestHeader:
     source_timestamp: int  #: nanoseconds since the epoch by the caller's clock, or 0 if unknown
     received_timestamp: int = field(default_factory=time.time_ns)  #: by this machine's clock
 
+    @property
+    def request_id(self) -> RequestHeader:
+        """What has the attribute `sequence_number` in rclpy."""
+        return self
+
+    @property
+    def sequence_number(self) -> int:
+        """The number of the caller's request, or 0 if it is unknown."""
+        request_id = request_id_of(self.query)
+        return _number(request_id) if request_id else 0
+
 
 class ServiceHandle(Handle[Service[Any, Any]]):
     """A service's handle."""

@@ -31,6 +31,7 @@ _PACKAGE_ENTRIES = {MANIFEST, *SETUP_FILES, "msg", "srv", "action"}
 _MAX_PARENTS = 12
 _MAX_DEPTH = 5
 _DEPTH_ELSEWHERE = 1  # for a current folder outside any workspace
+_DEPTH_OF_REPOSITORY = 3  # e.g. ros2_ws/src/package
 _MAX_FOLDERS = 2000
 _MAX_MANIFEST = 65536
 #: Names of folders that contain no sources.
@@ -47,7 +48,7 @@ def search_roots() -> Roots:
 
     The order is: the workspace that is nearest to the current folder, the workspaces of
     ZBOT_WORKSPACE, the other workspaces around the current folder. Without a workspace, the result
-    is the current folder with one level below it.
+    is the current folder with one level below it, or with three if it is a repository's root.
     """
     nearest, *outer = _workspaces_here() or [()]
     parts = [part for part in os.environ.get(VARIABLE, "").split(os.pathsep) if part]
@@ -80,7 +81,10 @@ def _workspaces_here() -> list[Roots]:
 
 def _folder_here() -> Roots:
     folder = _current_folder()
-    return ((folder, _DEPTH_ELSEWHERE),) if folder is not None and _may_search(folder) else ()
+    if folder is None or not _may_search(folder):
+        return ()
+    is_repository = (folder / ".git").exists()
+    return ((folder, _DEPTH_OF_REPOSITORY if is_repository else _DEPTH_ELSEWHERE),)
 
 
 def _current_folder() -> Path | None:
@@ -239,10 +243,10 @@ def _workspaces_around(current: Path) -> list[Roots]:
 
 
 def _repository_around(package: Path) -> list[Roots]:
-    """Return the folder around a package if it is the root of a repository with packages."""
-    root = package.parent
-    if (root / ".git").exists() and _may_search(root) and not _is_package(root):
-        return [((root, _DEPTH_ELSEWHERE),)]
+    """Return the repository around a package, to search it down to the package's level."""
+    for level, root in enumerate(package.parents[:_DEPTH_OF_REPOSITORY], 1):
+        if (root / ".git").exists():
+            return [((root, level),)] if _may_search(root) and not _is_package(root) else []
     return []
 
 

@@ -37,6 +37,15 @@ def test_a_goal_gives_feedback_and_a_result(pair: Pair) -> None:
     assert handle.status == GoalState.SUCCEEDED
 
 
+def test_a_node_does_not_list_the_topics_and_services_of_its_actions(pair: Pair) -> None:
+    pair.begin(compute)
+    node = pair.client._node
+    listed = [*node.subscriptions, *node.publishers, *node.clients, *node.services]
+    names = [getattr(one, "topic_name", None) or one.service_name for one in listed]
+    assert names
+    assert not [name for name in names if "/_action/" in name]
+
+
 def test_send_goal_waits_for_the_end(pair: Pair) -> None:
     pair.begin(compute)
     response = pair.client.send_goal(Fibonacci.Goal(order=3))

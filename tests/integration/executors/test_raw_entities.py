@@ -48,10 +48,12 @@ def test_a_request_and_its_response_are_taken(node: zbot.Node) -> None:
     number = client.send_request(AddTwoInts.Request(a=1, b=2))
     assert ready("service", service)
     request, header = service.service_take_request(AddTwoInts.Request)
+    assert header.request_id.sequence_number == number
     service.service_send_response(AddTwoInts.Response(sum=request.a + request.b), header)
     assert ready("client", client)
     header, response = client.take_response(AddTwoInts.Response)
     assert (header.sequence_number, response.sum) == (number, 3)
+    assert header.request_id.sequence_number == number
 
 
 def test_a_timers_call_is_taken_once(node: zbot.Node) -> None:

@@ -111,7 +111,7 @@ def test_a_decorator_may_add_an_argument() -> None:
         (robot.forgot_all, TIMER, r"takes \(\): write def forgot_all\(self\):$"),  # type: ignore[misc]
         (robot.of_class, MESSAGE, r"write def of_class\(cls, message\):$"),
         (len, TIMER[:1], r"but len takes \(obj\): write def len\(\):$"),
-        (lambda: None, MESSAGE, r"but the lambda takes \(\): write lambda message:$"),
+        (lambda: 5, MESSAGE, r"but the lambda takes \(\): write lambda message:$"),
         (robot.both, ("()",), r"write def both\(self\):$"),
         (Robot.still, MESSAGE, r"write def still\(message\):$"),
     ],
@@ -121,6 +121,29 @@ def test_a_callback_with_other_arguments_is_refused(
 ) -> None:
     with pytest.raises(WrongStateError, match=text):
         called_with(callback, *forms)
+
+
+def test_a_lambda_that_does_nothing_is_accepted_with_a_warning(
+    capfd: pytest.CaptureFixture[str],
+) -> None:
+    assert called_with(lambda: None, "(request, response)") == 0
+    assert "needs a callback that takes (request, response), but" in capfd.readouterr().err
+
+
+def test_a_wrapper_around_a_method_of_the_class_is_accepted() -> None:
+    @functools.wraps(Robot.add)
+    def wrapper(*arguments: Any) -> Any:
+        return Robot.add(robot, *arguments)
+
+    assert called_with(wrapper, "(request, response)") == 0
+
+
+def test_a_method_for_several_types_is_accepted() -> None:
+    class Listener:
+        @functools.singledispatchmethod
+        def hear(self, message: Any) -> None: ...
+
+    assert called_with(Listener().hear, *MESSAGE) == 0
 
 
 @pytest.mark.parametrize("method", [Robot.tick, Robot.hear])

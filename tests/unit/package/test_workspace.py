@@ -70,6 +70,19 @@ def test_a_package_finds_the_packages_of_its_repository(
     assert [folder for folder, _ in current_workspace()] == [robot]
 
 
+def test_packages_are_found_two_folders_below_the_root_of_a_repository(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    robot = _packages_beside_each_other(tmp_path / "sources")
+    monkeypatch.chdir(tmp_path)
+    assert sorted(packages_by_name()) == []
+    (tmp_path / ".git").mkdir()
+    assert sorted(packages_by_name()) == ["arm", "robot"]
+    monkeypatch.chdir(robot / "robot")
+    assert sorted(packages_by_name()) == ["arm", "robot"]
+    assert package_folder("robot_words") == tmp_path / "sources" / "robot_words"
+
+
 def _packages_beside_each_other(folder: Path) -> Path:
     """Write packages without a folder `src`, and return the folder of the package `robot`."""
     for name in ("arm", "robot"):

@@ -120,7 +120,10 @@ class Connection:
     async def _send(self) -> None:
         with contextlib.suppress(OSError):
             while True:
-                self._client.writer.writelines(await self._outbox.take())
+                # Not `writelines`: in Python 3.12.0 to 3.12.8, 3.13.0 and 3.13.1, `drain` does not
+                # wait after it, so a slow client fills the memory (CVE-2024-12254).
+                for frame in await self._outbox.take():
+                    self._client.writer.write(frame)
                 await self._client.writer.drain()
 
     async def _from_server(self) -> None:

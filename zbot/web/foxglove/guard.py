@@ -19,6 +19,7 @@ from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING
 from urllib.parse import parse_qsl, urlsplit
 
+from zbot.process.memory import give_back_freed_memory
 from zbot.serving.address import TOKEN_PARAMETER, other_machine, without_token
 from zbot.serving.client_budget import Clients, OverBudgetError
 from zbot.serving.own_names import OwnNames
@@ -163,6 +164,8 @@ class Guard:
                     await Connection(client, server, self._publishing(), self._threads).run()
         finally:
             self._clients.remove(machine)
+            with contextlib.suppress(RuntimeError):  # the server is ending
+                self._threads.submit(give_back_freed_memory)
 
     def close(self) -> None:
         """Cancel all work that has not begun."""

@@ -10,7 +10,7 @@ from zbot.interfaces.default_size import DefaultMemory
 from zbot.interfaces.message_reader import MessageReader
 from zbot.json_reader import read_json_object
 from zbot.observer.errors import ViewerError
-from zbot.serving.client_budget import MAX_PUBLISHED, OverBudgetError
+from zbot.serving.client_budget import MAX_DEFAULT_BYTES, MAX_PUBLISHED, OverBudgetError
 from zbot.wire.serialization import deserialize_message
 
 if TYPE_CHECKING:
@@ -104,4 +104,5 @@ def client_message(data: bytes, cls: Any, encoding: str) -> Any:
     """
     if encoding == "cdr":
         return deserialize_message(data, cls)
-    return MessageReader(DefaultMemory(len(data))).message(cls, read_json_object(data))
+    memory = DefaultMemory(len(data), MAX_DEFAULT_BYTES)
+    return MessageReader(memory).message(cls, read_json_object(data))

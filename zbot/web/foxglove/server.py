@@ -15,7 +15,7 @@ from zbot.log import get_logger
 from zbot.names import fully_qualified, is_hidden
 from zbot.observer.errors import ViewerError
 from zbot.observer.system import System
-from zbot.process.short_turns import short_turns
+from zbot.process.serving import serving
 from zbot.serving.address import address, is_loopback, origin_of
 from zbot.threads.background_thread import background_thread
 from zbot.web.foxglove.channels import Channels
@@ -73,7 +73,7 @@ def serve(
     """
     check_extra()
     allowed = [origin_of(origin) for origin in origins]
-    with short_turns(), System(read_only=read_only) as system, _sdk_server(system) as inner:
+    with serving(), System(read_only=read_only) as system, _sdk_server(system) as inner:
         token = None if is_loopback(host) else secrets.token_urlsafe(16)
         guard = Guard(host, inner, token, allowed, publishing=lambda: Publishing(system))
 

@@ -11,6 +11,7 @@ from zbot.executor.spin_thread import SpinThread
 from zbot.log import get_logger
 from zbot.node.node import Node
 from zbot.observer.shared_entities import SharedEntities
+from zbot.process.memory import give_back_freed_memory
 from zbot.serving.client_budget import Clients
 from zbot.web.rosbridge.client_message import RosbridgeError
 
@@ -95,6 +96,7 @@ class Bridge:
             close()
         except Exception as error:  # noqa: BLE001 - nobody else would see it in this thread
             self.report(error)
+        give_back_freed_memory()
 
     def graph(self) -> Snapshot:
         """Return the graph as it is now."""

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 from zbot.interfaces import FieldType, message_spec_of
 from zbot.interfaces.default_size import DefaultMemory
 from zbot.interfaces.message_reader import FieldMisfitError, MessageReader
+from zbot.serving.client_budget import MAX_DEFAULT_BYTES
 from zbot.web.rosbridge.client_message import RosbridgeError
 
 if TYPE_CHECKING:
@@ -43,8 +44,9 @@ def message_from_json(
         if len(value) > len(spec.fields):
             raise RosbridgeError(f"{spec.name} has {len(spec.fields)} fields, not {len(value)}")
         value = {field.name: item for field, item in zip(spec.fields, value, strict=False)}
+    memory = DefaultMemory(size, MAX_DEFAULT_BYTES)
     try:
-        message = _Reader(now, DefaultMemory(size)).stamped(spec.name, message_type, value, "")
+        message = _Reader(now, memory).stamped(spec.name, message_type, value, "")
     except FieldMisfitError as error:
         raise RosbridgeError(error.sentence) from None
     for field in spec.fields:

@@ -12,7 +12,7 @@ from fastapi import FastAPI
 from nicegui import ui
 from starlette.routing import WebSocketRoute
 
-from zbot.process.short_turns import short_turns
+from zbot.process.serving import serving
 from zbot.serving.address import ROSBRIDGE_PATHS
 from zbot.web.rosbridge.bridge import Bridge
 from zbot.web.rosbridge.endpoint import endpoint
@@ -92,7 +92,7 @@ def run(
         timeout_graceful_shutdown=_SHUTDOWN_TIMEOUT_S,
     )
     try:
-        with short_turns():
+        with serving():
             _Server(config, on_startup, tls).run([listener])
     finally:
         if bridge is not None:

@@ -37,5 +37,5 @@ def test_a_text_cannot_stand_for_much_more_memory() -> None:
     data = b'{"transforms": [' + b"{}," * 100_000 + b"{}]}"
     with pytest.raises(FieldMisfitError, match="messages in transforms leave out too many values"):
         client_message(data, TFMessage, "json")
-    data = b'{"transforms": [' + b"{}," * 10_000 + b"{}]}"
-    assert len(client_message(data, TFMessage, "json").transforms) == 10_001
+    data = b'{"transforms": [' + b"{}," * 1_000 + b"{}]}"
+    assert len(client_message(data, TFMessage, "json").transforms) == 1_001
