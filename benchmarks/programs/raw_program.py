@@ -282,7 +282,7 @@ def main() -> None:
         sleep_repeatedly(**options)
         return
     if options.get("size", 0) >= LARGE_BYTES:
-        bytes(32 * 1024 * 1024 - 8192)  # as zbot/process/memory.py: glibc keeps freed blocks
+        bytes(32 * 1024 * 1024 - 8192)  # as zbot/memory.py: glibc keeps freed blocks
     roles = {
         role.__name__: role for role in (sink, flood, listener, talker, echo, ping, server, caller)
     }

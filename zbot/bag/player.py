@@ -17,7 +17,7 @@ from zbot.bag.qos_profiles import profile_to_publish
 from zbot.bag.read_ahead import ReadAhead, in_send_order
 from zbot.bag.reader import merge
 from zbot.errors import NotInitializedError, ZbotError, counted
-from zbot.process.memory import LARGE_BYTES
+from zbot.memory import LARGE_BYTES
 from zbot.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from zbot.threads.deadline import Deadline
 from zbot.threads.wakeup import BinarySemaphore

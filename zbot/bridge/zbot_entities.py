@@ -12,12 +12,12 @@ import zenoh
 from zbot.bridge.errors import CallError
 from zbot.errors import InvalidHandleError
 from zbot.executor.callback_group import ReentrantCallbackGroup
+from zbot.memory import LARGE_BYTES, keep_freed_memory
 from zbot.node.client import Client
 from zbot.node.publisher import Publisher
 from zbot.node.service import Service, request_id_of
 from zbot.node.service_request import ServiceRequest
 from zbot.node.subscription import Subscription
-from zbot.process.memory import LARGE_BYTES, keep_freed_memory
 from zbot.qos import DurabilityPolicy
 from zbot.threads.foreign_call import called_by_zenoh
 from zbot.wire.attachment import GID_LENGTH, LAYOUT

@@ -18,6 +18,7 @@ from zbot.handle import Handle
 from zbot.interfaces import type_name
 from zbot.interfaces.same_type import is_message_of
 from zbot.log import get_logger
+from zbot.memory import LARGE_BYTES, keep_freed_memory
 from zbot.names import ACTION_PART
 from zbot.node.blocking_call import wait_for_reply
 from zbot.node.errors import ServiceError, request_type_error
@@ -25,7 +26,6 @@ from zbot.node.pending_calls import PendingCalls, ResponseFuture
 from zbot.node.service_introspection import ServiceEndpoint, Step
 from zbot.node.service_request import ServiceRequest, response_sample
 from zbot.process import signals
-from zbot.process.memory import LARGE_BYTES, keep_freed_memory
 from zbot.threads.deadline import Deadline
 from zbot.threads.foreign_call import without_interruption
 from zbot.threads.wakeup import BinarySemaphore, BusyWait, activity

@@ -11,11 +11,11 @@ import zenoh
 
 from zbot.errors import InvalidHandleError, WrongTypeError
 from zbot.interfaces import type_name
+from zbot.memory import LARGE_BYTES, keep_freed_memory
 from zbot.names import ROSOUT_TOPIC
 from zbot.node.endpoint import TopicEndpoint
 from zbot.node.zenoh_declaration import can_block, declare_publisher
 from zbot.process import blocked_put, fork, signals
-from zbot.process.memory import LARGE_BYTES, keep_freed_memory
 from zbot.qos import DurabilityPolicy, ReliabilityPolicy
 from zbot.threads.wakeup import activity
 from zbot.wire.attachment import GID_LENGTH, LAYOUT

@@ -15,6 +15,7 @@ import zenoh
 from zbot.executor.forgotten_spin import Program
 from zbot.handle import Handle
 from zbot.interfaces import has_sequences
+from zbot.memory import LARGE_BYTES, keep_freed_memory
 from zbot.node.endpoint import TopicEndpoint
 from zbot.node.message_decoder import MessageDecoder
 from zbot.node.message_info import MessageInfo, PublisherGid, takes_info
@@ -23,7 +24,6 @@ from zbot.node.refusals import Refusals
 from zbot.node.sample_queue import LatchedChannel, SampleQueue
 from zbot.node.zenoh_declaration import subscriber_declaration
 from zbot.process import blocked_put, fork
-from zbot.process.memory import LARGE_BYTES, keep_freed_memory
 from zbot.qos import DurabilityPolicy, HistoryPolicy
 from zbot.wire.attachment import LAYOUT
 from zbot.wire.errors import CodecError

@@ -20,7 +20,7 @@ _INTEGER = re.compile(
 )
 _FLOAT = re.compile(
     r"[ \t\n\v\f\r]*(?P<sign>[-+]?)(?P<value>"
-    r"(?P<decimal>(?=\.?[0-9])(?P<digits>[0-9]*\.?[0-9]*)(?:[eE][-+]?[0-9]+)?)"
+    r"(?P<decimal>(?=\.?[0-9])(?P<digits>[0-9]*(?:\.[0-9]*)?)(?:[eE][-+]?[0-9]+)?)"
     r"|0[xX](?=\.?[0-9a-fA-F])(?P<hex>[0-9a-fA-F]*\.?[0-9a-fA-F]*)(?:[pP][-+]?[0-9]+)?"
     r"|(?i:inf(?:inity)?)|(?i:nan)(?:\([0-9A-Za-z_]*\))?)"
 )

@@ -14,7 +14,8 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.log import call_site
 from zbot.log.registry import REGISTRY
-from zbot.process import at_exit, blocked_put, memory, signals
+from zbot.memory import freeze_garbage_collector
+from zbot.process import at_exit, blocked_put, signals
 from zbot.transport import shared_memory
 
 if TYPE_CHECKING:
@@ -46,7 +47,7 @@ def keep(*objects: object) -> None:
     """
     if not _kept:
         _kept.append(_kept)
-        atexit.register(memory.freeze_garbage_collector)
+        atexit.register(freeze_garbage_collector)
     _kept.extend(objects)
 
 

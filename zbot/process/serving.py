@@ -7,7 +7,7 @@ import gc
 import sys
 from typing import TYPE_CHECKING
 
-from zbot.process import memory
+from zbot.memory import freeze_garbage_collector, keep_little_freed_memory
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -30,8 +30,8 @@ def serving() -> Iterator[None]:
     """
     before_s = sys.getswitchinterval()
     sys.setswitchinterval(_TURN_S)
-    memory.freeze_garbage_collector()
-    memory.keep_little_freed_memory()
+    freeze_garbage_collector()
+    keep_little_freed_memory()
     try:
         yield
     finally:

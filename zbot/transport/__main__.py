@@ -9,6 +9,7 @@ from typing import Any
 
 import zenoh
 
+from zbot.memory import give_back_freed_memory
 from zbot.threads.deadline import Deadline
 from zbot.transport import background_process, config, router_process
 from zbot.transport.process_facts import process_facts
@@ -43,6 +44,7 @@ def main() -> int:
             return 0
         router_process.note_new_session(domain)
         session.close()
+        give_back_freed_memory()  # of all keys of the former session
         # Commands wait until the programs are linked to the new session.
         facts["zbot"] |= {"started": time.time_ns(), "replaces": True}
     return 1

@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import math
+import time
 
 import pytest
 
@@ -30,6 +31,13 @@ from zbot.devices.text_value import json_word, topic_name, word_of
 def test_a_text_is_a_number_a_bool_or_a_word(text: str, value: object) -> None:
     word = word_of(text)
     assert (word.value, type(word.value), word.text) == (value, type(value), text)
+
+
+@pytest.mark.parametrize("text", ["9" * 60_000 + "x", "9" * 60_000 + "\n"])
+def test_a_long_number_is_read_in_a_time_that_grows_with_its_length(text: str) -> None:
+    began_s = time.thread_time()
+    assert word_of(text).text == text
+    assert time.thread_time() - began_s < 0.5  # it was 100 s
 
 
 def test_a_sensor_without_a_value_prints_nan() -> None:

@@ -391,3 +391,9 @@ def test_limits_of_joints_are_radians_and_a_motor_holds_positions() -> None:
         for _ in range(250):
             world.step()
         assert robot_.joint_states()[1] == pytest.approx([reached], abs=0.05)
+
+
+@pytest.mark.parametrize("name", ["a" * 5000, "a\0b", "\udc81" * 300])
+@pytest.mark.parametrize("scheme", ["https://fuel.example.org/1.0/robots/models/", "model://", ""])
+def test_an_address_that_can_be_no_file_name_is_not_found(scheme: str, name: str) -> None:
+    assert find_resource(scheme + name) is None

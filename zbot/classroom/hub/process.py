@@ -15,6 +15,7 @@ from zbot.classroom.hub import running_hub
 from zbot.classroom.hub.queries import HubQueries
 from zbot.classroom.hub.router import HubSettings, dialled_links, open_router
 from zbot.classroom.keys import HUB_KEY
+from zbot.memory import give_back_freed_memory
 from zbot.transport.router_renewal import RouterRenewal
 from zbot.version import __version__
 
@@ -169,6 +170,7 @@ def serve(
                 signals.wait()
             finally:
                 serving.close()
+            give_back_freed_memory()  # of all keys of the former session
             report = _do_nothing
             if not signals.is_over:
                 time.sleep(_REOPENING_PAUSE_S)

@@ -25,7 +25,7 @@ SERVICE_EVENT_MESSAGE_SUFFIX = "_Event"
 SERVICE_REQUEST_MESSAGE_SUFFIX, SERVICE_RESPONSE_MESSAGE_SUFFIX = "_Request", "_Response"
 ACTION_GOAL_SUFFIX, ACTION_RESULT_SUFFIX, ACTION_FEEDBACK_SUFFIX = "_Goal", "_Result", "_Feedback"
 _NAME = re.compile(r"\s*\S+\s+(\w+)")
-_UNIT = re.compile(r"\s*\[([^,\]]+)\]")
+_UNIT = re.compile(r"(?<!\s)\s*\[([^,\]]+)\]")
 
 
 class InvalidSpecification(ZbotError):  # noqa: N818 - rosidl_adapter's name, as those below

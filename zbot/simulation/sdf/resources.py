@@ -89,7 +89,10 @@ def _downloaded(host: str, path: str) -> Path | None:
     owner, kind, name = (*path.strip("/").split("/")[1:4], "", "", "")[:3]
     for start in (".gz", ".ignition"):
         folder = Path.home() / start / "fuel" / host / owner.lower() / kind / name.lower()
-        versions = [entry for entry in folder.glob("*") if entry.name.isdecimal()]
+        try:
+            versions = [entry for entry in folder.glob("*") if entry.name.isdecimal()]
+        except (OSError, ValueError):  # the name cannot be one of a folder
+            return None
         if name and ".." not in path and versions:
             return max(versions, key=lambda entry: int(entry.name))
     return None

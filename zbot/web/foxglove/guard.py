@@ -19,7 +19,7 @@ from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING
 from urllib.parse import parse_qsl, urlsplit
 
-from zbot.process.memory import give_back_freed_memory
+from zbot.memory import give_back_freed_memory
 from zbot.serving.address import TOKEN_PARAMETER, other_machine, without_token
 from zbot.serving.client_budget import Clients, OverBudgetError
 from zbot.serving.own_names import OwnNames

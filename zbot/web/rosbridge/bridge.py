@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 from zbot.errors import ZbotError
 from zbot.executor.spin_thread import SpinThread
 from zbot.log import get_logger
+from zbot.memory import give_back_freed_memory
 from zbot.node.node import Node
 from zbot.observer.shared_entities import SharedEntities
-from zbot.process.memory import give_back_freed_memory
 from zbot.serving.client_budget import Clients
 from zbot.web.rosbridge.client_message import RosbridgeError
 

@@ -47,12 +47,13 @@ def run_and_exit(executable: Executable, arguments: Sequence[str]) -> NoReturn:
     """
     import zbot.compat  # noqa: F401, PLC0415 - makes `import rclpy` import zbot
     import zbot.node.node  # noqa: F401, PLC0415 - loaded before the memory is frozen
-    from zbot.process import at_exit, hooks, memory, signals  # noqa: PLC0415 - during these imports, Ctrl-C ends the process
+    from zbot.memory import freeze_garbage_collector  # noqa: PLC0415 - as below
+    from zbot.process import at_exit, hooks, signals  # noqa: PLC0415 - during these imports, Ctrl-C ends the process
 
     keyboard_interrupt.raise_on_ctrl_c()
     signals.install(signals.SignalHandlerOptions.SIGINT)
     hooks.install()
-    memory.freeze_garbage_collector()
+    freeze_garbage_collector()
     _leave_out_own_frames()
     set_ros_variables()
     set_workspace_variable(_folder_of(executable))
