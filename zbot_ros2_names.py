@@ -23,6 +23,7 @@ import sys
 NAMES = frozenset({
     "action_tutorials_interfaces", "actionlib_msgs", "ament_index_python", "bond",
     "camera_info_manager", "controller_manager", "cv_bridge", "diagnostic_updater",
+    "domain_coordinator",
     "image_geometry", "interactive_markers", "laser_geometry", "launch", "launch_pytest",
     "launch_ros", "launch_testing", "launch_testing_ros", "launch_xml", "launch_yaml",
     "message_filters", "nav2_common", "nav2_simple_commander", "rclpy", "robot_localization",
@@ -36,6 +37,8 @@ _SUFFIXES = ("_msgs", "_interfaces", "_srvs", "_msg", "_interface", "_srv")
 #: Modules that Python looks for at each start, the last one on Debian and Ubuntu. Few machines have
 #: them.
 _OF_SITE = ("sitecustomize", "usercustomize", "apport_python_hook")
+#: This finder imports it while Python searches for zbot.
+_OF_FINDER = "zbot_name_clash"
 #: The last slash makes these paths different from the path that `zbot.compat` searches.
 _TYPES = ("/zbot/stubs/", "/zbot/compat/packages/")
 
@@ -112,6 +115,8 @@ def _prefers_zbot() -> bool:
 def _is_sourced(name: str) -> bool:
     """Return whether the name may be a package of a workspace that was sourced."""
     if name in sys.stdlib_module_names or name[:1] == "_" or name in _OF_SITE:
+        return False
+    if name == _OF_FINDER:
         return False
     import os  # noqa: PLC0415 - Python has loaded it, except with -S
 

@@ -356,7 +356,7 @@ def _name_workspace(error: Any) -> None:
     package = getattr(error, "package", None)
     if not isinstance(package, str):
         return
-    from zbot_cli.packages.known_workspaces import workspace_of  # noqa: PLC0415 - only for errors
+    from zbot_cli.packages.known_workspaces import folder_below, workspace_of  # noqa: PLC0415 - only for errors
     from zbot_cli.packages.setup_scripts import source_line  # noqa: PLC0415 - as above
 
     workspace = workspace_of(package)
@@ -364,6 +364,8 @@ def _name_workspace(error: Any) -> None:
         error.hint = (
             f"it is in the workspace {workspace}: go to that folder, or type there: {source_line()}"
         )
+    elif (folder := folder_below(package)) is not None:
+        error.hint = f"it is in {folder}: go to the folder {folder.parent}"
 
 
 def main() -> NoReturn:

@@ -272,3 +272,12 @@ def test_zbot_test_runs_the_tests_of_selected_packages(write: Write) -> None:
     done = zbot("test", "--packages-select", "robt", cwd=other.parents[1])
     assert (done.code, done.out) == (1, "")
     assert "did you mean 'robot'?" in done.err
+
+
+def test_an_error_names_the_folder_of_a_package_far_below(tmp_path: Path) -> None:
+    folder = tmp_path / "course" / "week" / "arm"
+    folder.mkdir(parents=True)
+    (folder / "package.xml").write_text("<package><name>arm</name></package>")
+    result = zbot("run", "arm", "lift", cwd=tmp_path)
+    assert result.code == 1
+    assert f"it is in {folder}: go to the folder {folder.parent}" in result.err

@@ -76,3 +76,14 @@ def test_without_a_genuine_one_the_option_is_an_error(tmp_path: Path) -> None:
 
 def test_bundled_nodes_say_nothing(folder: Path) -> None:
     assert zbot("run", "--where", "sensor", cwd=folder).err == ""
+
+
+def test_a_launch_inside_a_program_of_a_workspace(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The program's variables name the workspace, so each import may be of one of its packages."""
+    monkeypatch.setenv("ZBOT_RCLPY", "zbot")
+    monkeypatch.setenv("ZBOT_WORKSPACE", str(folder))
+    done = zbot("launch", "two.launch.py", cwd=folder)
+    assert "-1] zbot\n" in done.out
+    assert "Traceback" not in done.err

@@ -130,3 +130,11 @@ def test_a_missing_file_is_reported(start: Start) -> None:
     program = start("zbot", "test", "missing")
     assert program.wait(TIMEOUT_S) == 1
     assert "there is no missing" in program.output
+
+
+def test_a_module_may_import_the_marks_of_pytest(start: Start, tmp_path: Path) -> None:
+    text = "from pytest import mark\n@mark.parametrize('x', [1, 2])\ndef test_x(x): assert x\n"
+    (tmp_path / "test_marks.py").write_text(text)
+    program = start(*PYTEST, "-W", "error", str(tmp_path / "test_marks.py"))
+    assert program.wait(TIMEOUT_S) == 0, program.output
+    assert "2 passed" in program.output

@@ -149,8 +149,11 @@ def pytest_pycollect_makeitem(
     collector: pytest.Module | pytest.Class, name: str, obj: Any
 ) -> list[pytest.Item] | None:
     """Return the items of a function with the mark `launch`. The items use the mark's fixture."""
+    # Only a test has marks in `pytestmark`. `pytest.mark` itself makes a mark of this name.
+    if isinstance(obj, type) or not collector.funcnamefilter(name):
+        return None
     marks = [mark for mark in getattr(obj, "pytestmark", []) if mark.name == "launch"]
-    if not marks or isinstance(obj, type) or not collector.funcnamefilter(name):
+    if not marks:
         return None
     made = marks[0].kwargs.get("fixture")
     if made is None:

@@ -38,6 +38,8 @@ if TYPE_CHECKING:
 # A thread that begins to spin takes the lock a moment before it becomes the spinning thread, and
 # `wait_idle` holds the lock only for a moment.
 _LOCK_TIMEOUT_S = 0.001
+#: A program's own executor looks at the future this often.
+_LOOK_NS = 50_000_000
 
 
 def _deadline_ns(timeout_sec: float | None) -> int | None:
@@ -365,7 +367,7 @@ class Executor(ExecutorNodes):
             return
         future.add_waker(self._wakeup.set)
         while not future.is_over and self._context.is_running and not self._is_shutdown:
-            self._spin_once(deadline, lambda: future.is_over)
+            self._spin_for(future, deadline)
             if deadline is not None and time.monotonic_ns() >= deadline:
                 return
 
@@ -381,7 +383,24 @@ class Executor(ExecutorNodes):
         self._spin_once(_deadline_ns(timeout_sec), lambda: future.is_over)
 
     def _spin_once(self, deadline_ns: int | None, stop: Callable[[], bool] | None = None) -> None:
-        raise NotImplementedError
+        """Run one callback with the `spin_once` of a program's own executor."""
+        if not self._has_own("spin_once"):
+            raise NotImplementedError(f"{type(self).__name__} needs the method spin_once")
+        ends = [] if deadline_ns is None else [deadline_ns]
+        if stop is not None:
+            ends.append(time.monotonic_ns() + _LOOK_NS)
+        self.spin_once(max(0, min(ends) - time.monotonic_ns()) / 1e9 if ends else None)
+
+    def _has_own(self, method: str) -> bool:
+        """Return whether a program's own class replaces a method of `Executor`."""
+        return getattr(type(self), method) is not getattr(Executor, method)
+
+    def _spin_for(self, future: Future[Any], deadline_ns: int | None) -> None:
+        if self._has_own("spin_once_until_future_complete"):
+            left_ns = None if deadline_ns is None else max(0, deadline_ns - time.monotonic_ns())
+            self.spin_once_until_future_complete(future, left_ns and left_ns / 1e9)
+        else:
+            self._spin_once(deadline_ns, lambda: future.is_over)
 
     def _is_spun_by_other_thread(self) -> bool:
         self._require_ready()

@@ -60,6 +60,9 @@ class MultiThreadedExecutor(Executor):
         Raises:
             ExternalShutdownException: A signal came, or a callback used the context after shutdown.
         """
+        if self._has_own("spin_once"):
+            super().spin()  # it calls the program's method
+            return
         self._begin_spin()
         try:
             while self._context.is_running and not self._is_shutdown:

@@ -20,6 +20,9 @@ class SingleThreadedExecutor(Executor):
         Raises:
             ExternalShutdownException: A signal came, or the context was shut down during a wait.
         """
+        if self._has_own("spin_once"):
+            super().spin()  # it calls the program's method
+            return
         self._begin_spin()
         try:
             while self._context.is_running and not self._is_shutdown:

@@ -278,6 +278,8 @@ def evaluate(context: LaunchContext, value: Any) -> Any:
         text = perform(context, value)
         return _read(text)
     value = _without_numpy(value)
+    if isinstance(value, str):
+        return "".join([value])  # the text of an Enum is a plain text
     if isinstance(value, _ITEM_TYPES):
         return value
     if isinstance(value, (bytes, bytearray)):

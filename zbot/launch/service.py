@@ -28,9 +28,11 @@ if TYPE_CHECKING:
     from zbot.launch.description import LaunchDescription
     from zbot.launch.entity import LaunchDescriptionEntity, Origin
     from zbot.launch.event import Event
+    from zbot.launch.event_handler import BaseEventHandler
 
 #: Errors of launch files. A function of a launch file may call `sys.exit`, as xacro does.
 _ERRORS = (Exception, SystemExit)
+_END_S = 2.0  #: longest wait for tasks that were cancelled
 
 
 class _InterruptedError(KeyboardInterrupt):
@@ -167,13 +169,22 @@ class LaunchService:
             context.is_shutdown = True
             context.writer.debug(self._logger_name, f"shutdown: {event.reason}")
         for handler in context.event_handlers:
-            if handler.matches(event):
+            if self._matches(handler, event):
                 depth = context.locals_depth
                 context.extend_locals({**context.locals_of(handler), "event": event})
                 try:
                     self._handle(lambda one=handler: one.handle(event, context))  # type: ignore[misc]
                 finally:
                     context.truncate_locals(depth)
+
+    def _matches(self, handler: BaseEventHandler, event: Event) -> bool:
+        try:
+            return handler.matches(event)
+        except _ERRORS as error:  # of the launch file's own matcher
+            with contextlib.suppress(ValueError):
+                self.context.unregister_event_handler(handler)  # it would fail at each event
+            self.context.fail(error)
+            return False
 
     def _handle(self, function: Callable[[], Sequence[LaunchDescriptionEntity]]) -> None:
         depth = self.context.locals_depth
@@ -281,7 +292,8 @@ def _close(loop: asyncio.AbstractEventLoop) -> None:
     for task in tasks:
         task.cancel()
     try:
-        loop.run_until_complete(asyncio.wait(tasks) if tasks else asyncio.sleep(0))
+        if tasks:
+            loop.run_until_complete(asyncio.wait(tasks, timeout=_END_S))
         loop.run_until_complete(loop.shutdown_asyncgens())
         loop.run_until_complete(loop.shutdown_default_executor())
     finally:

@@ -84,7 +84,10 @@ def normalize(value: SomeSubstitutionsType) -> list[Substitution]:
     if isinstance(value, Substitution):
         return [value]
     if isinstance(value, (str, PurePath)):
-        return [TextSubstitution(text=str(value))]
+        text = (
+            "".join([value]) if isinstance(value, str) else str(value)
+        )  # not "Mode.FAST" of an Enum
+        return [TextSubstitution(text=text)]
     if isinstance(value, Iterable):
         return [part for item in value for part in normalize(item)]
     raise EntityTypeError("a text", "a str, a substitution or a list of these", value)

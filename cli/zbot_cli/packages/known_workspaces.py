@@ -54,6 +54,15 @@ def workspace_of(package: str) -> Path | None:
     return None
 
 
+def folder_below(package: str) -> Path | None:
+    """Return the package's folder below the current one, where programs do not search."""
+    try:
+        found = package_folders([Path.cwd()])
+    except FileNotFoundError:
+        return None  # the current folder was deleted
+    return next((folder for folder in found if package_name(folder) == package), None)
+
+
 def _known() -> list[str]:
     try:
         found = read_json((settings_folder() / _FILE).read_text(encoding="utf-8"))

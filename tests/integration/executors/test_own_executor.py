@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import threading
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any
@@ -137,3 +138,61 @@ def test_ready_callbacks_are_yielded_one_by_one(context: zbot.Context) -> None:
         executor.shutdown()
         with pytest.raises(ShutdownError):
             next(ready)
+
+
+class OneByOne(Executor):
+    """Executor with only the method that rclpy asks for."""
+
+    def spin_once(self, timeout_sec: float | None = None) -> None:
+        with contextlib.suppress(TimeoutError):
+            self.wait_for_ready_callbacks(timeout_sec)[0]()
+
+
+class OneByOneUntil(OneByOne):
+    def spin_once_until_future_complete(
+        self, future: zbot.Future[Any], timeout_sec: float | None = None
+    ) -> None:
+        future.add_done_callback(lambda _: self.wake())
+        with contextlib.suppress(TimeoutError, ConditionReachedException):
+            self.wait_for_ready_callbacks(timeout_sec, condition=future.done)[0]()
+
+
+@pytest.mark.parametrize("kind", [OneByOne, OneByOneUntil])
+@pytest.mark.parametrize("by_thread", [False, True])
+def test_an_own_spin_once_completes_a_future(
+    kind: type[Executor], context: zbot.Context, *, by_thread: bool
+) -> None:
+    future: zbot.Future[int] = zbot.Future()
+    node = zbot.Node("counter", context=context)
+    if by_thread:
+        threading.Timer(0.05, future.set_result, (1,)).start()
+    else:
+        node.create_timer(0.05, lambda: None if future.done() else future.set_result(1))
+    with kind(context=context) as executor:
+        executor.add_node(node)
+        executor.spin_until_future_complete(future, timeout_sec=20)
+    assert future.done()
+
+
+@pytest.mark.parametrize("kind", [zbot.SingleThreadedExecutor, zbot.MultiThreadedExecutor])
+def test_spin_calls_the_spin_once_of_a_derived_class(
+    kind: type[Executor], context: zbot.Context
+) -> None:
+    class Counting(kind):  # type: ignore[valid-type, misc]
+        turns = 0
+
+        def spin_once(self, timeout_sec: float | None = None) -> None:
+            self.turns += 1
+            super().spin_once(timeout_sec)
+
+    executor = Counting(context=context)
+    node = zbot.Node("counter", context=context)
+    executor.add_node(node)
+
+    def tick() -> None:
+        if executor.turns >= 3:
+            executor.shutdown(0)
+
+    node.create_timer(0.01, tick)
+    executor.spin()
+    assert executor.turns >= 3

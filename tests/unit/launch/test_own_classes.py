@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from enum import Enum
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -26,6 +27,7 @@ from zbot.launch.actions import (
     LogInfo,
     Node,
     OpaqueFunction,
+    RegisterEventHandler,
     ReplaceEnvironmentVariables,
     TimerAction,
 )
@@ -37,7 +39,7 @@ from zbot.launch.condition import (
     evaluate_condition_expression,
 )
 from zbot.launch.errors import ConditionError, LaunchUsageError
-from zbot.launch.event_handler import OnProcessExit, OnProcessIO
+from zbot.launch.event_handler import EventHandler, OnProcessExit, OnProcessIO
 from zbot.launch.frontend.registry import expose_action, expose_substitution
 from zbot.launch.frontend.substitution_text import parse
 from zbot.launch.parameters import Parameter, ParameterFile, evaluate_parameters
@@ -270,3 +272,27 @@ def test_events_can_be_created_and_handled_by_a_program() -> None:
     assert context.locals.event is event
     assert not context.event_handlers
     assert ProcessExited(action=event.action, returncode=3, **of).returncode == 3
+
+
+def test_an_error_of_a_matcher_ends_the_launch(caplog: pytest.LogCaptureFixture) -> None:
+    def matches(event: Any) -> bool:
+        return bool(event.foo)
+
+    service = LaunchService()
+    handler = RegisterEventHandler(EventHandler(matcher=matches))
+    waiting = TimerAction(period=60.0, actions=[])
+    service.include_launch_description(LaunchDescription([handler, waiting]))
+    assert service.run() == 1
+    assert "has no attribute 'foo'" in caplog.text
+
+
+class Mode(str, Enum):
+    FAST = "fast"
+
+
+def test_the_text_of_an_enum_is_its_value() -> None:
+    context = LaunchContext()
+    assert perform(context, ["mode ", Mode.FAST]) == "mode fast"
+    (found,) = evaluate_parameters(context, [{"mode": Mode.FAST}])
+    assert isinstance(found, dict)
+    assert type(found["mode"]) is str

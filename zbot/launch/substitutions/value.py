@@ -46,7 +46,7 @@ class LaunchConfiguration(Substitution):
         if self.default is not None:
             return perform(context, self.default)
         hint = did_you_mean(name, context.launch_configurations)
-        hint = hint or f"declare it: DeclareLaunchArgument('{name}', default_value=...)"
+        hint = hint or f"declare it above: DeclareLaunchArgument('{name}', default_value=...)"
         raise SubstitutionError(f"launch configuration '{name}' does not exist", hint)
 
     def describe(self) -> str:
