@@ -50,6 +50,15 @@ zbot differs from rclpy on purpose in these points:
 * A forked child process may call `init()` after its parent did. In rclpy, it needs a new context.
 * When a node is destroyed, all its entities disappear from the graph at the same time. This is
   also true for action servers. In rclpy an action server stays until its own `destroy()`.
+* After `destroy_node()`, methods such as `get_name()` and `get_node_names()` still answer. In rclpy,
+  they raise `InvalidHandle`.
+* Callbacks are checked when a program gives them: one that cannot be called is an error. In rclpy,
+  the error comes when the callback is called. A lambda that does nothing is accepted with a
+  warning.
+* A client receives the acceptance of its goal before the goal's callback runs, also if both are in
+  one executor. In rclpy, the callback runs first there.
+* `Executor.shutdown(timeout_sec=0)` returns `False` while another thread spins, also without a
+  callback.
 * `Rate.sleep()` works even if no executor spins in another thread.
 * A `MultiThreadedExecutor` has at least two threads if the program does not give a number.
 * Messages check every value that a program assigns, also with `check_fields=False`. If the variable
