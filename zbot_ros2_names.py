@@ -27,6 +27,7 @@ NAMES = frozenset({
     "image_geometry", "interactive_markers", "laser_geometry", "launch", "launch_pytest",
     "launch_ros", "launch_testing", "launch_testing_ros", "launch_xml", "launch_yaml",
     "message_filters", "nav2_common", "nav2_simple_commander", "rclpy", "robot_localization",
+    "ros_gz_bridge", "ros_gz_sim",
     "ros2action", "ros2cli", "ros2node", "ros2param", "ros2service", "ros2topic", "rosbag2_py",
     "rosidl_adapter", "rosidl_parser", "rosidl_pycommon", "rosidl_runtime_py", "sensor_msgs_py",
     "slam_toolbox", "std_srvs", "tf2_geometry_msgs", "tf2_py", "tf2_ros", "tf2_sensor_msgs",

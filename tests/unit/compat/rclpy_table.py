@@ -50,8 +50,8 @@ zbot differs from rclpy on purpose in these points:
 * A forked child process may call `init()` after its parent did. In rclpy, it needs a new context.
 * When a node is destroyed, all its entities disappear from the graph at the same time. This is
   also true for action servers. In rclpy an action server stays until its own `destroy()`.
-* After `destroy_node()`, methods such as `get_name()` and `get_node_names()` still answer. In rclpy,
-  they raise `InvalidHandle`.
+* After `destroy_node()`, methods such as `get_name()` and `get_node_names()` still answer. In
+  rclpy, they raise `InvalidHandle`.
 * Callbacks are checked when a program gives them: one that cannot be called is an error. In rclpy,
   the error comes when the callback is called. A lambda that does nothing is accepted with a
   warning.

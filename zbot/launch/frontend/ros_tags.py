@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import re
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
 from zbot.launch import actions
 from zbot.launch.actions.composable import ComposableNode
+from zbot.launch.actions.gazebo import GazeboAction, GzServer, RosGzBridge
 from zbot.launch.frontend.registry import action, expose_action
 from zbot.launch.frontend.tags import (
     add_plain_tags,
@@ -198,3 +200,12 @@ def _load_components(entity: Entity, parser: Parser) -> Action:
         composable_node_descriptions=_components(entity, parser),
         target_container=required_text(entity, parser, "target"),
     )
+
+
+def _gazebo(kind: type[GazeboAction], entity: Entity, parser: Parser) -> Action:
+    given: dict[str, Any] = {name: text(entity, parser, name) for name in kind.known()}
+    return kind(**given)
+
+
+for _tag, _kind in {"ros_gz_bridge": RosGzBridge, "gz_server": GzServer}.items():
+    action(_tag)(partial(_gazebo, _kind))

@@ -1,0 +1,8 @@
+# Written by python -m zbot.compat.generator; do not edit.
+"""ROS 2's module for all names of `ros_gz_sim.actions`."""
+
+from zbot.launch.actions.gazebo import GzServer
+
+__all__ = [
+    "GzServer",
+]
