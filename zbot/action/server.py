@@ -215,7 +215,8 @@ class ActionServer(ActionEndpoint[GoalT, ResultT, FeedbackT]):
 
     def _check(self, argument: str, form: str, callback: object, **options: Any) -> None:
         call = f"{type(self).__name__}'s {argument}"
-        check_callback(call, callback, form, argument=argument, **options)
+        options |= {"argument": argument, "may_do_nothing": True}
+        check_callback(call, callback, form, **options)
 
     def register_goal_callback(self, goal_callback: Callable[[Any], Any] | None) -> None:
         """Replace the callback that decides about new goals. `None` accepts all goals."""

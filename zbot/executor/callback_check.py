@@ -45,6 +45,7 @@ def check_callback(
     argument: str = "callback",
     position: int | None = 0,
     may_be_none: Callable[[ast.expr | None], bool] = never,
+    may_do_nothing: bool = False,
 ) -> int:
     """Check that a callback can be called, and return which of the `forms` it accepts first.
 
@@ -59,6 +60,8 @@ def check_callback(
         position: Index of this argument in the call, or `None` if it is always given by its name.
         may_be_none: Tells whether `None` is accepted. It gets what the program wrote for the
             argument, or `None` if that is unknown.
+        may_do_nothing: Whether a lambda that does nothing is accepted whatever its parameters are,
+            with a warning. Programs give it to a service or an action that nobody calls.
 
     Raises:
         WrongTypeError: The callback is not callable, or is a method of a class without an object.
@@ -75,7 +78,13 @@ def check_callback(
         return 0
     if not forms or _surely_accepts(callback, _count(forms[0])):
         return 0
-    return _accepted_form(call, callback, forms)
+    try:
+        return _accepted_form(call, callback, forms)
+    except WrongStateError as error:
+        if not may_do_nothing or not _does_nothing(callback):
+            raise
+        get_logger("zbot").warning(str(error))
+        return 0
 
 
 def _advice(callback: object, source: ast.expr | None, forms: tuple[str, ...]) -> str:
@@ -131,10 +140,6 @@ def _accepted_form(call: str, callback: Any, forms: tuple[str, ...]) -> int:
         for index, form in enumerate(forms):
             if _accepts(signature, _count(form)):
                 return index
-    if _does_nothing(callback):
-        # Programs give such a lambda to a service or an action that nobody calls.
-        get_logger("zbot").warning(str(_signature_error(call, callback, forms)))
-        return 0
     raise _signature_error(call, callback, forms)
 
 

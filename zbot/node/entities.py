@@ -239,7 +239,8 @@ class NodeEntities(PrivateAliases):
             "create_service", (srv_type, is_class), (srv_name, is_name), (callback, callable)
         )
         check_is_valid_srv_type(srv_type)
-        check_callback("create_service", callback, "(request, response)", position=2)
+        form = "(request, response)"
+        check_callback("create_service", callback, form, position=2, may_do_nothing=True)
         name = handle.resolve(srv_name, is_service=True)
         service: Service[Any, Any] = Service(
             handle.context,

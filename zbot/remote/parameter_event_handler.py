@@ -194,7 +194,8 @@ class ParameterEventHandler:
         Returns:
             The argument for `remove_parameter_callback`.
         """
-        check_callback("add_parameter_callback", callback, "(parameter)", position=2)
+        call = "add_parameter_callback"
+        check_callback(call, callback, "(parameter)", position=2, may_do_nothing=True)
         name = self._resolve_path(node_name)
         return self._callbacks.add_parameter_callback(parameter_name, name, callback)
 

@@ -56,8 +56,8 @@ def test_a_long_wait_for_a_server_is_told_once(
     caller: zbot.Node, logged: list[Record], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("zbot.node.client._QUIET_S", 0.05)
-    assert not caller.create_client(AddTwoInts, "add").wait_for_service(0.2)
-    assert not ActionClient(caller, Fibonacci, "count").wait_for_server(0.2)
+    assert not caller.create_client(AddTwoInts, "add").wait_for_service(1.0)
+    assert not ActionClient(caller, Fibonacci, "count").wait_for_server(1.0)
     texts = [record.message for record in logged if "waiting" in record.message]
     assert texts == [
         "waiting for /add: no server is running",

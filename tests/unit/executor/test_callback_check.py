@@ -111,7 +111,7 @@ def test_a_decorator_may_add_an_argument() -> None:
         (robot.forgot_all, TIMER, r"takes \(\): write def forgot_all\(self\):$"),  # type: ignore[misc]
         (robot.of_class, MESSAGE, r"write def of_class\(cls, message\):$"),
         (len, TIMER[:1], r"but len takes \(obj\): write def len\(\):$"),
-        (lambda: 5, MESSAGE, r"but the lambda takes \(\): write lambda message:$"),
+        (lambda: None, MESSAGE, r"but the lambda takes \(\): write lambda message:$"),
         (robot.both, ("()",), r"write def both\(self\):$"),
         (Robot.still, MESSAGE, r"write def still\(message\):$"),
     ],
@@ -126,7 +126,7 @@ def test_a_callback_with_other_arguments_is_refused(
 def test_a_lambda_that_does_nothing_is_accepted_with_a_warning(
     capfd: pytest.CaptureFixture[str],
 ) -> None:
-    assert called_with(lambda: None, "(request, response)") == 0
+    assert called_with(lambda: None, "(request, response)", may_do_nothing=True) == 0
     assert "needs a callback that takes (request, response), but" in capfd.readouterr().err
 
 
