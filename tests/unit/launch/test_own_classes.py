@@ -39,7 +39,7 @@ from zbot.launch.condition import (
     evaluate_condition_expression,
 )
 from zbot.launch.errors import ConditionError, LaunchUsageError
-from zbot.launch.event_handler import EventHandler, OnProcessExit, OnProcessIO
+from zbot.launch.event_handler import EventHandler, OnProcessExit, OnProcessIO, OnShutdown
 from zbot.launch.frontend.registry import expose_action, expose_substitution
 from zbot.launch.frontend.substitution_text import parse
 from zbot.launch.parameters import Parameter, ParameterFile, evaluate_parameters
@@ -274,16 +274,20 @@ def test_events_can_be_created_and_handled_by_a_program() -> None:
     assert ProcessExited(action=event.action, returncode=3, **of).returncode == 3
 
 
-def test_an_error_of_a_matcher_ends_the_launch(caplog: pytest.LogCaptureFixture) -> None:
+def test_an_error_of_a_matcher_ends_the_launch() -> None:
+    reasons: list[str] = []
+
     def matches(event: Any) -> bool:
         return bool(event.foo)
 
     service = LaunchService()
     handler = RegisterEventHandler(EventHandler(matcher=matches))
     waiting = TimerAction(period=60.0, actions=[])
+    heard = OnShutdown(on_shutdown=lambda event, _: reasons.append(event.reason))
+    service.context.register_event_handler(heard)
     service.include_launch_description(LaunchDescription([handler, waiting]))
     assert service.run() == 1
-    assert "has no attribute 'foo'" in caplog.text
+    assert "has no attribute 'foo'" in reasons[0]
 
 
 class Mode(str, Enum):
