@@ -13,13 +13,14 @@ import threading
 import time
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import ArgumentTypeError, NotInitializedError, WrongStateError
+from zbot.errors import NotInitializedError, WrongStateError
 from zbot.executor.callback_group import ReentrantCallbackGroup
 from zbot.executor.callback_stack import running_callbacks
 from zbot.executor.errors import ConditionReachedException, ShutdownError
 from zbot.executor.executor_nodes import ExecutorNodes
 from zbot.executor.forgotten_spin import Program, warn_of_target
 from zbot.executor.set_by_init import set_by_init
+from zbot.executor.spin_arguments import check_future, deadline_ns_of, left_s
 from zbot.executor.task import Future, Task, TaskStep
 from zbot.process import signals
 from zbot.threads.wakeup import BinarySemaphore
@@ -39,21 +40,7 @@ if TYPE_CHECKING:
 # `wait_idle` holds the lock only for a moment.
 _LOCK_TIMEOUT_S = 0.001
 #: A program's own executor looks at the future this often.
-_LOOK_NS = 50_000_000
-
-
-def _deadline_ns(timeout_sec: float | None) -> int | None:
-    if timeout_sec is None:
-        return None
-    try:
-        return None if timeout_sec < 0 else time.monotonic_ns() + int(timeout_sec * 1e9)
-    except TypeError:
-        raise ArgumentTypeError("timeout_sec", "a number of seconds", timeout_sec) from None
-
-
-def _check_future(future: object) -> None:
-    if not hasattr(future, "add_waker") or isinstance(future, type):
-        raise ArgumentTypeError("future", "a future, e.g. the result of call_async()", future)
+_LOOK_S = 0.05
 
 
 class Executor(ExecutorNodes):
@@ -189,7 +176,7 @@ class Executor(ExecutorNodes):
         seconds = timeout_sec.timeout if isinstance(timeout_sec, TimeoutObject) else timeout_sec
         self._begin_spin()
         try:
-            work = self._next_work(_deadline_ns(seconds), condition)
+            work = self._next_work(deadline_ns_of(seconds), condition)
         finally:
             self._end_spin()
         if work is not None:
@@ -351,7 +338,7 @@ class Executor(ExecutorNodes):
             ExternalShutdownException: A signal came, or the context was shut down during a wait.
         """
         self._require_ready()
-        self._spin_once(_deadline_ns(timeout_sec))
+        self._spin_once(deadline_ns_of(timeout_sec))
 
     def spin_until_future_complete(
         self, future: Future[Any], timeout_sec: float | None = None
@@ -360,8 +347,8 @@ class Executor(ExecutorNodes):
 
         If another thread spins this executor, the calling thread only waits for the future.
         """
-        _check_future(future)
-        deadline = _deadline_ns(timeout_sec)
+        check_future(future)
+        deadline = deadline_ns_of(timeout_sec)
         if self._is_spun_by_other_thread():
             self._wait_for_future(future, deadline)
             return
@@ -375,21 +362,21 @@ class Executor(ExecutorNodes):
         self, future: Future[Any], timeout_sec: float | None = None
     ) -> None:
         """Run the next callback. If the future is over or the time has passed, run no callback."""
-        _check_future(future)
+        check_future(future)
         if self._is_spun_by_other_thread():
-            self._wait_for_future(future, _deadline_ns(timeout_sec))
+            self._wait_for_future(future, deadline_ns_of(timeout_sec))
             return
         future.add_waker(self._wakeup.set)
-        self._spin_once(_deadline_ns(timeout_sec), lambda: future.is_over)
+        self._spin_once(deadline_ns_of(timeout_sec), lambda: future.is_over)
 
     def _spin_once(self, deadline_ns: int | None, stop: Callable[[], bool] | None = None) -> None:
         """Run one callback with the `spin_once` of a program's own executor."""
         if not self._has_own("spin_once"):
             raise NotImplementedError(f"{type(self).__name__} needs the method spin_once")
-        ends = [] if deadline_ns is None else [deadline_ns]
+        left = left_s(deadline_ns)
         if stop is not None:
-            ends.append(time.monotonic_ns() + _LOOK_NS)
-        self.spin_once(max(0, min(ends) - time.monotonic_ns()) / 1e9 if ends else None)
+            left = _LOOK_S if left is None else min(left, _LOOK_S)
+        self.spin_once(left)
 
     def _has_own(self, method: str) -> bool:
         """Return whether a program's own class replaces a method of `Executor`."""
@@ -397,8 +384,7 @@ class Executor(ExecutorNodes):
 
     def _spin_for(self, future: Future[Any], deadline_ns: int | None) -> None:
         if self._has_own("spin_once_until_future_complete"):
-            left_ns = None if deadline_ns is None else max(0, deadline_ns - time.monotonic_ns())
-            self.spin_once_until_future_complete(future, left_ns and left_ns / 1e9)
+            self.spin_once_until_future_complete(future, left_s(deadline_ns))
         else:
             self._spin_once(deadline_ns, lambda: future.is_over)
 

@@ -12,7 +12,14 @@ from pathlib import Path, PurePath
 from typing import TYPE_CHECKING, Any, Final, TypeAlias
 
 from zbot.launch.errors import EntityTypeError
-from zbot.launch.substitution import Substitution, describe, normalize, perform, to_bool
+from zbot.launch.substitution import (
+    Substitution,
+    describe,
+    normalize,
+    perform,
+    plain_text,
+    to_bool,
+)
 from zbot.launch.typed_value import coerce_to_type, extract_type, type_name
 from zbot.parameters.errors import ParameterValueError
 from zbot.parameters.file import parse_value
@@ -279,7 +286,7 @@ def evaluate(context: LaunchContext, value: Any) -> Any:
         return _read(text)
     value = _without_numpy(value)
     if isinstance(value, str):
-        return "".join([value])  # the text of an Enum is a plain text
+        return plain_text(value)
     if isinstance(value, _ITEM_TYPES):
         return value
     if isinstance(value, (bytes, bytearray)):

@@ -75,6 +75,11 @@ def is_a_substitution(value: Any) -> bool:
     return isinstance(value, (list, tuple)) and all(map(is_a_substitution, value))
 
 
+def plain_text(value: str | PurePath) -> str:
+    """Return a path or a text as a `str`. The text of an Enum is its value, not `Mode.FAST`."""
+    return "".join([value]) if isinstance(value, str) else str(value)
+
+
 def normalize(value: SomeSubstitutionsType) -> list[Substitution]:
     """Return a text as a list of substitutions.
 
@@ -84,10 +89,7 @@ def normalize(value: SomeSubstitutionsType) -> list[Substitution]:
     if isinstance(value, Substitution):
         return [value]
     if isinstance(value, (str, PurePath)):
-        text = (
-            "".join([value]) if isinstance(value, str) else str(value)
-        )  # not "Mode.FAST" of an Enum
-        return [TextSubstitution(text=text)]
+        return [TextSubstitution(text=plain_text(value))]
     if isinstance(value, Iterable):
         return [part for item in value for part in normalize(item)]
     raise EntityTypeError("a text", "a str, a substitution or a list of these", value)
