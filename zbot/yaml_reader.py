@@ -19,8 +19,9 @@ if TYPE_CHECKING:
 _MAX_CHARACTERS = 10_000_000
 _MAX_LEVELS = 100
 _MAX_NODES = 1_000_000  #: number of values after each alias is replaced by its value
-# `int` takes very long for such texts. `:` occurs in numbers to the base 60, such as `1:30`.
-_LONG_NUMBER = re.compile(r"[-+]?[0-9][0-9_:.]{400,}\Z")
+# `int` takes very long for such texts, or Python does not write their numbers. `:` occurs in
+# numbers to the base 60, such as `1:30`.
+_LONG_NUMBER = re.compile(r"[-+]?(?:[0-9][0-9_:.]{400,}|0x[0-9a-fA-F_]{400,}|0b[01_]{400,})\Z")
 _ADVICE = {
     "mapping values are not allowed here": (
         "; a line before it needs a colon at its end, or a text with a colon needs quotes"

@@ -59,6 +59,8 @@ BAD = {
     "date": "!!timestamp x",
     "month": "2024-13-01",
     "digits": "9" * 5000,
+    "hexadecimal digits": "0x" + "f" * 5000,
+    "binary digits": "0b" + "1" * 20_000,
     "base 60": "1" + ":59" * 5000,
     "tag": "!!python/object:os.system x",
     "binary": "!!binary 'a'",

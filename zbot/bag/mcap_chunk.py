@@ -77,10 +77,13 @@ def _messages_at(stream: BinaryIO, offset: int, topics: Mapping[int, str]) -> It
     from mcap.data_stream import ReadDataStream  # noqa: PLC0415 - an extra
     from mcap.records import Chunk  # noqa: PLC0415 - an extra
 
+    size = os.fstat(stream.fileno()).st_size
+    if offset > size:
+        raise ValueError(f"a chunk is at byte {offset}, and the file has {size} bytes")
     stream.seek(offset)
     _, length = _RECORD.unpack(stream.read(_RECORD.size))
     # A length that the file does not have would allocate memory.
-    if length > min(os.fstat(stream.fileno()).st_size, MAX_CHUNK_BYTES + _HEAD_BYTES):
+    if length > min(size, MAX_CHUNK_BYTES + _HEAD_BYTES):
         raise ValueError(f"a chunk has {length} bytes")
     data = chunk_data(Chunk.read(ReadDataStream(BytesIO(stream.read(length)))))
     for place in sorted(_places(data, topics)):

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from zbot.bag.errors import BagTypeError
+from zbot.errors import shortened
 from zbot.interfaces import get_message, get_spec
 from zbot.interfaces.spec import TYPECODES
 
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
     Decode: TypeAlias = Callable[[bytes, int], tuple[Any, int]]
 
 _SPLIT = re.compile(r"^=+[ \t]*\r?\n", re.MULTILINE)
-_FIELD = re.compile(r"(?P<base>[\w/]+)(?P<array>\[(?P<size>\d*)\])?\s+(?P<name>\w+)\s*\Z")
+_FIELD = re.compile(r"(?P<base>[\w/]+)(?P<array>\[(?P<size>[0-9]{0,9})\])?\s+(?P<name>\w+)\s*\Z")
 _MOST_LEVELS = 20
 #: Format for `struct` and `array` of each type of ROS 1.
 _FORMATS = {"bool": "?", "byte": "b", **TYPECODES}
@@ -99,7 +100,7 @@ def _fields(type_name: str, body: str, known: frozenset[str]) -> list[Ros1Field]
             continue  # empty, or a constant
         match = _FIELD.fullmatch(text)
         if match is None:
-            raise BagTypeError(type_name, f"{text!r} is no field of a ROS 1 message")
+            raise BagTypeError(type_name, f"{shortened(text)} is no field of a ROS 1 message")
         base = match["base"]
         if base == "Header":
             base = _HEADER

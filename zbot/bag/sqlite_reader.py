@@ -16,6 +16,8 @@ if TYPE_CHECKING:
     from pathlib import Path
 
 STORAGE_ID = "sqlite3"
+# sqlite3 also says that it lacks memory if a size in a damaged file is too large.
+_ERRORS = (sqlite3.Error, MemoryError)
 _TABLES = ("topics", "messages", "message_definitions")
 
 
@@ -40,8 +42,8 @@ class SqliteReader:
                     row["id"]: _topic(row) for row in bag.execute("SELECT * FROM topics")
                 }
                 self.metadata = self._metadata(bag)
-        except (sqlite3.Error, IndexError, TypeError, UnicodeError) as error:
-            raise BagReadError(path, str(error)) from error
+        except (*_ERRORS, IndexError, TypeError, UnicodeError) as error:
+            raise BagReadError(path, _reason(error)) from error
 
     def messages(
         self, topics: Collection[str] | None, start_ns: int, end_ns: int | None
@@ -69,8 +71,8 @@ class SqliteReader:
                         if not isinstance(data, bytes) or not isinstance(time_ns, int):
                             raise BagReadError(self._path, "a message is not made of bytes")
                         yield BagMessage(wanted[number], data, time_ns, time_ns)
-        except sqlite3.Error as error:
-            raise BagReadError(self._path, str(error)) from error
+        except _ERRORS as error:
+            raise BagReadError(self._path, _reason(error)) from error
 
     def _connect(self) -> sqlite3.Connection:
         bag = sqlite3.connect(f"{self._path.absolute().as_uri()}?mode=ro", uri=True)
@@ -112,6 +114,10 @@ def _check_tables(bag: sqlite3.Connection) -> None:
         # The last column is 0 for a column whose values are in the file.
         if any(column[-1] for column in bag.execute(f"PRAGMA table_xinfo({table})")):
             raise sqlite3.DatabaseError(f"a column of {table} is computed")
+
+
+def _reason(error: Exception) -> str:
+    return str(error) or "the file is damaged: a size in it is too large"
 
 
 def _topic(row: sqlite3.Row) -> TopicMetadata:

@@ -28,7 +28,10 @@ class ZbotError(Exception):
 
 def shortened(value: object, limit: int = 80) -> str:
     """Return at most `limit` characters of the `repr` of a value."""
-    text = repr(value)
+    try:
+        text = repr(value)
+    except ValueError:  # Python writes no number with more than 4300 digits
+        text = "a value with a number of thousands of digits"
     return text if len(text) <= limit else f"{text[: limit - 3]}..."
 
 

@@ -170,7 +170,7 @@ class MessageReader:
         known = tuple(slots_of(type(message)))
         fields = f"its fields are {', '.join(known)}" if known else "it has no fields"
         text = f"'{type(message).__name__}' object has no attribute '{name}'"
-        return FieldMisfitError(path, text, did_you_mean(name, known) or fields)
+        return FieldMisfitError(path, text, did_you_mean(str(name), known) or fields)
 
 
 def octets(text: str) -> bytes | str:

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from std_msgs.msg import Header
 
 #: Generic encodings: bits, kind of number and channels, as in 8UC3, 32FC1, 16UC.
-_GENERIC = re.compile(r"(8|16|32|64)(U|S|F)C(\d*)\Z")
+_GENERIC = re.compile(r"(8|16|32|64)(U|S|F)C([0-9]{0,3})\Z")
 _KINDS = {"U": "u", "S": "i", "F": "f"}
 #: Indices of red, green, blue and alpha in colour encodings.
 _ORDERS = {"rgb": (0, 1, 2), "bgr": (2, 1, 0), "rgba": (0, 1, 2, 3), "bgra": (2, 1, 0, 3)}

@@ -102,6 +102,16 @@ def test_a_chunk_whose_length_is_beyond_the_file_is_one_error(tmp_path: Path) ->
         list(reader.messages(None, 0, None))
 
 
+def test_a_chunk_whose_place_is_beyond_the_file_is_one_error(tmp_path: Path) -> None:
+    path = mcap_file(tmp_path / "x.mcap")
+    reader = McapReader(path)
+    with path.open("rb") as stream, pytest.raises(ValueError, match="a chunk is at byte"):
+        list(mcap_chunk._messages_at(stream, 2**63 - 1, {}))
+    reader._contents.chunks[0].chunk_start_offset = 2**63 - 1
+    with pytest.raises(BagReadError, match="a chunk is at byte"):
+        list(reader.messages(None, 0, None))
+
+
 def bag(path: Path, *names: str) -> Path:
     """Write a bag whose description names other files."""
     write(path, [String(data="hello")])
@@ -180,6 +190,19 @@ def test_a_message_that_is_not_made_of_bytes_is_one_error(tmp_path: Path, data: 
     path = database(tmp_path / "x.db3", TOPICS, MESSAGES, insert)
     with pytest.raises(BagReadError, match="not made of bytes"):
         list(SqliteReader(path).messages(None, 0, None))
+
+
+def test_sizes_in_a_damaged_database_are_one_error(tmp_path: Path) -> None:
+    path = database(tmp_path / "x.db3", "PRAGMA page_size = 512", TOPICS, MESSAGES)
+    data = path.read_bytes()
+    reasons = set()
+    for place in range(100, 512):
+        path.write_bytes(data[:place] + b"\xff" * 9 + data[place + 9 :])
+        try:
+            list(SqliteReader(path).messages(None, 0, None))
+        except BagReadError as error:
+            reasons.add(str(error))
+    assert any("a size in it is too large" in reason for reason in reasons), reasons
 
 
 def test_a_trigger_does_not_run(tmp_path: Path) -> None:

@@ -13,7 +13,7 @@ from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 import zbot.bag
 from zbot.bag import Reader
 from zbot.bag.conversion import Output, convert
-from zbot.bag.errors import BagError, BagReadError
+from zbot.bag.errors import BagError, BagReadError, BagTypeError
 from zbot.bag.options import RecordOptions, StorageOptions
 from zbot.bag.ros1_message import _Decoders, decoder, read_definitions
 from zbot.interfaces.parser import parse
@@ -232,6 +232,12 @@ def test_a_type_with_many_equal_messages_inside_is_read_once() -> None:
         register_spec(parse(f"bomb_msgs/msg/L{level}", ""))
     decoders.message("bomb_msgs/L0", "bomb_msgs/msg/L0", 0)
     assert len(decoders._made) == 19
+
+
+def test_an_array_with_thousands_of_digits_in_its_size_is_no_field() -> None:
+    with pytest.raises(BagTypeError, match=r"99\.\.\. is no field") as caught:
+        read_definitions("bomb_msgs/L0", f"float64[{'9' * 5000}] a\n")
+    assert len(str(caught.value)) < 200
 
 
 def test_a_list_of_messages_without_bytes_is_damage() -> None:

@@ -27,6 +27,10 @@ def test_each_error_is_also_a_builtin_exception(
     assert isinstance(error, builtin)
 
 
+def test_a_number_that_python_does_not_write_has_a_text() -> None:
+    assert errors.shortened([16**5000]) == "a value with a number of thousands of digits"
+
+
 def test_arguments_are_kept_as_attributes() -> None:
     error = errors.InvalidNameError("topic name", "a b", "a space is not allowed", 1)
     assert (error.name_type, error.name, error.error_msg, error.invalid_index) == (

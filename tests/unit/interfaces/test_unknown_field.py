@@ -2,6 +2,7 @@ from __future__ import annotations
 
 import pytest
 
+from zbot.interfaces.message_reader import FieldMisfitError, MessageReader
 from zbot.interfaces.unknown_field import add_advice
 
 from geometry_msgs.msg import Twist, Vector3
@@ -55,3 +56,8 @@ def test_errors_of_other_objects_are_left_alone() -> None:
     add_advice(error)
     assert str(error) == "'Int8' object has no attribute 'dta'"
     assert Int8().data == 0
+
+
+def test_a_number_is_no_name_of_a_field() -> None:
+    with pytest.raises(FieldMisfitError, match="no attribute '5'"):
+        MessageReader().message(Vector3, {5: 1.0})
