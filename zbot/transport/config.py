@@ -12,6 +12,7 @@ import zenoh
 
 from zbot.transport import membership
 from zbot.transport.errors import SettingError, config_error, discovery_range_error, port_error
+from zbot.whole_number import whole_number
 
 MAX_DOMAIN_ID = 232  #: ROS 2's own limit, so that lesson sheets for ROS 2 are valid here
 MEETING_PORT = 7450  #: port of the router of domain 0 on 127.0.0.1 (domain n: 7450 + n)
@@ -103,9 +104,10 @@ def hub_port() -> int:
     if joined is not None and joined.hub_port:
         return joined.hub_port
     text = os.environ.get("ZBOT_HUB_PORT") or str(HUB_PORT)
-    if not (text.isascii() and text.isdigit() and len(text) < 9 and 0 < int(text) <= _MAX_PORT):
+    port = whole_number(text)
+    if port is None or not 0 < port <= _MAX_PORT:
         raise port_error("ZBOT_HUB_PORT", text)
-    return int(text)
+    return port
 
 
 def discovery_range() -> DiscoveryRange:

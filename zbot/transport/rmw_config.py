@@ -15,13 +15,13 @@ import zenoh
 from zbot.transport import config
 from zbot.transport.config import DROP_WAIT_US, ONE_DIALS, OPEN_TIMEOUT_MS, SessionConfig
 from zbot.transport.errors import SettingError, config_error
+from zbot.whole_number import whole_number
 
 ROUTER_ENDPOINT = "tcp/localhost:7447"
 _SESSION_FILE = "ZENOH_SESSION_CONFIG_URI"
 _ROUTER_FILE = "ZENOH_ROUTER_CONFIG_URI"
 _OVERRIDE = "ZENOH_CONFIG_OVERRIDE"
 _ATTEMPTS = "ZENOH_ROUTER_CHECK_ATTEMPTS"
-_MAX_DIGITS = 9
 
 # The values of rmw_zenoh's own configuration files. These files are equal in all distributions of
 # ROS 2. Only the timeouts of sessions are zbot's own, and the router's number of keep-alives. With
@@ -132,8 +132,7 @@ def router_attempts() -> int | None:
         SettingError: The variable is not a whole number.
     """
     text = os.environ.get(_ATTEMPTS, "").strip() or "1"
-    digits = text.removeprefix("-")
-    if not (digits.isascii() and digits.isdigit() and len(digits) <= _MAX_DIGITS):
+    if whole_number(text.removeprefix("-")) is None:
         raise SettingError(
             f"{_ATTEMPTS} is {text!r}, but it must be a whole number: "
             "0 waits for a router for ever, and a negative number does not look for one"

@@ -20,6 +20,7 @@ from typing import IO, Any
 from zbot.package.user_folders import make_private
 from zbot.threads.deadline import poll
 from zbot.transport import background_process, membership
+from zbot.whole_number import whole_number
 
 _PROC = Path("/proc")
 # A blocked router uses no processor. A router that works uses a processor, or waits for one.
@@ -82,8 +83,8 @@ def hold_lock(domain: int) -> IO[str] | None:
 
 def pid(domain: int) -> int | None:
     """Return the process id of the domain's router, or `None` if no router of this user runs."""
-    text = _read(domain)
-    return int(text) if text.isdigit() and _is_locked(domain) else None
+    number = whole_number(_read(domain))
+    return number if number is not None and _is_locked(domain) else None
 
 
 def _is_locked(domain: int) -> bool:

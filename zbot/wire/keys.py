@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from zbot.whole_number import whole_number
+
 __all__ = [
     "ENCODING_PREFIX",
     "SHARED_DOMAIN",
@@ -30,9 +32,8 @@ def topic_key(domain: int, name: str) -> str:
 def parse_key(key: str) -> tuple[int, str] | None:
     """Return the domain and the full name in a key, or None if the key has another form."""
     domain, slash, name = key.partition("/")
-    if not name or not is_number(domain) or len(domain) > _MAX_DOMAIN_DIGITS:
-        return None
-    return int(domain), slash + name
+    number = whole_number(domain) if len(domain) <= _MAX_DOMAIN_DIGITS else None
+    return None if number is None or not name else (number, slash + name)
 
 
 def is_shared(name: str) -> bool:
@@ -58,8 +59,3 @@ def encoding(type_name: str) -> str:
 def encoded_type(text: str) -> str | None:
     """Return the type in an encoding. Return None if it is not zbot's encoding or has no type."""
     return text.removeprefix(ENCODING_PREFIX) or None if text.startswith(ENCODING_PREFIX) else None
-
-
-def is_number(text: str) -> bool:
-    """Return whether a key's chunk has only ASCII digits. `int()` would accept more forms."""
-    return text.isascii() and text.isdigit()

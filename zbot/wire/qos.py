@@ -18,7 +18,7 @@ from zbot.qos import (
     ReliabilityPolicy,
 )
 from zbot.time import S_TO_NS, Duration, Infinite
-from zbot.wire.keys import is_number
+from zbot.whole_number import whole_number
 
 __all__ = ["parse_qos", "qos_text"]
 
@@ -94,9 +94,10 @@ def _split(text: str, count: int) -> list[str]:
 def _number(text: str, default: int) -> int:
     if not text:
         return default
-    if not is_number(text) or len(text) > len(str(2**63)):
+    number = whole_number(text)
+    if number is None:
         raise ValueError(f"QoS component {text!r} is not a number")
-    return int(text)
+    return number
 
 
 def _policy(text: str, default: _PolicyT) -> _PolicyT:

@@ -16,9 +16,10 @@ from enum import Enum
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
+from zbot.whole_number import whole_number
 from zbot.wire.attachment import GID_LENGTH
 from zbot.wire.errors import TokenError
-from zbot.wire.keys import SHARED_DOMAIN, SHARED_SPACE, domain_text, is_number
+from zbot.wire.keys import SHARED_DOMAIN, SHARED_SPACE, domain_text
 from zbot.wire.qos import parse_qos, qos_text
 
 if TYPE_CHECKING:
@@ -43,7 +44,6 @@ TOKEN_PREFIX = "@zbot"  # noqa: S105 - a key's first chunk, not a secret
 ROS2_TOKEN_PREFIX = "@ros2_lv"  # noqa: S105 - as above
 _NODE_CHUNKS = 9
 _ENDPOINT_CHUNKS = 13
-_MAX_DIGITS = 10
 
 
 class EntityKind(str, Enum):
@@ -238,6 +238,7 @@ def _domain(key: str, chunk: str) -> int:
 
 
 def _number(key: str, chunk: str) -> int:
-    if not is_number(chunk) or len(chunk) > _MAX_DIGITS:
+    number = whole_number(chunk)
+    if number is None:
         raise TokenError(key, f"{chunk!r} is not a number")
-    return int(chunk)
+    return number

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, ClassVar, Final
 
 import typer
 
+from zbot.whole_number import whole_number
 from zbot_cli.input.many_values import ManyValuesCommand
 from zbot_cli.input.option_groups import with_option_groups
 from zbot_cli.output.listing import new_app
@@ -147,6 +148,7 @@ def _ros_domain(given: int | None) -> int:
     if given is not None:
         return given
     text = os.environ.get("ROS_DOMAIN_ID", "").strip() or "0"
-    if not text.isdecimal() or int(text) > 232:
+    number = whole_number(text)
+    if number is None or number > 232:
         raise BridgeError(f"ROS_DOMAIN_ID is {text!r}: choose a number from 0 to 232")
-    return int(text)
+    return number

@@ -6,6 +6,7 @@ from typing import Annotated
 
 import typer
 
+from zbot.whole_number import whole_number
 from zbot_cli.output.listing import new_app
 
 app = new_app("Let one student read another's topics", has_verbs=False)
@@ -31,8 +32,9 @@ def share(
         command({"op": "open", "on": not stop})
         print(f"{'only the teacher' if stop else 'everybody'} can publish in /class/")
         return
-    if not (owner.isascii() and owner.isdigit() and len(owner) < 9) or reader is None:
+    number = whole_number(owner)
+    if number is None or reader is None:
         raise typer.BadParameter("name the owner and the reader of the topics: zbot share 17 18")
-    command({"op": "share", "owner": int(owner), "reader": reader, "on": not stop})
+    command({"op": "share", "owner": number, "reader": reader, "on": not stop})
     word = "no longer sees" if stop else "sees"
     print(f"{reader} {word} the topics of {owner}, as /{owner}/...")

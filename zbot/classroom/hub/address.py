@@ -7,12 +7,12 @@ from dataclasses import dataclass
 
 from zbot.classroom.errors import address_error
 from zbot.transport.config import HUB_PORT
+from zbot.whole_number import whole_number
 
 #: Targets for UDP sockets. `connect` of a UDP socket sends nothing, but the system then chooses
 #: the socket's local address. The first target is a documentation address (RFC 5737), which uses
 #: the default route.
 _PROBES = ("192.0.2.1", "10.255.255.254", "172.31.255.254", "192.168.255.254")
-_MAX_DIGITS = 9  # Python raises an error for thousands of digits
 _MAX_PORT = 65535
 
 EVERYWHERE = "0.0.0.0"  #: all interfaces of a machine  # noqa: S104 - the user wants this
@@ -48,14 +48,10 @@ def parse_address(text: str, default_port: int = HUB_PORT) -> Address:
         raise address_error(text, "a name or IP address cannot contain / # ? or ;")
     if port is None:
         return Address(host, default_port)
-    if not (
-        port.isascii()
-        and port.isdigit()
-        and len(port) <= _MAX_DIGITS
-        and 0 < int(port) <= _MAX_PORT
-    ):
+    number = whole_number(port)
+    if number is None or not 0 < number <= _MAX_PORT:
         raise address_error(text, f"its port must be a number from 1 to {_MAX_PORT}")
-    return Address(host, int(port))
+    return Address(host, number)
 
 
 def _split(text: str) -> tuple[str, str | None]:

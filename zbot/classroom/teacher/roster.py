@@ -10,11 +10,10 @@ from zbot.classroom.errors import ClassValueError
 from zbot.classroom.join_request import clean_name
 from zbot.errors import shortened
 from zbot.transport.config import MAX_DOMAIN_ID
+from zbot.whole_number import whole_number
 
 if TYPE_CHECKING:
     from pathlib import Path
-
-_MAX_DIGITS = 9
 
 
 def roster_error(line: int, reason: str) -> ClassValueError:
@@ -48,8 +47,8 @@ def read_roster(text: str) -> dict[int, str]:
         cells = [cell.strip() for cell in row]
         if not any(cells) or (line == 1 and not cells[0].isdigit()):
             continue
-        number = int(cells[0]) if _is_short_number(cells[0]) else 0
-        if not 1 <= number <= MAX_DOMAIN_ID:
+        number = whole_number(cells[0])
+        if number is None or not 1 <= number <= MAX_DOMAIN_ID:
             raise roster_error(
                 line, f"{shortened(cells[0])} is not a number from 1 to {MAX_DOMAIN_ID}"
             )
@@ -57,11 +56,6 @@ def read_roster(text: str) -> dict[int, str]:
             raise roster_error(line, f"number {number} appears twice")
         found[number] = clean_name(" ".join(cells[1:]))
     return found
-
-
-def _is_short_number(text: str) -> bool:
-    # Python raises an error for thousands of digits.
-    return text.isascii() and text.isdigit() and len(text) <= _MAX_DIGITS
 
 
 def _rows(text: str) -> list[list[str]]:

@@ -10,6 +10,7 @@ from zbot.launch.errors import EntityTypeError
 from zbot.launch.event import Event
 from zbot.launch.event_handler import EventHandler
 from zbot.launch.process_event import matches_action
+from zbot.whole_number import whole_number
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
@@ -240,8 +241,8 @@ class LifecycleTransition(Action):
 
 
 def _label(transition: int | str) -> str:
-    is_number = isinstance(transition, int) or transition.isdecimal()
-    label = _LABELS.get(int(transition), "") if is_number else str(transition)
+    number = transition if isinstance(transition, int) else whole_number(transition)
+    label = str(transition) if number is None else _LABELS.get(number, "")
     if label not in _GOALS:
         raise EntityTypeError("a transition", f"one of {', '.join(_GOALS)}", transition)
     return label

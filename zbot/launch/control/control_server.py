@@ -23,6 +23,7 @@ from zbot.transport.errors import SettingError
 from zbot.transport.membership import folder
 from zbot.transport.process_facts import process_space
 from zbot.transport.program_file import ProgramFile
+from zbot.whole_number import whole_number
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -161,4 +162,4 @@ class ControlServer:
 
 
 def _number(text: str) -> int:
-    return int(text) if text.isascii() and text.isdigit() and len(text) < 19 else 0
+    return whole_number(text) or 0

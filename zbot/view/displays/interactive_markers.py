@@ -15,6 +15,7 @@ from zbot.view.errors import DisplayError
 from zbot.view.points import check_number
 from zbot.view.pose import pose_of
 from zbot.view.shape import Gizmo, Item, Label
+from zbot.whole_number import whole_number
 
 from geometry_msgs.msg import Point, Pose
 from visualization_msgs.msg import (
@@ -248,9 +249,10 @@ class InteractiveMarkers(Display):
         """Click what has a name, at a place in its frame. Return a sentence about it."""
         marker_name, _, rest = name.rpartition("/")[0].rpartition("/")
         marker = self._markers.get(marker_name)
-        if marker is None or not rest.isdigit() or int(rest) >= len(marker.controls):
+        number = whole_number(rest)
+        if marker is None or number is None or number >= len(marker.controls):
             return ""
-        control = marker.controls[int(rest)]
+        control = marker.controls[number]
         if control.interaction_mode == _CONTROL.BUTTON:
             self._tell(marker, control.name, _EVENT.BUTTON_CLICK, place=place)
             return f"{marker.name} was clicked."

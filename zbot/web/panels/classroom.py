@@ -16,6 +16,7 @@ from zbot.graph.snapshot import Snapshot
 from zbot.graph.view import view
 from zbot.web.page.panel import Page, Panel
 from zbot.web.page.qr_code import qr_code
+from zbot.whole_number import whole_number
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -61,7 +62,7 @@ class _Class:
 
     def __init__(self, page: Page) -> None:
         self.page = page
-        self.chosen = int(page.query["student"]) if _is_number(page.query) else None
+        self.chosen = whole_number(page.query.get("student", ""))
         self.found: Student | None = None
         self.invited: Invitation | None = None
         self.snapshot = Snapshot(())
@@ -161,11 +162,6 @@ def _look(chosen: int | None) -> tuple[Student, Snapshot, Invitation]:
     found = opening.command({"op": "list"})
     snapshot = opening.graph_of(chosen) if chosen is not None else Snapshot(())
     return found, snapshot, invitation()
-
-
-def _is_number(query: dict[str, str]) -> bool:
-    text = query.get("student", "")
-    return text.isascii() and text.isdigit() and len(text) < 9
 
 
 def _nodes(student: Student) -> str:

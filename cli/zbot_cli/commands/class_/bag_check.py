@@ -9,6 +9,7 @@ from zbot.bag.description import is_service_event, service_name
 from zbot.bag.reader import Reader
 from zbot.classroom.teacher.class_check import Verdict
 from zbot.time import S_TO_NS
+from zbot.whole_number import whole_number
 from zbot.wire.tokens import EntityKind
 from zbot_cli.errors import CommandError
 
@@ -75,10 +76,9 @@ def check_bag(path: Path, expectations: Sequence[Expectation]) -> Verdict:
             bag, {expectation.name for expectation in expectations if expectation.has_rate}
         )
         facts = bag.metadata.custom_data
-    number = facts.get(NUMBER_KEY, "")
     problems = (expectation.problem(recorded, recorded.rates_hz) for expectation in expectations)
     return Verdict(
-        int(number) if number.isdecimal() and len(number) < 4 else 0,
+        whole_number(facts.get(NUMBER_KEY, "")) or 0,
         facts.get(NAME_KEY) or path.name,
         tuple(filter(None, problems)),
     )

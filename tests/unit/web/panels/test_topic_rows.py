@@ -33,6 +33,14 @@ def test_topics_are_listed_with_their_nodes_in_natural_order() -> None:
     assert first.types == (STRING,)
 
 
+def test_long_numbers_and_digits_of_other_alphabets_have_an_order() -> None:
+    names = ["/a2", "/a10", f"/a{'9' * 5000}", "/a²", "/a٣", "/b007", "/b8"]
+    rows = topic_rows(Snapshot(tuple(end("/n", name) for name in reversed(names))), OWN)
+    found = [row.name for row in rows]
+    assert [name for name in found if name.isascii()] == [name for name in names if name.isascii()]
+    assert sorted(found) == sorted(names)
+
+
 def test_endpoints_of_the_page_are_left_out_and_those_of_commands_are_listed() -> None:
     graph = Snapshot(
         (

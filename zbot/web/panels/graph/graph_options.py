@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.graph.filters import Filters, Grouping, InvalidFilterError, compile_filter
 from zbot.graph.view import Mode, view
+from zbot.whole_number import whole_number
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -52,9 +53,9 @@ class GraphOptions:
         for name in _TEXTS:
             if filter_problem(query.get(name, "/")) is None:
                 found = found.filtered(name, query.get(name, "/"))
-        levels = query.get(_NAMESPACES, "")
-        if levels.isdecimal() and int(levels) <= MOST_NAMESPACES:
-            found = found.framed(int(levels))
+        levels = whole_number(query.get(_NAMESPACES, ""))
+        if levels is not None and levels <= MOST_NAMESPACES:
+            found = found.framed(levels)
         modes = [mode for mode in Mode if mode.value == query.get("show")]
         return replace(found, mode=modes[0]) if modes else found
 
