@@ -67,10 +67,12 @@ periods: ROUNDS = 20
 periods:
 	python -m tests.torture.periods --rounds $(ROUNDS) --seed "$(SEED)"
 
-# Clients of `zbot foxglove` and rosbridge that want too much, beside an honest one. Linux.
+# Clients of `zbot foxglove` and rosbridge, and students, that want too much, beside honest ones.
+# Linux, and root for the class.
 SECONDS = 600
 attacks:
 	python -m tests.torture.client_attacks --seconds $(SECONDS)
+	python -m tests.torture.class_attacks --seconds $(SECONDS)
 
 # All of these runs in one hour, with a report of one page. Needs root for the class and stuck routers.
 nightly:

@@ -33,7 +33,7 @@ LIMIT = 20
 
 @pytest.fixture(autouse=True)
 def low_limit(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(router_renewal, "_QUIET_LIMIT", LIMIT)
+    monkeypatch.setattr(router_renewal, "_QUIET_PART", LIMIT / router_renewal.MACHINE_LIMIT)
     monkeypatch.setattr(router_renewal, "_QUIET_SHARE", 100.0)  # this process also does other work
 
 
@@ -92,7 +92,8 @@ def test_the_router_of_a_domain_gets_a_new_session(
 
 
 def test_a_hub_gets_a_new_session() -> None:
-    settings = HubSettings(("tcp/127.0.0.1:0",))
+    # A hub of one machine dials another hub.
+    settings = HubSettings(("tcp/127.0.0.1:0",), ("tcp/127.0.0.1:1",))
     asked = threading.Event()
     hub = HubProcess(open_router(settings), settings, asked.set)
     spend(hub.session, LIMIT - 1)

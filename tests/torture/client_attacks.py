@@ -10,7 +10,6 @@ from __future__ import annotations
 import argparse
 import contextlib
 import json
-import re
 import signal
 import struct
 import sys
@@ -22,7 +21,7 @@ from typing import TYPE_CHECKING, Any
 from websockets.sync.client import connect
 
 from tests.conftest import wait_until
-from tests.torture.processes import Process, Processes, clean_end
+from tests.torture.processes import Process, Processes, clean_end, memory_mb
 from tests.torture.report import Report
 from tests.torture.stall import StallMeter
 from zbot.testing.domain import reserved_domain
@@ -237,14 +236,14 @@ class Campaign:
         address = server.text().partition(sign)[2].split()[0]
         honest = Honest(CLIENTS[kind](address))
         alone = _percentile(honest.measure(min(60.0, max(5.0, self._seconds / 4))), 0.99)
-        start_mb = _memory_mb(server)
+        start_mb = memory_mb(server.pid)
         words = ("--attacker", name, "--server", kind, "--address", address)
         attacker = self._processes.start("attacker", sys.executable, "-m", _MODULE, *words)
         times, most_mb = self._during(honest, server)
         attacker.signal(signal.SIGKILL)
         attacker.wait(5)
-        wait_until(lambda: _memory_mb(server) < _MOST_BACK * start_mb, _BACK_S)
-        back_mb = _memory_mb(server)
+        wait_until(lambda: memory_mb(server.pid) < _MOST_BACK * start_mb, _BACK_S)
+        back_mb = memory_mb(server.pid)
         under, median = _percentile(times, 0.99), _percentile(times, 0.5)
         title = f"{kind}, {name}"
         self._report.note(
@@ -265,19 +264,12 @@ class Campaign:
         end_s = time.monotonic() + self._seconds
         while time.monotonic() < end_s:
             times += honest.measure(0.25)
-            most_mb = max(most_mb, _memory_mb(server))
+            most_mb = max(most_mb, memory_mb(server.pid))
         return times, most_mb
 
     def _check(self, title: str, value: float, limit: float, unit: str) -> None:
         if value > limit:
             self._report.violation(f"{title}: {value:.0f} {unit}, but at most {limit:.0f}")
-
-
-def _memory_mb(process: Process) -> float:
-    """Return its memory without the 16 MiB of shared memory for large messages of all programs."""
-    text = Path(f"/proc/{process.pid}/status").read_text(encoding="ascii")
-    parts = re.findall(r"^Rss(?:Anon|File):\s+(\d+) kB", text, re.MULTILINE)
-    return sum(map(int, parts)) * 1024 / 1e6
 
 
 def main() -> int:

@@ -24,10 +24,12 @@ if TYPE_CHECKING:
 
 # The tokens of nodes and endpoints, and those of transient local publishers (zenoh.ext).
 _TOKENS = ("@zbot/**", "**/@adv/**")
-# Number of ended tokens after which a router is renewed in a quiet moment, and in any moment.
-# Besides a token, a node or endpoint may bring two other keys: its topic and its cache.
-_QUIET_LIMIT = 4000
-_LIMIT = 10_000
+#: Number of ended tokens after which a router is renewed, for a router with the programs of one
+#: machine, and for one with those of a class. A node or endpoint brings a token, and may bring two
+#: other keys: its topic and its cache. The keys of a token take 5 KB, and a new router has 33 MB.
+MACHINE_LIMIT = 2000
+CLASS_LIMIT = 10_000
+_QUIET_PART = 0.5  # of the limit: after so many, a router is renewed in a quiet moment
 _QUIET_S = 0.5
 _QUIET_SHARE = 0.02  # of a processor: an idle router with ten links uses less than 0.005
 
@@ -38,10 +40,15 @@ class RouterRenewal:
     Args:
         session: The router's session.
         renew: Function that is called once, in a thread. It must return quickly.
+        limit: The number of ended tokens after which it is called, also if the router works.
     """
 
-    def __init__(self, session: zenoh.Session, renew: Callable[[], object]) -> None:
+    def __init__(
+        self, session: zenoh.Session, renew: Callable[[], object], limit: int = MACHINE_LIMIT
+    ) -> None:
         self._renew = renew
+        self._limit = limit
+        self._quiet_limit = round(_QUIET_PART * limit)
         self._ended: set[int] = set()  # hashes of keys, because a key may be declared again
         self._is_over = threading.Event()
         self._thread = threading.Thread(target=self._run, name="zbot renewal", daemon=True)
@@ -59,11 +66,11 @@ class RouterRenewal:
             self._ended.discard(hash(key))
             return
         self._ended.add(hash(key))
-        if len(self._ended) == _QUIET_LIMIT and self._thread.ident is None:
+        if len(self._ended) == self._quiet_limit and self._thread.ident is None:
             without_interruption(self._thread.start)
 
     def _run(self) -> None:
-        while len(self._ended) < _LIMIT:
+        while len(self._ended) < self._limit:
             before, used_s = len(self._ended), time.process_time()
             if self._is_over.wait(_QUIET_S):
                 return

@@ -24,7 +24,7 @@ class Router:
     def __init__(self) -> None:
         self.count = 0
         session: Any = SimpleNamespace(liveliness=lambda: self)
-        self.renewal = RouterRenewal(session, self.renew)
+        self.renewal = RouterRenewal(session, self.renew, 3 * LIMIT)
 
     def declare_subscriber(self, *_: object) -> None:
         """Declare nothing: the test itself gives the tokens."""
@@ -40,8 +40,7 @@ class Router:
 
 @pytest.fixture
 def router(monkeypatch: pytest.MonkeyPatch) -> Iterator[Router]:
-    monkeypatch.setattr(router_renewal, "_QUIET_LIMIT", LIMIT)
-    monkeypatch.setattr(router_renewal, "_LIMIT", 3 * LIMIT)
+    monkeypatch.setattr(router_renewal, "_QUIET_PART", 1 / 3)
     monkeypatch.setattr(router_renewal, "_QUIET_S", 0.05)
     monkeypatch.setattr(router_renewal, "_QUIET_SHARE", 100.0)
     made = Router()

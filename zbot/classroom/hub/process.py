@@ -16,7 +16,7 @@ from zbot.classroom.hub.queries import HubQueries
 from zbot.classroom.hub.router import HubSettings, dialled_links, open_router
 from zbot.classroom.keys import HUB_KEY
 from zbot.memory import give_back_freed_memory
-from zbot.transport.router_renewal import RouterRenewal
+from zbot.transport.router_renewal import CLASS_LIMIT, MACHINE_LIMIT, RouterRenewal
 from zbot.version import __version__
 
 if TYPE_CHECKING:
@@ -52,7 +52,8 @@ class HubProcess:
         self._ends: list[Callable[[], None]] = []
         #: Functions that return further facts for `zbot status`. The keys are names of facts.
         self.extra_facts: dict[str, Callable[[], Any]] = {}
-        self._renewal = RouterRenewal(session, reopen)
+        limit = MACHINE_LIMIT if settings.connect else CLASS_LIMIT
+        self._renewal = RouterRenewal(session, reopen, limit)
         self.answer_queries(f"{HUB_KEY}/{os.getpid()}", self._facts)
         self.answer_queries(f"{HUB_KEY}/{os.getpid()}/link", lambda _question: {})
 
