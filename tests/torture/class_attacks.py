@@ -10,6 +10,7 @@ from __future__ import annotations
 import argparse
 import contextlib
 import json
+import os
 import signal
 import sys
 import tempfile
@@ -60,6 +61,7 @@ class ClassAttack:
         begin = time.monotonic()
         attack = self._attacker.start(str(PROGRAMS / "class_attacker.py"), kind)
         attack.wait_for("attacks")
+        self._give_own_processor()
         self._watch(begin + seconds)
         attack.process.kill()
         attack.process.wait()
@@ -69,6 +71,16 @@ class ClassAttack:
             time.sleep(0.5)
         self._check(kind, before, most, self._memory())
         self._check_times(kind, begin, end)
+
+    def _give_own_processor(self) -> None:
+        """Let the attacker's machine use one processor, and the others the rest."""
+        *rest, last = sorted(os.sched_getaffinity(0))
+        for machine in self._testbed.machines:
+            chosen = {last} if machine is self._attacker else rest or {last}
+            for pid in machine.processes():
+                for task in Path(f"/proc/{pid}/task").iterdir():
+                    with contextlib.suppress(OSError):  # it has ended meanwhile
+                        os.sched_setaffinity(int(task.name), chosen)
 
     def _watch(self, until: float) -> None:
         self._most.clear()
