@@ -14,6 +14,7 @@ import signal
 import subprocess
 import sys
 import time
+from collections import Counter
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -119,6 +120,15 @@ class Process:
             pages = int((folder / "statm").read_text(encoding="ascii").split()[1])
             return pages * os.sysconf("SC_PAGE_SIZE"), len(list((folder / "fd").iterdir()))
         return 0, 0
+
+    def descriptors(self) -> str:
+        """Return how many descriptors it has of each kind, e.g. `13 socket, 2 .zenoh`."""
+        kinds = Counter[str]()
+        for descriptor in Path(f"/proc/{self.pid}/fd").iterdir():
+            with contextlib.suppress(OSError):  # it was closed meanwhile
+                target = descriptor.readlink()
+                kinds[target.suffix or target.name.partition(":")[0]] += 1
+        return ", ".join(f"{count} {kind}" for kind, count in kinds.most_common())
 
     def threads(self) -> int:
         """Return its number of threads; 0 after its end."""

@@ -185,8 +185,9 @@ class Ring:
                     max(usage[column] for usage in begin),
                     min(usage[column] for usage in end),
                 )
-                if last - first > most:
-                    self.report.violation(f"{member.name} has {last} {what}, at first {first}")
+                if last - first > most and member.process is not None:
+                    text = f"{member.name} has {last} {what}, at first {first}"
+                    self.report.violation(f"{text} ({member.process.descriptors()})")
 
     def gaps(self) -> list[tuple[Member, dict[str, Any], bool]]:
         """Return what the nodes missed: who, the gap, and whether both ends are in the mesh."""
