@@ -12,8 +12,13 @@ import pytest
 import zbot
 from tests.cli.command import zbot as zbot_command
 from tests.conftest import allowed, wait_until
+from tests.torture.processes import memory_mb
 from zbot.classroom.hub.process import HubProcess
 from zbot.classroom.hub.router import HubSettings, open_router
+from zbot.classroom.teacher.student import user_of
+from zbot.classroom.teacher.student_number import NUMBERS
+from zbot.memory import give_back_freed_memory
+from zbot.security.access import teacher_access
 from zbot.transport import __main__ as router_program
 from zbot.transport import background_process, membership, router_process, router_renewal
 
@@ -102,3 +107,15 @@ def test_a_hub_gets_a_new_session() -> None:
     spend(hub.session, LIMIT)
     assert asked.wait(allowed(10))
     hub.close()
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="needs Linux's list of processes")
+def test_a_hub_that_is_opened_again_needs_no_more_memory() -> None:
+    students = {user_of(number): number for number in NUMBERS}
+    settings = HubSettings(("tcp/127.0.0.1:0",), extra=teacher_access(students))
+    used_mb = []
+    for _ in range(5):
+        open_router(settings).close()
+        give_back_freed_memory()
+        used_mb.append(memory_mb(os.getpid()))
+    assert used_mb[-1] < used_mb[0] + 20  # 60 MB, if the configurations were kept

@@ -19,6 +19,7 @@ import time
 from dataclasses import dataclass
 from pathlib import Path
 
+from tests.torture.processes import clean_end
 from tests.torture.readers import READERS
 from zbot.version import __version__
 
@@ -124,10 +125,11 @@ def main() -> int:
     page = [title, time.strftime("%Y-%m-%d %H:%M")]
     print("\n".join(page), flush=True)
     seconds = 60 * given.minutes / sum(one.share for one in chosen)
-    for one in chosen:
-        lines = run(one, seconds * one.share, folder / f"{one.name}.txt")
-        print("\n".join(lines), flush=True)
-        page += lines
+    with clean_end():
+        for one in chosen:
+            lines = run(one, seconds * one.share, folder / f"{one.name}.txt")
+            print("\n".join(lines), flush=True)
+            page += lines
     (folder / "report.txt").write_text("\n".join(page) + "\n", encoding="utf-8")
     print(f"outputs: {folder}")
     heads = [line for line in page[2:] if not line.startswith(" ")]

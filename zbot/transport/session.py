@@ -77,16 +77,13 @@ def _common(facts: dict[str, Any]) -> dict[str, Any]:
     }
 
 
-def open_hub(
-    listen: list[str], connect: list[str], settings: dict[str, Any], facts: dict[str, Any]
-) -> zenoh.Session:
-    """Open the router session that links this machine with others.
+def open_hub(listen: list[str], connect: list[str], settings: dict[str, Any]) -> zenoh.Session:
+    """Open the router session that links this machine with others. It has no admin space.
 
     Args:
         listen: Zenoh endpoints that must be free.
         connect: Zenoh endpoints to connect to. The hub retries while they do not answer.
         settings: Zenoh's configuration paths and values of the hub, besides those of all sessions.
-        facts: See `process_facts`.
 
     Raises:
         SessionError: An endpoint to listen on is in use, or a setting is not valid.
@@ -98,9 +95,13 @@ def open_hub(
         "listen/exit_on_failure": True,
         "connect/endpoints": connect,
         "scouting/multicast/enabled": False,
+        # Zenoh never frees the configuration of a session with an admin space. That of a teacher's
+        # hub takes 15 MB, and the hub is opened again and again. Other machines get no answer from
+        # it anyway.
+        "adminspace/enabled": False,
         **settings,
     }
-    return open_session("the hub", _NO_FILE.build(_common(facts), force))
+    return open_session("the hub", _NO_FILE.build(_common({}), force))
 
 
 def _greatest_id() -> str:

@@ -14,9 +14,7 @@ from typing import TYPE_CHECKING, Any
 from zbot.classroom.errors import hub_port_error
 from zbot.transport.config import port_of
 from zbot.transport.errors import SessionError
-from zbot.transport.process_facts import process_facts
 from zbot.transport.session import open_hub
-from zbot.version import __version__
 
 if TYPE_CHECKING:
     import zenoh
@@ -89,11 +87,8 @@ def open_router(settings: HubSettings) -> zenoh.Session:
     Raises:
         ClassroomError: Another program listens on an endpoint.
     """
-    facts = process_facts(__version__)
     try:
-        return open_hub(
-            list(settings.listen), list(settings.connect), settings.zenoh_settings(), facts
-        )
+        return open_hub(list(settings.listen), list(settings.connect), settings.zenoh_settings())
     except SessionError as exc:
         raise hub_port_error(" and ".join(settings.listen), str(exc)) from exc
 
