@@ -14,6 +14,7 @@ import pytest
 from tests.classroom.school import PIN, TALKER, is_linked
 from tests.classroom.talk import free_port
 from tests.conftest import wait_until
+from tests.torture.processes import memory_mb
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -45,6 +46,16 @@ def test_commands_in_a_row_find_the_class_open(school: School) -> None:
     school.open()
     for reader in range(2, 7):  # the hub opens anew at each
         school.teacher.succeed("share", "1", str(reader))
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="needs Linux's list of processes")
+def test_a_hub_that_opens_anew_gives_the_memory_of_the_former_one_back(school: School) -> None:
+    school.open()
+    hub = school.teacher.hub_state()["pid"]
+    before_mb = memory_mb(hub)
+    for reader in range(2, 7):
+        school.teacher.succeed("share", "1", str(reader))
+    assert wait_until(lambda: memory_mb(hub) < before_mb + 40)  # 150 MB, if each were kept
 
 
 def test_a_new_period_frees_all_numbers_and_keeps_code_and_pin(

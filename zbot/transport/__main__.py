@@ -44,6 +44,7 @@ def main() -> int:
             return 0
         router_process.note_new_session(domain)
         session.close()
+        del session
         give_back_freed_memory()  # of all keys of the former session
         # Commands wait until the programs are linked to the new session.
         facts["zbot"] |= {"started": time.time_ns(), "replaces": True}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import gc
 import os
 import signal
 import socket
@@ -171,8 +172,7 @@ def serve(
                 signals.wait()
             finally:
                 serving.close()
-            give_back_freed_memory()  # of all keys of the former session
-            report = _do_nothing
+            report = _give_back_memory_of_former_hub
             if not signals.is_over:
                 time.sleep(_REOPENING_PAUSE_S)
 
@@ -189,5 +189,6 @@ def serve_session(open_session: Callable[[], zenoh.Session], on_ready: Callable[
         signals.wait()
 
 
-def _do_nothing() -> None:
-    """Take the place of `on_ready` when the hub is reopened."""
+def _give_back_memory_of_former_hub() -> None:
+    gc.collect()  # a former hub and its threads, queries and subscriptions refer to each other
+    give_back_freed_memory()
