@@ -9,6 +9,7 @@ import sys
 import threading
 import time
 from contextlib import contextmanager, nullcontext
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
@@ -28,7 +29,6 @@ from std_msgs.msg import String
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
-    from pathlib import Path
 
     from tests.conftest import MakeContext, Spin, Start
 
@@ -217,6 +217,22 @@ def test_a_check_ends_when_the_session_is_closed_meanwhile(
     monkeypatch.setattr(watch, "_routers", lambda: routers)  # as they were before the end
     session.close()
     assert watch._check() is None
+    point.close()
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="needs Linux's list of descriptors")
+def test_a_session_that_introduces_peers_leaves_no_open_file(
+    domain: int, make_context: MakeContext
+) -> None:
+    node = zbot.Node("node", context=make_context())
+    point = MeetingPoint(config.load(), domain, config.discovery_range(), {})
+    counts = []
+    for _ in range(6):
+        with point.open_introducer() as session:
+            assert wait_until(lambda: bool(list(session.info.peers_zid())))
+        assert wait_until(lambda: not list(node.context.session.info.peers_zid()))
+        counts.append(len(list(Path("/proc/self/fd").iterdir())))
+    assert counts[-1] < counts[0] + 4  # each kept one
     point.close()
 
 

@@ -50,6 +50,10 @@ _BUSY_OPEN_TIMEOUT_MS = 2000
 _CLIENT_TIMEOUT_MS = 2000  # the limit for one try to open a client session with nodes
 _LINKED_CLIENT_TIMEOUT_S = 10.0
 _NO_FILE = SessionConfig("the configuration between hubs", "{}")
+# Zenoh never frees a session that had an admin space (18 KB), nor its configuration. That of a
+# teacher's hub takes 15 MB, and the hub is opened again and again. No other machine gets an answer
+# from the admin space of a hub, and nobody asks that of a hub's client.
+_NO_ADMIN_SPACE = {"adminspace/enabled": False}
 _RETRY = {"period_init_ms": 20, "period_max_ms": 500, "period_increase_factor": 2}
 # A new router opens the port within 0.1 s. On one machine, a failed try takes little work.
 _RETRY_MEETING = {"period_init_ms": 20, "period_max_ms": 100, "period_increase_factor": 1.5}
@@ -95,10 +99,7 @@ def open_hub(listen: list[str], connect: list[str], settings: dict[str, Any]) ->
         "listen/exit_on_failure": True,
         "connect/endpoints": connect,
         "scouting/multicast/enabled": False,
-        # Zenoh never frees the configuration of a session with an admin space. That of a teacher's
-        # hub takes 15 MB, and the hub is opened again and again. Other machines get no answer from
-        # it anyway.
-        "adminspace/enabled": False,
+        **_NO_ADMIN_SPACE,
         **settings,
     }
     return open_session("the hub", _NO_FILE.build(_common({}), force))
@@ -145,6 +146,7 @@ def open_hub_client(
         "connect/exit_on_failure": True,
         "transport/unicast/open_timeout": _HUB_CLIENT_OPEN_TIMEOUT_MS,
         "scouting/multicast/enabled": False,
+        **_NO_ADMIN_SPACE,
         **(more or {}),
     }
     try:
@@ -360,6 +362,9 @@ class MeetingPoint:
             "listen/endpoints": [],
             "connect/endpoints": [self.endpoint],
             "scouting/multicast/enabled": False,
+            # New programs wait for its answer in the admin space, so it has one. With shared
+            # memory, a file would stay open after the session.
+            "transport/shared_memory/enabled": False,
         }
         return open_session("a Zenoh session", self._config.build(_common({}), force))
 
