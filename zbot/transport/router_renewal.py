@@ -26,8 +26,8 @@ if TYPE_CHECKING:
 _TOKENS = ("@zbot/**", "**/@adv/**")
 #: Number of ended tokens after which a router is renewed, for a router with the programs of one
 #: machine, and for one with those of a class. A node or endpoint brings a token, and may bring two
-#: other keys: its topic and its cache. The keys of a token take 5 KB, and a new router has 33 MB.
-MACHINE_LIMIT = 1600
+#: other keys: its topic and its cache. The keys of a token take 6 KB, and a new router has 32 MB.
+MACHINE_LIMIT = 1400
 CLASS_LIMIT = 10_000
 _QUIET_PART = 0.5  # of the limit: after so many, a router is renewed in a quiet moment
 _QUIET_S = 0.5
