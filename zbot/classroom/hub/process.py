@@ -172,7 +172,8 @@ def serve(
                 signals.wait()
             finally:
                 serving.close()
-            report = _give_back_memory_of_former_hub
+            give_back_freed_memory()  # of all keys, before the new session takes memory
+            report = _collect_former_hub
             if not signals.is_over:
                 time.sleep(_REOPENING_PAUSE_S)
 
@@ -189,6 +190,11 @@ def serve_session(open_session: Callable[[], zenoh.Session], on_ready: Callable[
         signals.wait()
 
 
-def _give_back_memory_of_former_hub() -> None:
-    gc.collect()  # a former hub and its threads, queries and subscriptions refer to each other
+def _collect_former_hub() -> None:
+    """Give the rest of its memory back. The new hub has taken its place in all objects.
+
+    Until then, these refer to the former session, which keeps its configuration. The former hub and
+    its threads, queries and subscriptions also refer to each other.
+    """
+    gc.collect()
     give_back_freed_memory()
