@@ -19,16 +19,14 @@ from pathlib import Path
 
 from tests.classroom.lesson import Lesson
 from tests.classroom.testbed import LanTestbed, missing_requirement
+from tests.torture.client_attacks import BACK_S, LEAST_MS, MOST_BACK, MOST_MEMORY, MOST_TIMES
 from tests.torture.processes import PROGRAMS, clean_end, memory_mb
 from tests.torture.programs.class_attacker import ATTACKS
-from tests.torture.report import Report
+from tests.torture.report import Report, percentile
 from tests.torture.stall import StallMeter
 
 _ROLES = {"zbot.classroom": "hub", "zbot.transport": "router"}
 _ALONE_S = 20.0
-_BACK_S = 60.0
-_MOST_MEMORY, _MOST_BACK = 1.5, 1.4  #: times the memory before; at most, and a minute later
-_MOST_TIMES, _LEAST_MS = 2.0, 20.0  #: as in `client_attacks`
 
 Memory = dict[str, float]  #: MB of each hub and router, by machine and role
 
@@ -43,7 +41,6 @@ class ClassAttack:
 
     def __init__(self, testbed: LanTestbed, report: Report) -> None:
         self._testbed, self._report = testbed, report
-        self._most = Memory()
         self._attacker, honest = testbed.laptops
         lesson = Lesson(testbed, 1)
         lesson.join()
@@ -62,12 +59,11 @@ class ClassAttack:
         attack = self._attacker.start(str(PROGRAMS / "class_attacker.py"), kind)
         attack.wait_for("attacks")
         self._give_own_processor()
-        self._watch(begin + seconds)
+        most = self._most_memory(begin + seconds)
         attack.process.kill()
         attack.process.wait()
         end = time.monotonic()
-        most = dict(self._most)
-        while time.monotonic() < end + _BACK_S and not _is_back(before, self._memory()):
+        while time.monotonic() < end + BACK_S and not _is_back(before, self._memory()):
             time.sleep(0.5)
         self._check(kind, before, most, self._memory())
         self._check_times(kind, begin, end)
@@ -82,12 +78,13 @@ class ClassAttack:
                     with contextlib.suppress(OSError):  # it has ended meanwhile
                         os.sched_setaffinity(int(task.name), chosen)
 
-    def _watch(self, until: float) -> None:
-        self._most.clear()
+    def _most_memory(self, until: float) -> Memory:
+        most = Memory()
         while time.monotonic() < until:
             for name, value in self._memory().items():
-                self._most[name] = max(value, self._most.get(name, 0.0))
+                most[name] = max(value, most.get(name, 0.0))
             time.sleep(0.5)
+        return most
 
     def _memory(self) -> Memory:
         found = Memory()
@@ -103,8 +100,10 @@ class ClassAttack:
         for name, start in before.items():
             figures = start, most.get(name, 0.0), back.get(name, 0.0)
             self._report.note("{}: {}: {:.0f}, {:.0f}, {:.0f} MB".format(kind, name, *figures))
-            self._limit(f"{kind}: {name}", figures[1], _MOST_MEMORY * start, "MB")
-            self._limit(f"{kind}: {name}", figures[2], _MOST_BACK * start, "MB a minute later")
+            self._report.limit(f"{kind}: {name}", figures[1], MOST_MEMORY * start, "MB")
+            self._report.limit(
+                f"{kind}: {name}", figures[2], MOST_BACK * start, "MB a minute later"
+            )
 
     def _check_times(self, kind: str, begin: float, end: float) -> None:
         self._hear.process.send_signal(signal.SIGINT)
@@ -112,25 +111,16 @@ class ClassAttack:
         beats: dict[str, list[int]] = json.loads(self._hear.lines[-1])["delays_us"]
         alone = [us for beat, all_us in beats.items() if int(beat) < int(begin) for us in all_us]
         under = [us for beat, all_us in beats.items() if begin < int(beat) < end for us in all_us]
-        alone_ms, under_ms = _p99_ms(alone), _p99_ms(under)
+        alone_ms, under_ms = percentile(alone, 0.99) / 1000, percentile(under, 0.99) / 1000
         received = len(under) / (end - begin)
         self._report.note(
             f"{kind}: {alone_ms:.1f} ms, then {under_ms:.1f} ms, {received:.0f} messages a second"
         )
-        self._limit(kind, under_ms, max(_MOST_TIMES * alone_ms, _LEAST_MS), "ms")
-
-    def _limit(self, title: str, value: float, limit: float, unit: str) -> None:
-        if value > limit:
-            self._report.violation(f"{title}: {value:.0f} {unit}, but at most {limit:.0f}")
+        self._report.limit(kind, under_ms, max(MOST_TIMES * alone_ms, LEAST_MS), "ms")
 
 
 def _is_back(before: Memory, now: Memory) -> bool:
-    return all(now.get(name, 0.0) < _MOST_BACK * start for name, start in before.items())
-
-
-def _p99_ms(delays_us: list[int]) -> float:
-    ordered = sorted(delays_us)
-    return ordered[int(0.99 * (len(ordered) - 1))] / 1000 if ordered else float("inf")
+    return all(now.get(name, 0.0) < MOST_BACK * start for name, start in before.items())
 
 
 def main() -> int:

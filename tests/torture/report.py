@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import math
 import shutil
 import statistics
 import time
@@ -40,6 +41,11 @@ class Report:
         if len(self.violations) <= _MOST_PRINTED:
             self.note(f"BROKEN: {text}")
 
+    def limit(self, title: str, value: float, most: float, unit: str) -> None:
+        """Note that a promise was broken if a value is larger than its limit."""
+        if value > most:
+            self.violation(f"{title}: {value:.0f} {unit}, but at most {most:.0f}")
+
     @contextlib.contextmanager
     def until_interrupted(self) -> Iterator[None]:
         """End the block at Ctrl-C, and go on with the report of what has been until then."""
@@ -75,7 +81,11 @@ def times(values_s: Sequence[float]) -> str:
     """Return median, 95th percentile and maximum of some times as text."""
     if not values_s:
         return "none"
-    ordered = sorted(values_s)
-    high = ordered[int(0.95 * (len(ordered) - 1))]
-    median = statistics.median(ordered)
-    return f"median {median:.2f} s, 95 % {high:.2f} s, longest {ordered[-1]:.2f} s ({len(ordered)})"
+    high, longest = percentile(values_s, 0.95), max(values_s)
+    median = statistics.median(values_s)
+    return f"median {median:.2f} s, 95 % {high:.2f} s, longest {longest:.2f} s ({len(values_s)})"
+
+
+def percentile(values: Sequence[float], share: float) -> float:
+    """Return the value that is larger than a share of the others. Without values, return inf."""
+    return sorted(values)[int(share * (len(values) - 1))] if values else math.inf

@@ -185,9 +185,10 @@ class Ring:
                     max(usage[column] for usage in begin),
                     min(usage[column] for usage in end),
                 )
-                if last - first > most and member.process is not None:
+                if last - first > most:
                     text = f"{member.name} has {last} {what}, at first {first}"
-                    self.report.violation(f"{text} ({member.process.descriptors()})")
+                    kept = "" if member.process is None else member.process.descriptors()
+                    self.report.violation(f"{text} ({kept})")
 
     def gaps(self) -> list[tuple[Member, dict[str, Any], bool]]:
         """Return what the nodes missed: who, the gap, and whether both ends are in the mesh."""

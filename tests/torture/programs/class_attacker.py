@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 import sys
 import time
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import zbot
 
@@ -29,33 +29,34 @@ def nodes(_node: zbot.Node) -> None:
 
 
 def large(node: zbot.Node) -> None:
-    publisher = node.create_publisher(String, "words", 10)
-    while True:
-        publisher.publish(String(data="x" * 1_000_000))
-        time.sleep(0.02)
+    _publish(node, String, "words", String(data="x" * 1_000_000), 1, 0.02)
 
 
 def fast(node: zbot.Node) -> None:
-    publisher = node.create_publisher(String, "words", 10)
-    while True:
-        for _ in range(50):
-            publisher.publish(String(data="x" * 1000))
-        time.sleep(0.005)
+    _publish(node, String, "words", String(data="x" * 1000), 50, 0.005)
 
 
 def lines(node: zbot.Node) -> None:
-    while True:
-        for _ in range(20):
-            node.get_logger().info("x" * 1000)
-        time.sleep(0.01)
+    _repeat(lambda: node.get_logger().info("x" * 1000), 20, 0.01)
 
 
 def events(node: zbot.Node) -> None:
-    publisher = node.create_publisher(ParameterEvent, "/parameter_events", 10)
+    message = ParameterEvent(node="x" * 1000)
+    _publish(node, ParameterEvent, "/parameter_events", message, 20, 0.01)
+
+
+def _publish(
+    node: zbot.Node, kind: type[Any], topic: str, message: Any, times: int, pause_s: float
+) -> None:
+    publisher = node.create_publisher(kind, topic, 10)
+    _repeat(lambda: publisher.publish(message), times, pause_s)
+
+
+def _repeat(act: Callable[[], object], times: int, pause_s: float) -> None:
     while True:
-        for _ in range(20):
-            publisher.publish(ParameterEvent(node="x" * 1000))
-        time.sleep(0.01)
+        for _ in range(times):
+            act()
+        time.sleep(pause_s)
 
 
 def queries(node: zbot.Node) -> None:
