@@ -87,7 +87,7 @@ def _check_size(text: str) -> None:
         raise JsonError(
             f"it has more than {_MAX_OBJECTS} objects, {_MAX_LISTS} lists or {_MAX_VALUES} values"
         )
-    if len(text) > _MAX_ESCAPES and sum(map(_escapes, _pieces(text))) > _MAX_ESCAPES:
+    if len(text) > _MAX_ESCAPES and _escapes(text) > _MAX_ESCAPES:
         raise JsonError(f"its strings have more than {_MAX_ESCAPES} backslashes")
 
 
@@ -102,6 +102,10 @@ def _is_large(pieces: Iterable[str]) -> bool:
     return False
 
 
+def _escapes(text: str) -> int:
+    return sum(piece.count("\\") for piece in _pieces(text))
+
+
 def _pieces(text: str) -> Iterator[str]:
     return (text[start : start + _PIECE] for start in range(0, len(text), _PIECE))
 
@@ -112,14 +116,9 @@ def _outside_strings(text: str) -> Iterator[str]:
         joined = rest + piece
         # The last backslash may belong to the next piece.
         rest = "\\" * ((len(joined) - len(joined.rstrip("\\"))) % 2)
-        whole = joined[: len(joined) - len(rest)]
-        parts = whole.replace("\\\\", "").replace('\\"', "").split('"')
+        parts = joined.removesuffix(rest).replace("\\\\", "").replace('\\"', "").split('"')
         yield "".join(parts[is_inside::2])
         is_inside ^= len(parts) % 2 == 0
-
-
-def _escapes(text: str) -> int:
-    return text.count("\\")
 
 
 def _check(value: Any) -> None:

@@ -22,6 +22,7 @@ _SESSION_FILE = "ZENOH_SESSION_CONFIG_URI"
 _ROUTER_FILE = "ZENOH_ROUTER_CONFIG_URI"
 _OVERRIDE = "ZENOH_CONFIG_OVERRIDE"
 _ATTEMPTS = "ZENOH_ROUTER_CHECK_ATTEMPTS"
+_MAX_DIGITS = 9
 
 # The values of rmw_zenoh's own configuration files. These files are equal in all distributions of
 # ROS 2. Only the timeouts of sessions are zbot's own, and the router's number of keep-alives. With
@@ -132,7 +133,7 @@ def router_attempts() -> int | None:
         SettingError: The variable is not a whole number.
     """
     text = os.environ.get(_ATTEMPTS, "").strip() or "1"
-    if whole_number(text.removeprefix("-")) is None:
+    if whole_number(text.removeprefix("-"), _MAX_DIGITS) is None:
         raise SettingError(
             f"{_ATTEMPTS} is {text!r}, but it must be a whole number: "
             "0 waits for a router for ever, and a negative number does not look for one"

@@ -32,7 +32,7 @@ def topic_key(domain: int, name: str) -> str:
 def parse_key(key: str) -> tuple[int, str] | None:
     """Return the domain and the full name in a key, or None if the key has another form."""
     domain, slash, name = key.partition("/")
-    number = whole_number(domain) if len(domain) <= _MAX_DOMAIN_DIGITS else None
+    number = whole_number(domain, _MAX_DOMAIN_DIGITS)
     return None if number is None or not name else (number, slash + name)
 
 

@@ -94,7 +94,7 @@ def _split(text: str, count: int) -> list[str]:
 def _number(text: str, default: int) -> int:
     if not text:
         return default
-    number = whole_number(text)
+    number = whole_number(text, len(str(2**63)))
     if number is None:
         raise ValueError(f"QoS component {text!r} is not a number")
     return number

@@ -44,6 +44,7 @@ TOKEN_PREFIX = "@zbot"  # noqa: S105 - a key's first chunk, not a secret
 ROS2_TOKEN_PREFIX = "@ros2_lv"  # noqa: S105 - as above
 _NODE_CHUNKS = 9
 _ENDPOINT_CHUNKS = 13
+_MAX_DIGITS = 10
 
 
 class EntityKind(str, Enum):
@@ -238,7 +239,7 @@ def _domain(key: str, chunk: str) -> int:
 
 
 def _number(key: str, chunk: str) -> int:
-    number = whole_number(chunk)
+    number = whole_number(chunk, _MAX_DIGITS)
     if number is None:
         raise TokenError(key, f"{chunk!r} is not a number")
     return number

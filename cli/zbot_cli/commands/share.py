@@ -32,7 +32,7 @@ def share(
         command({"op": "open", "on": not stop})
         print(f"{'only the teacher' if stop else 'everybody'} can publish in /class/")
         return
-    number = whole_number(owner)
+    number = whole_number(owner, 8)
     if number is None or reader is None:
         raise typer.BadParameter("name the owner and the reader of the topics: zbot share 17 18")
     command({"op": "share", "owner": number, "reader": reader, "on": not stop})

@@ -62,7 +62,7 @@ class _Class:
 
     def __init__(self, page: Page) -> None:
         self.page = page
-        self.chosen = whole_number(page.query.get("student", ""))
+        self.chosen = whole_number(page.query.get("student", ""), 8)
         self.found: Student | None = None
         self.invited: Invitation | None = None
         self.snapshot = Snapshot(())

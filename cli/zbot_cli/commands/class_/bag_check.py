@@ -78,7 +78,7 @@ def check_bag(path: Path, expectations: Sequence[Expectation]) -> Verdict:
         facts = bag.metadata.custom_data
     problems = (expectation.problem(recorded, recorded.rates_hz) for expectation in expectations)
     return Verdict(
-        whole_number(facts.get(NUMBER_KEY, "")) or 0,
+        whole_number(facts.get(NUMBER_KEY, ""), 3) or 0,
         facts.get(NAME_KEY) or path.name,
         tuple(filter(None, problems)),
     )

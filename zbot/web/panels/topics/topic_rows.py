@@ -5,7 +5,6 @@ from __future__ import annotations
 import posixpath
 import re
 from dataclasses import dataclass
-from itertools import chain, zip_longest
 from typing import TYPE_CHECKING
 
 from zbot.errors.suggestion import nearest
@@ -113,8 +112,6 @@ def _is_publisher(end: EndpointToken) -> bool:
 
 def _natural(name: str) -> list[tuple[int, str]]:
     """Return a sort key. With this key, `/robot2` comes before `/robot10`."""
-    words = [(-1, word) for word in re.split(r"[0-9]+", name)]
-    numbers = [word.lstrip("0") for word in re.findall(r"[0-9]+", name)]
+    parts = re.split(r"0*([0-9]+)", name)
     # Of two numbers without zeros at their begin, the longer one is larger.
-    pairs = zip_longest(words, [(len(number), number) for number in numbers], fillvalue=(0, ""))
-    return list(chain.from_iterable(pairs))
+    return [(len(part), part) if index % 2 else (-1, part) for index, part in enumerate(parts)]
