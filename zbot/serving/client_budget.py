@@ -33,9 +33,11 @@ MAX_THREADS = 4
 MAX_MESSAGE_BYTES = 16 * 1024 * 1024
 #: Memory of the values that a message in JSON leaves out, besides 64 bytes for each of its bytes.
 MAX_DEFAULT_BYTES = 2**20
-#: Bytes that wait for a client that reads slowly. Beyond this, the oldest messages are dropped.
-#: `foxglove_bridge` has the same limit (`send_buffer_limit`).
-MAX_WAITING_BYTES = 10_000_000
+#: Bytes of messages that wait for a client that reads slowly. Beyond this, the oldest are dropped.
+#: `foxglove_bridge` has 10 MB (`send_buffer_limit`).
+MAX_WAITING_BYTES = 6_000_000
+#: Bytes of answers that wait, which are never dropped. Two maps of 2000 * 2000 cells have 8 MB.
+MAX_ANSWER_BYTES = 10_000_000
 #: Messages a second. A gamepad sends 60. A program may send twice as many at once, e.g. when it
 #: starts and names its topics.
 MESSAGES_PER_S = 1000

@@ -6,7 +6,7 @@ import asyncio
 from collections import deque
 from typing import TYPE_CHECKING, Any
 
-from zbot.serving.client_budget import MAX_WAITING_BYTES, OverBudgetError
+from zbot.serving.client_budget import MAX_ANSWER_BYTES, MAX_WAITING_BYTES, OverBudgetError
 from zbot.web.foxglove.frame import BINARY, text_frame
 
 if TYPE_CHECKING:
@@ -59,7 +59,7 @@ class Outbox:
     def _put_answer(self, raw: bytes) -> None:
         self._answers.append(raw)
         self._answer_bytes += len(raw)
-        if self._answer_bytes > MAX_WAITING_BYTES and len(self._answers) > 1:
+        if self._answer_bytes > MAX_ANSWER_BYTES and len(self._answers) > 1:
             raise OverBudgetError("too many answers wait, as you read too slowly")
         self._has_frames.set()
 

@@ -11,7 +11,7 @@ from collections import deque
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from zbot.serving.client_budget import MAX_WAITING_BYTES
+from zbot.serving.client_budget import MAX_ANSWER_BYTES, MAX_WAITING_BYTES
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -24,7 +24,7 @@ MAX_TOPIC_BYTES = MAX_WAITING_BYTES
 #: The largest number of waiting responses, and their largest size in bytes. If there are more, the
 #: server disconnects the client, because no response may be dropped.
 MAX_REPLIES = 2000
-MAX_REPLY_BYTES = MAX_WAITING_BYTES
+MAX_REPLY_BYTES = MAX_ANSWER_BYTES
 #: Length of the queue of a subscription without `queue_length`.
 DEFAULT_QUEUE_LENGTH = 100
 _BATCH_BYTES = 1_000_000

@@ -97,7 +97,7 @@ def fill(outbox: Outbox) -> None:
 def test_answers_are_never_dropped_and_end_a_client_that_does_not_read(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(outbox_module, "MAX_WAITING_BYTES", 350)
+    monkeypatch.setattr(outbox_module, "MAX_ANSWER_BYTES", 350)
     outbox = Outbox()
     outbox.put_status("first")
     for number in range(5):
