@@ -213,6 +213,18 @@ def memory_mb(pid: int) -> float:
     return sum(map(int, parts)) * 1024 / 1e6
 
 
+def forget_most_memory(pid: int) -> None:
+    """Let `most_memory_mb` of a process begin anew."""
+    Path(f"/proc/{pid}/clear_refs").write_text("5", encoding="utf-8")
+
+
+def most_memory_mb(pid: int) -> float:
+    """Return the largest memory of a process since `forget_most_memory`, in MB."""
+    found = re.search(r"VmHWM:\s+(\d+)", Path(f"/proc/{pid}/status").read_text(encoding="utf-8"))
+    assert found is not None, f"process {pid} has ended"
+    return int(found[1]) * 1024 / 1e6
+
+
 @contextlib.contextmanager
 def clean_end() -> Iterator[None]:
     """Let SIGTERM and SIGHUP end the block as Ctrl-C does, so that everything is cleaned up.

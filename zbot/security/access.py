@@ -12,7 +12,7 @@ A class has these key spaces. `<n>` is the student's domain:
 | `<n>/**`, `@zbot/<n>/**` | all | all |
 | `class/**`, `@zbot/class/**` | read (all if the space is open) | all |
 | `class/<robot>/**` | all, while the student drives this robot | all |
-| `@class/student/<n>/**` | write | all |
+| `@class/student/<n>/**` | all | all |
 | `@class/teacher/**` | read | all |
 | `@class/lobby/**` | query | all |
 | all other keys, also the admin space `@/**` | nothing | all |
@@ -121,30 +121,32 @@ def teacher_access(
         SecurityError: A user name is invalid.
     """
     policies = [
-        (TEACHER, _write_rules(TEACHER, _ALL_KEYS) + _read_rules(TEACHER, _ALL_KEYS)),
-        (LOBBY, _query_rules(LOBBY)),
+        ([TEACHER], [_full_rule(TEACHER, _ALL_KEYS)]),
+        ([LOBBY], _query_rules(LOBBY)),
+        ([*students], _common_rules(shared_is_open)),
     ]
     given = list(shares)
     for user, domain in students.items():
         if user in {TEACHER, LOBBY}:
             raise user_name_error(user)
-        rules = _student_rules(_checked(user), domain, shared_is_open)
+        rules = [_student_rule(_checked(user), domain)]
         shared = sorted({share.domain for share in given if share.reader == user})
         for number in shared:
             rules += _read_rules(f"student {user} shared {number}", _space(str(number)))
         robot = (drivers or {}).get(user)
         if robot:
             rules += _write_rules(f"student {user} drives", _robot_space(robot))
-        policies.append((user, rules))
+        policies.append(([user], rules))
     return {
         "access_control": {
             "enabled": True,
             "default_permission": "deny",
             "rules": [rule for _, rules in policies for rule in rules],
-            "subjects": [{"id": user, "usernames": [user]} for user, _ in policies],
+            "subjects": [{"id": user, "usernames": [user]} for user in (TEACHER, LOBBY, *students)],
             "policies": [
-                {"subjects": [user], "rules": [rule["id"] for rule in rules]}
-                for user, rules in policies
+                {"subjects": users, "rules": [rule["id"] for rule in rules]}
+                for users, rules in policies
+                if users
             ],
         },
         "gateway": _REGIONS,
@@ -201,18 +203,24 @@ def _checked(user: str) -> str:
     return user
 
 
-def _student_rules(user: str, domain: int, shared_is_open: bool) -> list[dict[str, Any]]:
-    name = f"student {user}"
-    own, shared = _space(str(domain)), _space(SHARED_SPACE)
+def _common_rules(shared_is_open: bool) -> list[dict[str, Any]]:
+    """Return the rules that are the same for all students.
+
+    Zenoh needs about 70 bytes for each character of the rules while it reads them. If each student
+    had rules of its own for these keys, that would be 60 MB for a moment, and with this function it
+    is 8 MB.
+    """
+    shared = _space(SHARED_SPACE)
     rules = [
-        *_write_rules(f"{name} own", own),
-        *_read_rules(f"{name} own", own),
-        *_read_rules(f"{name} shared", shared),
-        *_write_rules(f"{name} itself", (f"{STUDENT_SPACE}/{domain}/**",)),
-        *_read_rules(f"{name} teacher", (f"{TEACHER_SPACE}/**",)),
-        *_query_rules(name),
+        *_read_rules("students shared", shared),
+        *_read_rules("students teacher", (f"{TEACHER_SPACE}/**",)),
+        *_query_rules("students"),
     ]
-    return rules + (_write_rules(f"{name} shared", shared) if shared_is_open else [])
+    return rules + (_write_rules("students shared", shared) if shared_is_open else [])
+
+
+def _student_rule(user: str, domain: int) -> dict[str, Any]:
+    return _full_rule(f"{user} own", (*_space(str(domain)), f"{STUDENT_SPACE}/{domain}/**"))
 
 
 def _space(first_chunk: str) -> tuple[str, ...]:
@@ -226,6 +234,11 @@ def _robot_space(robot: str) -> tuple[str, ...]:
     # chunk are ids, a kind, an enclave, a namespace and a node.
     keys = f"{SHARED_SPACE}/{robot}/**", f"{SHARED_SPACE}/{robot}/**/@adv/**"
     return (*keys, f"@zbot/{SHARED_SPACE}/*/*/*/*/*/*/*/%{SHARED_SPACE}%{robot}%$*/**")
+
+
+def _full_rule(name: str, keys: tuple[str, ...]) -> dict[str, Any]:
+    """Return a rule that does the same as `_read_rules` and `_write_rules`."""
+    return _rule(name, "ingress egress", _READ_MESSAGES + _WRITE_MESSAGES, keys)
 
 
 def _write_rules(name: str, keys: tuple[str, ...]) -> list[dict[str, Any]]:
@@ -250,11 +263,13 @@ def _query_rules(name: str) -> list[dict[str, Any]]:
     ]
 
 
-def _rule(name: str, flow: str, messages: tuple[str, ...], keys: tuple[str, ...]) -> dict[str, Any]:
+def _rule(
+    name: str, flows: str, messages: tuple[str, ...], keys: tuple[str, ...]
+) -> dict[str, Any]:
     return {
         "id": name,
         "permission": "allow",
-        "flows": [flow],
+        "flows": flows.split(),
         "messages": list(messages),
         "key_exprs": list(keys),
     }

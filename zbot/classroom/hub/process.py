@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import gc
 import os
 import signal
 import socket
@@ -12,18 +11,18 @@ import threading
 import time
 from typing import TYPE_CHECKING, Any
 
+import zenoh
+
 from zbot.classroom.hub import running_hub
 from zbot.classroom.hub.queries import HubQueries
 from zbot.classroom.hub.router import HubSettings, dialled_links, open_router
 from zbot.classroom.keys import HUB_KEY
-from zbot.memory import give_back_freed_memory
+from zbot.memory import give_back_freed_memory, keep_little_freed_memory
 from zbot.transport.router_renewal import CLASS_LIMIT, MACHINE_LIMIT, RouterRenewal
 from zbot.version import __version__
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
-
-    import zenoh
 
 _JOIN_TIMEOUT_S = 2.0
 # Other routers need up to 0.1 s to note that their links to this hub are lost. Before that, they
@@ -45,11 +44,12 @@ class HubProcess:
     def __init__(
         self, session: zenoh.Session, settings: HubSettings, reopen: Callable[[], None]
     ) -> None:
-        self.session = session
+        self._session: zenoh.Session | None = session
         self.reopen = reopen
         self._settings = settings
         self._threads: list[threading.Thread] = []
         self._queries: list[HubQueries] = []
+        self._kept: list[object] = []
         self._ends: list[Callable[[], None]] = []
         #: Functions that return further facts for `zbot status`. The keys are names of facts.
         self.extra_facts: dict[str, Callable[[], Any]] = {}
@@ -57,6 +57,18 @@ class HubProcess:
         self._renewal = RouterRenewal(session, reopen, limit)
         self.answer_queries(f"{HUB_KEY}/{os.getpid()}", self._facts)
         self.answer_queries(f"{HUB_KEY}/{os.getpid()}/link", lambda _question: {})
+
+    @property
+    def session(self) -> zenoh.Session:
+        """The open session. It raises `zenoh.ZError` if the hub was closed."""
+        session = self._session
+        if session is None:
+            raise zenoh.ZError("the hub was closed")
+        return session
+
+    def keep(self, entity: object) -> None:
+        """Keep a subscriber, a token or a listener of the session until the hub is closed."""
+        self._kept.append(entity)
 
     def answer_queries(
         self, key: str, answer: Callable[[dict[str, Any]], dict[str, Any] | None]
@@ -90,15 +102,22 @@ class HubProcess:
         }
 
     def close(self) -> None:
-        """Finish the query in progress, close the session, then wait for the threads."""
+        """Finish the query in progress, close the session, then wait for the threads.
+
+        Zenoh frees the keys and the access rules of a session after nothing refers to the session
+        or to one of its entities. The rules of a class take 40 MB.
+        """
         for end in self._ends:
             end()
         for queries in self._queries:
             queries.finish()
         self.session.close()
+        self._session = None
         self._renewal.end()
         for thread in self._threads:
             thread.join(_JOIN_TIMEOUT_S)
+        for referring in (self._threads, self._queries, self._kept, self._ends):
+            referring.clear()
 
 
 class _Signals:
@@ -159,8 +178,9 @@ def serve(
     Raises:
         ClassroomError: This machine runs a hub already, or another program uses the port.
     """
+    keep_little_freed_memory()
     with running_hub.hub_lock(), _signals() as signals:
-        report = on_ready
+        report: Callable[[], None] | None = on_ready
         while signals.begin():
             present = settings()
             serving = HubProcess(open_router(present), present, signals.reopen)
@@ -168,12 +188,13 @@ def serve(
                 if attach is not None:
                     attach(serving)
                 running_hub.write_state(role, present.listen, present.connect)
-                report()
+                if report is not None:
+                    report()
                 signals.wait()
             finally:
                 serving.close()
-            give_back_freed_memory()  # of all keys, before the new session takes memory
-            report = _collect_former_hub
+            give_back_freed_memory()  # before the new session takes memory
+            report = None
             if not signals.is_over:
                 time.sleep(_REOPENING_PAUSE_S)
 
@@ -188,13 +209,3 @@ def serve_session(open_session: Callable[[], zenoh.Session], on_ready: Callable[
     with _signals() as signals, open_session():
         on_ready()
         signals.wait()
-
-
-def _collect_former_hub() -> None:
-    """Give the rest of its memory back. The new hub has taken its place in all objects.
-
-    Until then, these refer to the former session, which keeps its configuration. The former hub and
-    its threads, queries and subscriptions also refer to each other.
-    """
-    gc.collect()
-    give_back_freed_memory()

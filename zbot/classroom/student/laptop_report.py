@@ -22,6 +22,8 @@ from zbot.wire.errors import CodecError
 from zbot.wire.messagepack.codec import messagepack_codec_for
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from zbot.classroom.hub.process import HubProcess
     from zbot.transport.membership import Membership
 
@@ -49,19 +51,18 @@ class LaptopReport:
     def attach(self, serving: HubProcess) -> None:
         """Declare the token on this laptop's open hub, and begin to answer the teacher there."""
         number = self._joined.number
-        self._session = serving.session
-        self._logs = serving.session.declare_subscriber(
-            f"{number}/rosout", zenoh.handlers.RingChannel(_QUEUE)
-        )
-        serving.start_thread("zbot last error", self._read_logs)
+        self._serving = serving
+        session = serving.session
+        logs = session.declare_subscriber(f"{number}/rosout", zenoh.handlers.RingChannel(_QUEUE))
+        serving.keep(logs)
+        serving.start_thread("zbot last error", self._read_logs, logs.handler.recv)
         self._is_closed = False
-        self._notices = serving.session.declare_subscriber(
-            NOTICE_KEY, called_by_zenoh(self._hear_notice)
-        )
+        hear = called_by_zenoh(self._hear_notice)
+        serving.keep(session.declare_subscriber(NOTICE_KEY, hear))
         serving.extra_facts["of_class"] = self.of_class
         serving.extra_facts["closed"] = lambda: self._is_closed
         serving.answer_queries(facts_key(number), self._facts)
-        self._token = serving.session.liveliness().declare_token(here_key(number))
+        serving.keep(session.liveliness().declare_token(here_key(number)))
 
     def _hear_notice(self, sample: zenoh.Sample) -> None:
         self._is_closed = document_of(sample.payload).get("closed") is True
@@ -76,7 +77,7 @@ class LaptopReport:
         """
         number = self._joined.number
         question = {"number": number, "proof": proof(self._joined.claim, "nodes")}
-        answers = ask(self._session, NOTICES_KEY, question, timeout_s=_NOTICES_TIMEOUT_S)
+        answers = ask(self._serving.session, NOTICES_KEY, question, timeout_s=_NOTICES_TIMEOUT_S)
         if not answers:
             return None
         notices = answers[0].get("notices")
@@ -105,13 +106,14 @@ class LaptopReport:
     def _query_earlier_logs(self) -> None:
         """Query the logs that new nodes published before this hub was linked with them."""
         selector = nodes_selector(self._joined.number)
-        found = set(admin_query.tokens(self._session, selector, _QUERY_TIMEOUT_S))
+        session = self._serving.session
+        found = set(admin_query.tokens(session, selector, _QUERY_TIMEOUT_S))
         if found <= self._known:
             self._known = found
             return
         self._known = found
         # This query asks transient local publishers for their cached messages (zenoh.ext).
-        for reply in self._session.get(
+        for reply in session.get(
             f"{self._joined.number}/rosout/@adv/pub/**?_max={_QUEUE}",
             admin_query.large_queue(),
             consolidation=zenoh.ConsolidationMode.NONE,
@@ -121,8 +123,7 @@ class LaptopReport:
             if reply.ok is not None:
                 self._note(reply.ok.payload.to_bytes())
 
-    def _read_logs(self) -> None:
-        receive = self._logs.handler.recv
+    def _read_logs(self, receive: Callable[[], zenoh.Sample]) -> None:
         while True:
             try:
                 sample = receive()

@@ -78,9 +78,8 @@ class LinkCheck:
             if event.transport.whatami == zenoh.WhatAmI.ROUTER:
                 self._change(changes, is_lost=event.kind == zenoh.SampleKind.DELETE)
 
-        self._events = serving.session.info.declare_transport_events_listener(
-            called_by_zenoh(on_event), history=True
-        )
+        events = called_by_zenoh(on_event)
+        serving.keep(serving.session.info.declare_transport_events_listener(events, history=True))
         serving.call_on_close(lambda: changes.put(False))
         serving.start_thread("zbot link check", self._run, serving, changes)
 

@@ -41,9 +41,8 @@ class Laptops:
 
     def attach(self, serving: HubProcess) -> None:
         """Watch the laptops of all students through a hub that was opened."""
-        with self._lock:
-            self._serving = serving
-            self._watched.clear()
+        self._serving = serving
+        serving.call_on_close(self._forget_all)
         # A laptop may have left while the hub was closed. Zenoh does not report this.
         self._students.expect_return()
         self.nodes.watch(serving)
@@ -52,8 +51,8 @@ class Laptops:
 
     def watch(self, number: int) -> None:
         """Watch a student's laptop. Do nothing if it is watched already."""
-        serving = self._serving
         with self._lock:
+            serving = self._serving
             if serving is None or number in self._watched:
                 return
             # If the hub is being reopened, `attach` watches the laptop afterwards.
@@ -77,6 +76,11 @@ class Laptops:
         if watched is not None:
             with contextlib.suppress(zenoh.ZError):  # the hub is being reopened
                 watched.undeclare()
+
+    def _forget_all(self) -> None:
+        with self._lock:
+            self._serving = None
+            self._watched.clear()
 
     def refresh(self) -> None:
         """Query the facts of all connected laptops. Wait for the slowest laptop, at most 1 s."""

@@ -93,9 +93,8 @@ class RunningClass:
         serving.answer_queries(COMMAND_KEY, self._commands.answer)
         serving.answer_queries(NOTICES_KEY, self._answer_student)
         self._laptops.attach(serving)
-        self._transports = serving.session.info.declare_transport_events_listener(
-            called_by_zenoh(self._on_transport), history=True
-        )
+        events = called_by_zenoh(self._on_transport)
+        serving.keep(serving.session.info.declare_transport_events_listener(events, history=True))
 
     def _on_transport(self, event: Any) -> None:
         """Reopen the hub if a former owner of a number has connected."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import threading
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import zenoh
 
@@ -32,7 +32,6 @@ class RunningNodes:
     def __init__(self) -> None:
         self._lock = threading.Lock()
         self._names: dict[int, dict[str, str]] = {}
-        self._subscriber: Any = None
 
     def watch(self, serving: HubProcess) -> None:
         """Forget all nodes. Collect the nodes that a hub sees, until the hub closes."""
@@ -42,11 +41,11 @@ class RunningNodes:
         # The tokens go to a queue, not to a callback: Zenoh calls a callback while Zenoh holds the
         # hub's lock, so thousands of tokens together would stop the hub. `history` means that
         # tokens which exist already are reported too.
-        self._subscriber = serving.session.liveliness().declare_subscriber(
+        subscriber = serving.session.liveliness().declare_subscriber(
             _NODE_TOKENS, large_queue(), history=True
         )
-        receive = self._subscriber.handler.recv
-        serving.start_thread("zbot running nodes", self._run, receive, names)
+        serving.keep(subscriber)
+        serving.start_thread("zbot running nodes", self._run, subscriber.handler.recv, names)
 
     def _run(self, receive: Callable[[], zenoh.Sample], names: dict[int, dict[str, str]]) -> None:
         while True:
