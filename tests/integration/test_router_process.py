@@ -19,8 +19,10 @@ import zenoh
 import zbot
 from tests.classroom.talk import free_port
 from tests.cli.command import zbot as zbot_command
-from tests.conftest import wait_until
-from zbot.transport import config, router_process, session
+from tests.conftest import allowed, wait_until
+from zbot.transport import admin_query, config, router_process, session
+from zbot.transport.peering import Peering
+from zbot.transport.process_facts import process_facts
 from zbot.transport.router_process import IdleWatch, is_stopped
 from zbot.transport.session import MeetingPoint
 
@@ -147,6 +149,26 @@ def test_the_warning_names_the_stopped_router(
     (line,) = (record.message for record in logged if record.name == "zbot")
     assert line.startswith(f"the router of domain {domain} (process {stopped}) did not answer")
     assert router_of(domain) != stopped
+
+
+def test_a_check_ends_a_stopped_router_without_a_question(
+    domain: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    point = MeetingPoint(config.load(), domain, config.discovery_range(), process_facts("0"))
+    point.start_router()
+    opened = point.open_node_session()
+    peering = Peering(opened, point, zenoh.handlers.Callback)
+    assert peering.wait_for_router(allowed(5))
+    stopped = router_of(domain)
+    os.kill(stopped, signal.SIGSTOP)
+    assert wait_until(lambda: is_stopped(stopped))
+    asked: list[float] = []
+    monkeypatch.setattr(admin_query, "sessions", lambda *words: asked.append(words[-1]))
+    assert peering._check() is not None
+    assert router_process.pid(domain) is None
+    assert asked == []  # it would wait a second for an answer
+    opened.close()
+    point.close()
 
 
 def test_a_router_that_answers_nothing_is_replaced_by_a_command(start: Start, domain: int) -> None:

@@ -269,8 +269,9 @@ class Peering:
 
     def _check(self) -> float | None:
         """Check the router and the links. Return the seconds until the next check."""
+        if self._meeting.end_stopped_router():  # then the session loses its link to the router
+            return _CHECK_DELAY_S
         if self._watch_pause_s is not None:
-            self._meeting.end_stopped_router()  # then the session loses its link to the router
             return self._watch_pause_s
         background_process.reap()  # a router that this process had started may have been killed
         # If an error occurs, the session was closed or the router has ended. The end of the router
