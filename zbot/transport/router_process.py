@@ -154,8 +154,21 @@ def kill(domain: int, number: int) -> bool:
         number: The process id that `pid` returned.
 
     Returns:
-        Whether this call killed the process. Another program may have killed it before.
+        Whether this call killed the process. Another program may have killed it before, or may do
+        so at this moment.
     """
+    # Many programs notice a stopped router within milliseconds. Without this lock, one of them
+    # could write `killed` over the id of the next router.
+    try:
+        with background_process.lock_path(f"router-{domain}-end").open(
+            "a", encoding="utf-8"
+        ) as file:
+            return background_process.lock(file) and _kill(domain, number)
+    except OSError:  # the folder is read-only, or the disk is full
+        return _kill(domain, number)
+
+
+def _kill(domain: int, number: int) -> bool:
     if pid(domain) != number:
         return False
     _write(domain, _KILLED)  # so that no other program kills it too

@@ -11,6 +11,7 @@ a new one after many tokens have ended, in a moment without work.
 
 from __future__ import annotations
 
+import contextlib
 import threading
 import time
 from typing import TYPE_CHECKING
@@ -25,8 +26,9 @@ if TYPE_CHECKING:
 # The tokens of nodes and endpoints, and those of transient local publishers (zenoh.ext).
 _TOKENS = ("@zbot/**", "**/@adv/**")
 #: Number of ended tokens after which a router is renewed, for a router with the programs of one
-#: machine, and for one with those of a class. A node or endpoint brings a token, and may bring two
-#: other keys: its topic and its cache. The keys of a token take 6 KB, and a new router has 32 MB.
+#: machine, and for one with those of a class or with clients. A node or endpoint brings a token,
+#: and may bring two other keys: its topic and its cache. The keys of a token take 6 KB, and a new
+#: router has 32 MB.
 MACHINE_LIMIT = 1400
 CLASS_LIMIT = 10_000
 _QUIET_PART = 0.5  # of the limit: after so many, a router is renewed in a quiet moment
@@ -40,12 +42,14 @@ class RouterRenewal:
     Args:
         session: The router's session.
         renew: Function that is called once, in a thread. It must return quickly.
-        limit: The number of ended tokens after which it is called, also if the router works.
+        limit: The number of ended tokens after which it is called, also if the router works. While
+            clients are linked, it is called only after `CLASS_LIMIT` tokens.
     """
 
     def __init__(
         self, session: zenoh.Session, renew: Callable[[], object], limit: int = MACHINE_LIMIT
     ) -> None:
+        self._session: zenoh.Session | None = session
         self._renew = renew
         self._limit = limit
         self._quiet_limit = round(_QUIET_PART * limit)
@@ -70,17 +74,28 @@ class RouterRenewal:
             without_interruption(self._thread.start)
 
     def _run(self) -> None:
-        while len(self._ended) < self._limit:
+        while len(self._ended) < CLASS_LIMIT:
             before, used_s = len(self._ended), time.process_time()
             if self._is_over.wait(_QUIET_S):
                 return
             used_s = time.process_time() - used_s
-            if len(self._ended) == before and used_s < _QUIET_SHARE * _QUIET_S:
+            ended = len(self._ended)
+            is_quiet = ended == before and used_s < _QUIET_SHARE * _QUIET_S
+            if (is_quiet or ended >= self._limit) and not self._has_clients():
                 break
         self._renew()
+
+    def _has_clients(self) -> bool:
+        """Return whether programs are linked whose messages pass the router, and would be lost."""
+        assert self._session is not None
+        with contextlib.suppress(zenoh.ZError):  # the session is being closed
+            transports = self._session.info.transports()
+            return any(transport.whatami == zenoh.WhatAmI.CLIENT for transport in transports)
+        return False
 
     def end(self) -> None:
         """Stop counting. The session may still be open."""
         self._is_over.set()
         if self._thread.ident is not None:
             self._thread.join()
+        self._session = None  # the session refers to this object, so it would never be freed

@@ -1,4 +1,4 @@
-"""Tests of the sign by which a program sees that the machine is busy."""
+"""Tests of the router process: the sign that the machine is busy, and one killer at a time."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from zbot.transport import router_process
+from zbot.transport import background_process, membership, router_process
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -54,3 +54,25 @@ def test_the_times_of_this_process_are_known() -> None:
     ran_s, waited_s = router_process.processor_times()
     assert ran_s > 0
     assert waited_s >= 0
+
+
+def test_only_one_program_kills_a_router_and_writes_to_its_file(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    domain, router = 7, 1111
+    membership.folder().mkdir(parents=True, exist_ok=True)
+    path = background_process.lock_path(f"router-{domain}")
+    with (
+        path.open("w+") as file,
+        background_process.lock_path(f"router-{domain}-end").open("a") as end,
+    ):
+        assert background_process.lock(file)
+        assert background_process.lock(end)  # another program kills the router
+        file.write(str(router))
+        file.flush()
+        ended: list[int] = []
+        monkeypatch.setattr(os, "kill", lambda number, _: ended.append(number))
+        assert router_process.pid(domain) == router
+        assert not router_process.kill(domain, router)
+        assert ended == []
+        assert path.read_text() == str(router)

@@ -7,6 +7,7 @@ from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any
 
 import pytest
+import zenoh
 
 from tests.conftest import wait_until
 from zbot.transport import router_renewal
@@ -23,11 +24,16 @@ class Router:
 
     def __init__(self) -> None:
         self.count = 0
-        session: Any = SimpleNamespace(liveliness=lambda: self)
+        self.kinds: list[zenoh.WhatAmI] = []  #: of the linked programs
+        info = SimpleNamespace(transports=self.transports)
+        session: Any = SimpleNamespace(liveliness=lambda: self, info=info)
         self.renewal = RouterRenewal(session, self.renew, 3 * LIMIT)
 
     def declare_subscriber(self, *_: object) -> None:
         """Declare nothing: the test itself gives the tokens."""
+
+    def transports(self) -> list[SimpleNamespace]:
+        return [SimpleNamespace(whatami=kind) for kind in self.kinds]
 
     def renew(self) -> None:
         self.count += 1
@@ -87,6 +93,33 @@ def test_a_router_whose_tokens_come_and_go_is_renewed_only_at_the_last_limit(
     router.end_tokens(LIMIT)
     assert wait_until(lambda: router.count == 1)
     assert pauses.count == 2 * LIMIT
+
+
+def test_a_router_with_clients_is_renewed_when_they_have_left(
+    router: Router, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def leave() -> None:
+        if pauses.count == 5:
+            router.kinds.remove(zenoh.WhatAmI.CLIENT)
+
+    router.kinds += [zenoh.WhatAmI.PEER, zenoh.WhatAmI.CLIENT]
+    pauses = Pauses(leave)
+    monkeypatch.setattr(router.renewal, "_is_over", pauses)
+    router.end_tokens(5 * LIMIT)
+    assert wait_until(lambda: router.count == 1)
+    assert pauses.count == 5
+
+
+def test_a_router_with_clients_is_renewed_after_very_many_tokens(
+    router: Router, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    router.kinds.append(zenoh.WhatAmI.CLIENT)
+    pauses = Pauses(lambda: router.end_tokens(1, f"more{pauses.count}-"))
+    monkeypatch.setattr(router_renewal, "CLASS_LIMIT", 4 * LIMIT)
+    monkeypatch.setattr(router.renewal, "_is_over", pauses)
+    router.end_tokens(LIMIT)
+    assert wait_until(lambda: router.count == 1)
+    assert pauses.count == 3 * LIMIT
 
 
 def test_a_router_that_works_is_renewed_in_the_first_quiet_moment(

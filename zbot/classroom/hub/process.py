@@ -54,7 +54,7 @@ class HubProcess:
         #: Functions that return further facts for `zbot status`. The keys are names of facts.
         self.extra_facts: dict[str, Callable[[], Any]] = {}
         limit = MACHINE_LIMIT if settings.connect else CLASS_LIMIT
-        self._renewal = RouterRenewal(session, reopen, limit)
+        self.call_on_close(RouterRenewal(session, reopen, limit).end)
         self.answer_queries(f"{HUB_KEY}/{os.getpid()}", self._facts)
         self.answer_queries(f"{HUB_KEY}/{os.getpid()}/link", lambda _question: {})
 
@@ -113,7 +113,6 @@ class HubProcess:
             queries.finish()
         self.session.close()
         self._session = None
-        self._renewal.end()
         for thread in self._threads:
             thread.join(_JOIN_TIMEOUT_S)
         for referring in (self._threads, self._queries, self._kept, self._ends):
