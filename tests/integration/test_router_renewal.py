@@ -10,9 +10,11 @@ from typing import TYPE_CHECKING
 import pytest
 
 import zbot
+from tests.classroom.talk import free_port
 from tests.cli.command import zbot as zbot_command
 from tests.conftest import allowed, wait_until
 from tests.torture.processes import memory_mb
+from zbot.classroom.hub import process as hub_process
 from zbot.classroom.hub.process import HubProcess
 from zbot.classroom.hub.router import HubSettings, open_router
 from zbot.classroom.teacher.student import user_of
@@ -96,15 +98,29 @@ def test_the_router_of_a_domain_gets_a_new_session(
     assert sorted(done.out.split()) == ["/listener", "/talker"]
 
 
-def test_a_hub_gets_a_new_session() -> None:
+def test_the_hub_of_a_machine_gets_a_new_session_right_after_the_router(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(hub_process, "MACHINE_LIMIT", 4 * LIMIT)
     # A hub of one machine dials another hub.
-    settings = HubSettings(("tcp/127.0.0.1:0",), ("tcp/127.0.0.1:1",))
+    endpoint = f"tcp/127.0.0.1:{free_port()}"
+    settings = HubSettings((endpoint,), ("tcp/127.0.0.1:1",))
     asked = threading.Event()
     hub = HubProcess(open_router(settings), settings, asked.set)
+
+    def link_router() -> None:
+        router = open_router(HubSettings(("tcp/127.0.0.1:0",), (endpoint,)))
+        assert wait_until(lambda: bool(list(hub.session.info.routers_zid())))
+        router.close()
+        assert wait_until(lambda: not list(hub.session.info.routers_zid()))
+
     spend(hub.session, LIMIT - 1)
     spend(hub.session, LIMIT - 1)
+    link_router()
     assert not asked.is_set()
     spend(hub.session, LIMIT)
+    assert not asked.is_set()
+    link_router()
     assert asked.wait(allowed(10))
     hub.close()
 

@@ -41,7 +41,7 @@ class RouterRenewal:
 
     Args:
         session: The router's session.
-        renew: Function that is called once, in a thread. It must return quickly.
+        renew: Function that is called in a thread, and may be called twice. It must return quickly.
         limit: The number of ended tokens after which it is called, also if the router works. While
             clients are linked, it is called only after `CLASS_LIMIT` tokens.
     """
@@ -72,6 +72,11 @@ class RouterRenewal:
         self._ended.add(hash(key))
         if len(self._ended) == self._quiet_limit and self._thread.ident is None:
             without_interruption(self._thread.start)
+
+    def renew_after(self, tokens: int) -> None:
+        """Ask for a new session now if at least so many tokens have ended."""
+        if len(self._ended) >= tokens:
+            self._renew()
 
     def _run(self) -> None:
         while len(self._ended) < CLASS_LIMIT:

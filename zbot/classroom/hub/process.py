@@ -18,6 +18,7 @@ from zbot.classroom.hub.queries import HubQueries
 from zbot.classroom.hub.router import HubSettings, dialled_links, open_router
 from zbot.classroom.keys import HUB_KEY
 from zbot.memory import give_back_freed_memory, keep_little_freed_memory
+from zbot.threads.foreign_call import called_by_zenoh
 from zbot.transport.router_renewal import CLASS_LIMIT, MACHINE_LIMIT, RouterRenewal
 from zbot.version import __version__
 
@@ -53,8 +54,11 @@ class HubProcess:
         self._ends: list[Callable[[], None]] = []
         #: Functions that return further facts for `zbot status`. The keys are names of facts.
         self.extra_facts: dict[str, Callable[[], Any]] = {}
-        limit = MACHINE_LIMIT if settings.connect else CLASS_LIMIT
-        self.call_on_close(RouterRenewal(session, reopen, limit).end)
+        self._renewal = RouterRenewal(session, reopen, CLASS_LIMIT)
+        self.call_on_close(self._renewal.end)
+        if settings.connect:
+            on_link = called_by_zenoh(self._on_link)
+            self.keep(session.info.declare_transport_events_listener(on_link, history=False))
         self.answer_queries(f"{HUB_KEY}/{os.getpid()}", self._facts)
         self.answer_queries(f"{HUB_KEY}/{os.getpid()}/link", lambda _question: {})
 
@@ -65,6 +69,17 @@ class HubProcess:
         if session is None:
             raise zenoh.ZError("the hub was closed")
         return session
+
+    def _on_link(self, event: Any) -> None:
+        """Renew the hub of one machine right after its router.
+
+        Both see the same tokens, so otherwise they would be renewed at the same time. If two linked
+        routers close at the same time, a thread of Zenoh panics (docs/design/zenoh-faults.md).
+        """
+        is_router = event.transport.whatami == zenoh.WhatAmI.ROUTER
+        if is_router and event.kind == zenoh.SampleKind.PUT:
+            # The router has seen at least twice as many tokens.
+            self._renewal.renew_after(MACHINE_LIMIT // 4)
 
     def keep(self, entity: object) -> None:
         """Keep a subscriber, a token or a listener of the session until the hub is closed."""
