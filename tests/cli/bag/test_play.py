@@ -65,7 +65,8 @@ def test_options_of_play_select_messages(
     make_bag(bag, *lines)
     assert start("zbot", "bag", "play", "lesson", *words).wait() == 0
     assert wait_until(lambda: len(heard) >= len(expected))
-    assert [f"{topic} {text}" for topic, text in words_of(heard)] == expected
+    # On a busy machine, a subscriber may take messages of two topics in another order.
+    assert sorted(f"{topic} {text}" for topic, text in words_of(heard)) == sorted(expected)
 
 
 def test_play_loops_until_ctrl_c(
