@@ -29,7 +29,7 @@ _TOKENS = ("@zbot/**", "**/@adv/**")
 #: machine, and for one with those of a class or with clients. A node or endpoint brings a token,
 #: and may bring two other keys: its topic and its cache. The keys of a token take 6 KB, and a new
 #: router has 32 MB.
-MACHINE_LIMIT = 1400
+MACHINE_LIMIT = 1200
 CLASS_LIMIT = 10_000
 _QUIET_PART = 0.5  # of the limit: after so many, a router is renewed in a quiet moment
 _QUIET_S = 0.5
