@@ -108,7 +108,7 @@ class Context(ContextState):
             if lost := warning_about(self.arguments.unparsed):
                 get_logger("zbot").warning(lost)
             self._begin()
-            signals.contexts.add(self)
+            signals.add_context(self)
 
     def get_domain_id(self) -> int:
         """Return the domain, 0 to 232."""

@@ -152,6 +152,17 @@ def install(options: SignalHandlerOptions = SignalHandlerOptions.ALL) -> None:
         _replace(signal.SIGTERM, _on_sigterm)
 
 
+def add_context(context: SignalledContext) -> None:
+    """Let signals interrupt a context from now on.
+
+    If SIGTERM has come since `install()`, and nobody has noticed it, e.g. while `init()` read the
+    arguments, the context is interrupted now.
+    """
+    contexts.add(context)
+    if _Process.must_look:
+        context.interrupt()
+
+
 def was_received() -> bool:
     """Return whether the process got a signal that `install()` handles."""
     return _Process.count > 0

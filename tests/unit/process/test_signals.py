@@ -43,7 +43,7 @@ def context(monkeypatch: pytest.MonkeyPatch) -> Iterator[Context]:
     monkeypatch.setattr(sys, "excepthook", sys.excepthook)
     handlers = {number: signal.getsignal(number) for number in (INT, TERM)}
     made = Context()
-    signals.contexts.add(made)
+    signals.add_context(made)
     signal.signal(INT, signal.default_int_handler)
     signal.signal(TERM, signal.SIG_DFL)
     yield made
@@ -93,12 +93,27 @@ def test_handlers_are_installed_in_the_main_thread_only() -> None:
 
 def test_a_signal_interrupts_all_contexts(context: Context) -> None:
     other = Context()
-    signals.contexts.add(other)
+    signals.add_context(other)
     signals.install()
     raised(INT)
     assert (context.interruptions, other.interruptions) == (1, 1)
     assert signals.last_signal() == INT
     assert signals.was_received()
+
+
+def test_a_context_that_is_initialised_while_sigterm_comes_is_interrupted(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(signals, "_LOOK_TIMEOUT_S", 60.0)
+    signals.install()
+    assert raised(TERM) is None  # the program may still look at `ok()`
+    late = Context()
+    signals.add_context(late)
+    assert late.interruptions == 1
+    signals.note_look()
+    next_one = Context()
+    signals.add_context(next_one)
+    assert next_one.interruptions == 0
 
 
 @pytest.mark.parametrize("number", [INT, TERM])
