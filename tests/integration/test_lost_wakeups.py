@@ -5,6 +5,8 @@ Such a Ctrl-C comes between Python's last check for signals and its sleep, or to
 
 from __future__ import annotations
 
+import asyncio
+import contextlib
 import signal
 import sys
 import threading
@@ -15,8 +17,10 @@ import pytest
 
 import zbot
 from tests.conftest import allowed
+from zbot.classroom.hub.process import serve_session
 from zbot.executor.wait_set import WaitSet
 from zbot.remote.wait_for_message import wait_for_message
+from zbot.serving.until_signal import serve_until_signal
 
 from std_msgs.msg import String
 from std_srvs.srv import Trigger
@@ -55,15 +59,42 @@ WAITS: dict[str, Callable[[zbot.Node], object]] = {
 }
 
 
+async def _serve(ready: Callable[[], object]) -> None:
+    server = await asyncio.start_server(lambda *_: None, "127.0.0.1", 0)
+    await serve_until_signal(server, ready)
+
+
+def _interruption() -> threading.Timer:
+    """Return a thread that gets SIGINT, so that the main thread does not wake."""
+    return threading.Timer(0.2, signal.raise_signal, [signal.SIGINT])
+
+
 @pytest.mark.parametrize("wait", WAITS.values(), ids=WAITS)
 def test_no_wait_sleeps_through_a_signal(
     make_context: MakeContext, wait: Callable[[zbot.Node], object]
 ) -> None:
     node = zbot.Node("sleeper", context=make_context())
-    interruption = threading.Timer(0.2, signal.raise_signal, [signal.SIGINT])
+    interruption = _interruption()
     interruption.start()
     begun = time.monotonic()
     with pytest.raises(KeyboardInterrupt):
         wait(node)
+    assert time.monotonic() - begun < allowed(2)
+    interruption.join()
+
+
+def test_no_server_sleeps_through_a_signal() -> None:
+    interruption = _interruption()
+    begun = time.monotonic()
+    with pytest.raises(KeyboardInterrupt):
+        asyncio.run(_serve(interruption.start))
+    assert time.monotonic() - begun < allowed(2)
+    interruption.join()
+
+
+def test_no_hub_sleeps_through_a_signal() -> None:
+    interruption = _interruption()
+    begun = time.monotonic()
+    serve_session(contextlib.nullcontext, interruption.start)  # type: ignore[arg-type] # no session
     assert time.monotonic() - begun < allowed(2)
     interruption.join()

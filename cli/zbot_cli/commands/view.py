@@ -50,10 +50,6 @@ def view(
     if file is not None and file.suffix == ".rviz":
         from zbot.view.arrangement.rviz_file import read_rviz_file  # noqa: PLC0415 - as above
 
-        content = Content(None if is_bag else file, file if is_bag else None, bytes_per_s=limit)
-    if file is not None and file.suffix == ".rviz":
-        from zbot.view.arrangement.rviz_file import read_rviz_file  # noqa: PLC0415 - as above
-
         content = Content(arrangement=read_rviz_file(file), bytes_per_s=limit)
     install(SignalHandlerOptions.ALL)
     serve(host, port, open_browser=not no_browser and has_desktop(), content=content)

@@ -6,7 +6,6 @@ import contextlib
 import os
 import signal
 import socket
-import sys
 import threading
 import time
 from typing import TYPE_CHECKING, Any
@@ -19,6 +18,7 @@ from zbot.classroom.hub.router import HubSettings, dialled_links, open_router
 from zbot.classroom.keys import HUB_KEY
 from zbot.memory import give_back_freed_memory, keep_little_freed_memory
 from zbot.threads.foreign_call import called_by_zenoh
+from zbot.threads.wakeup import LONGEST_WAIT_S
 from zbot.transport.router_renewal import CLASS_LIMIT, MACHINE_LIMIT, RouterRenewal
 from zbot.version import __version__
 
@@ -29,8 +29,6 @@ _JOIN_TIMEOUT_S = 2.0
 # Other routers need up to 0.1 s to note that their links to this hub are lost. Before that, they
 # would not repeat their declarations on new links (see `link_check`).
 _REOPENING_PAUSE_S = 0.3
-# On Windows, Ctrl-C does not interrupt a wait without a timeout.
-_WAIT_S = 0.5 if sys.platform == "win32" else None
 
 
 class HubProcess:
@@ -158,7 +156,7 @@ class _Signals:
         return not self.is_over
 
     def wait(self) -> None:
-        while not self._happened.wait(_WAIT_S):
+        while not self._happened.wait(LONGEST_WAIT_S):
             continue
 
 

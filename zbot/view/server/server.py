@@ -14,6 +14,7 @@ from zbot.observer.system import System
 from zbot.serving.address import is_loopback
 from zbot.serving.browser import open_page
 from zbot.serving.port import DEFAULT_HOST, addresses_of, listen
+from zbot.serving.until_signal import serve_until_signal
 from zbot.threads.background_thread import background_thread
 from zbot.view.server.guard import Guard
 from zbot.view.server.viser_server import check_extra, viser_server
@@ -209,10 +210,4 @@ def _made(
 
 
 async def _listen(guard: Guard, listener: socket.socket, ready: Callable[[], None]) -> None:
-    server = await asyncio.start_server(guard.serve, sock=listener)
-    try:
-        ready()
-        await asyncio.Event().wait()
-    finally:
-        # `async with` and `serve_forever` would wait for the clients, which may stay for ever.
-        server.close()
+    await serve_until_signal(await asyncio.start_server(guard.serve, sock=listener), ready)

@@ -17,6 +17,7 @@ from zbot.observer.errors import ViewerError
 from zbot.observer.system import System
 from zbot.process.serving import serving
 from zbot.serving.address import address, is_loopback, origin_of
+from zbot.serving.until_signal import serve_until_signal
 from zbot.threads.background_thread import background_thread
 from zbot.web.foxglove.channels import Channels
 from zbot.web.foxglove.guard import FOXGLOVE_ORIGIN, Guard, free_loopback_address
@@ -138,12 +139,8 @@ def _sdk_server(system: System) -> Iterator[tuple[str, int]]:
 
 async def _listen(guard: Guard, host: str, port: int, ready: Callable[[int], None]) -> None:
     server = await _started(guard, host, port)
-    try:
-        ready(server.sockets[0].getsockname()[1])
-        await asyncio.Event().wait()
-    finally:
-        # `async with` and `serve_forever` would wait for the clients, which may stay for ever.
-        server.close()
+    own_port = server.sockets[0].getsockname()[1]
+    await serve_until_signal(server, lambda: ready(own_port))
 
 
 async def _started(guard: Guard, host: str, port: int) -> asyncio.Server:

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 from zbot.bridge.rclpy_import import import_rclpy
 from zbot.classroom.hub.running_hub import READY, report_ready
 from zbot.security.secret import make_private_folder
+from zbot.threads.wakeup import LONGEST_WAIT_S
 from zbot.transport import background_process, membership
 from zbot_cli.errors import CommandError
 
@@ -127,7 +128,8 @@ def until_key(told: dict[str, Any], take_back: Callable[[], object]) -> None:
     pressed = threading.Event()
     try:
         with contextlib.suppress(KeyboardInterrupt), keys_to(lambda _: pressed.set()):
-            pressed.wait()
+            while not pressed.wait(LONGEST_WAIT_S):
+                continue
     finally:
         take_back()
         print(f"nobody drives {told['robot']}")
