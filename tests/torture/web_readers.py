@@ -217,6 +217,9 @@ WEB_READERS = (
             b"\x82\x87\0\0\0\0\1\0\0\0\0{}",
             b"\x82\x8d\0\0\0\0\2\0\0\0\0\0\0\0\0\3\0\0\0",
         ),
+        # An input can be 9,000 messages that are refused one after the other, with a pause of 1 ms
+        # after each. This takes 10 s, and 2 s of a processor.
+        limit_s=4.0,
     ),
     Reader(
         "foxglove_message",

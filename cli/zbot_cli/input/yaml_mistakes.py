@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 _NUMBER = re.compile(r"[-+]?[0-9.]+([eE][-+]?[0-9]+)?\Z")
 _PAIRS = {"{": "}", "[": "]"}
-_WRONG_COLON = re.compile(r"([\w.]+)\s*([:=])\s*(.+)\Z")
+_WRONG_COLON = re.compile(r"([\w.]+)\s*([:=])\s*(\S.*)\Z")
 #: The end of a value, and the name of the next field without a comma in front of it.
 _TYPE_AT_END = re.compile(r"(.*\})\s+(\w+/(?:\w+/)?\w+)\Z")
 _TWO_WORDS = re.compile(r"[^\s:,{\[]\s+\w+\Z")

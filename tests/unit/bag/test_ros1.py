@@ -15,7 +15,7 @@ from zbot.bag import Reader
 from zbot.bag.conversion import Output, convert
 from zbot.bag.errors import BagError, BagReadError, BagTypeError
 from zbot.bag.options import RecordOptions, StorageOptions
-from zbot.bag.ros1_message import _Decoders, decoder, read_definitions
+from zbot.bag.ros1_message import Ros1Field, _Decoders, decoder, read_definitions
 from zbot.interfaces.parser import parse
 from zbot.interfaces.registry import register_spec
 from zbot.qos import DurabilityPolicy
@@ -238,6 +238,12 @@ def test_an_array_with_thousands_of_digits_in_its_size_is_no_field() -> None:
     with pytest.raises(BagTypeError, match=r"99\.\.\. is no field") as caught:
         read_definitions("bomb_msgs/L0", f"float64[{'9' * 5000}] a\n")
     assert len(str(caught.value)) < 200
+
+
+def test_a_message_that_is_a_text_in_ros2_is_refused() -> None:
+    definitions = {"std_msgs/String": [Ros1Field("a/B", "data", None)], "a/B": []}
+    with pytest.raises(BagTypeError, match="the field data is a a/B, and a string in ROS 2"):
+        decoder("std_msgs/String", definitions)
 
 
 def test_a_list_of_messages_without_bytes_is_damage() -> None:

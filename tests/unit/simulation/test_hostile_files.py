@@ -11,6 +11,8 @@ import pytest
 
 from zbot.errors import ZbotError
 from zbot.simulation.errors import SimulationError
+from zbot.simulation.meshes.file import read_triangles
+from zbot.simulation.meshes.hull import check_points
 from zbot.simulation.robots.catalog import find_robot
 from zbot.simulation.robots.model import read_robot
 from zbot.simulation.world import World
@@ -113,6 +115,25 @@ def test_a_mesh_of_a_gigabyte_is_refused(tmp_path: Path, ending: str) -> None:
     assert "more than 50 MB" in refusal_of_world(world)
     shape = f"<collision><geometry><mesh filename='file://{mesh}'/></geometry></collision>"
     assert "more than 50 MB" in refusal_of_robot(f"<link name='a'>{shape}</link>")
+
+
+def collada(x: str, number: str) -> str:
+    """Return a triangle with a coordinate of its last point, and with the number of this point."""
+    source = f"<source id='p'><float_array>0 0 0 1 0 0 {x} 1 0</float_array></source>"
+    points = "<vertices><input semantic='POSITION' source='#p'/></vertices>"
+    faces = f"<triangles><input semantic='VERTEX' offset='0'/><p>0 1 {number}</p></triangles>"
+    mesh = f"<geometry id='g'><mesh>{source}{points}{faces}</mesh></geometry>"
+    return f"<COLLADA><library_geometries>{mesh}</library_geometries></COLLADA>"
+
+
+def test_too_large_numbers_of_a_mesh_are_refused(tmp_path: Path) -> None:
+    path = tmp_path / "a.dae"
+    path.write_text(collada("0", "9" * 30))
+    with pytest.raises(SimulationError, match="a number of a point is too large"):
+        read_triangles(path)
+    path.write_text(collada("1e300", "2"))
+    with pytest.raises(SimulationError, match="has points that are not within 10 km"):
+        check_points(read_triangles(path), path)  # numpy prints no warning
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows has no devices in folders")

@@ -17,7 +17,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol
 
 from zbot.classroom.errors import ClassValueError
-from zbot.errors import InvalidNameError
+from zbot.errors import InvalidNameError, shortened
 from zbot.errors.suggestion import did_you_mean, question, similar_names
 from zbot.graph.snapshot import full_names
 from zbot.names import validate_full_topic_name
@@ -38,18 +38,18 @@ _KINDS = {
     "serves": EntityKind.SERVICE,
 }
 _USE = re.compile(
-    r"(?P<verb>publishes|subscribes|serves)\s+(?P<type>\S+)\s+on\s+(?P<name>\S+)"
-    r"(?:\s+at\s+(?P<sign>>=|<=|>|<|=)?\s*(?P<rate>[0-9]+(?:\.[0-9]+)?)\s*Hz)?",
+    r"(?P<verb>publishes|subscribes|serves) (?P<type>\S+) on (?P<name>\S+)"
+    r"(?: at (?P<sign>>=|<=|>|<|=)? ?(?P<rate>[0-9]+(?:\.[0-9]+)?) ?Hz)?",
     re.IGNORECASE | re.ASCII,
 )
-_RUN = re.compile(r"runs\s+(?P<name>\S+)", re.IGNORECASE | re.ASCII)
+_RUN = re.compile(r"runs (?P<name>\S+)", re.IGNORECASE | re.ASCII)
 _TYPE = re.compile(r"([A-Za-z]\w*)/(?:(?:msg|srv|action)/)?([A-Za-z]\w*)", re.ASCII)
 
 
 def expectation_error(text: str, reason: str) -> ClassValueError:
     """Return the error that a text is not an expectation."""
     hint = 'write it like "publishes std_msgs/String on /student_id at >= 1 Hz"'
-    return ClassValueError(f"cannot check {text!r}: {reason}", hint=hint)
+    return ClassValueError(f"cannot check {shortened(text, 200)}: {reason}", hint=hint)
 
 
 class Observed(Protocol):
@@ -119,8 +119,8 @@ def parse_expectations(text: str) -> list[Expectation]:
     Raises:
         ClassValueError: A part of the text is not an expectation.
     """
-    # With `\s+`, the time would grow with the square of the number of spaces.
-    return [_parse(part.strip()) for part in re.split(r"\sand\s|;", text.strip())]
+    words = " ".join(text.split())  # so no pattern has to try many numbers of spaces
+    return [_parse(part.strip()) for part in re.split(r" and |;", words)]
 
 
 def _parse(text: str) -> Expectation:
@@ -164,7 +164,7 @@ def _name(text: str, name: str) -> str:
 def _type_name(text: str, name: str, kind: str) -> str:
     match = _TYPE.fullmatch(name)
     if match is None:
-        raise expectation_error(text, f"{name!r} is not a type such as std_msgs/String")
+        raise expectation_error(text, f"{shortened(name)} is not a type such as std_msgs/String")
     return f"{match[1]}/{kind}/{match[2]}"
 
 

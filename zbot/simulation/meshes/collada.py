@@ -114,7 +114,7 @@ def _corners(element: Element) -> NDArray[np.int64]:
     place = next(
         (int(entry.get("offset", "0")) for entry in inputs if entry.get("semantic") == "VERTEX"), 0
     )
-    rows = [np.array((tag.text or "").split(), np.int64) for tag in element.findall("p")]
+    rows = [_numbers(tag.text or "") for tag in element.findall("p")]
     if element.tag == "polygons":
         parts = [_fans(row[place::step], [len(row) // step]) for row in rows]
         return np.concatenate([np.empty(0, np.int64), *parts])
@@ -123,6 +123,13 @@ def _corners(element: Element) -> NDArray[np.int64]:
         counts = [int(count) for count in (element.findtext("vcount") or "").split()]
         return _fans(found, counts)
     return found[: len(found) // 3 * 3]
+
+
+def _numbers(text: str) -> NDArray[np.int64]:
+    try:
+        return np.array(text.split(), np.int64)
+    except OverflowError as error:
+        raise ValueError("a number of a point is too large") from error
 
 
 def _fans(corners: NDArray[np.int64], counts: list[int]) -> NDArray[np.int64]:

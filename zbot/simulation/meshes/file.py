@@ -50,11 +50,18 @@ def read_triangles(path: Path) -> Triangles:
     if len(data) > _MOST_BYTES:
         raise SimulationError(f"{path} has more than {_MOST_BYTES // 10**6} MB")
     try:
-        if path.suffix.lower() == ".dae":
-            return read_collada(data)
-        return _binary_stl(data) if _is_binary(data) else _text(data)
+        with np.errstate(
+            all="ignore"
+        ):  # numpy would print a warning for a number that is too large
+            return _triangles(path, data)
     except ValueError as error:
         raise SimulationError(f"{path} is damaged: {error}") from error
+
+
+def _triangles(path: Path, data: bytes) -> Triangles:
+    if path.suffix.lower() == ".dae":
+        return read_collada(data)
+    return _binary_stl(data) if _is_binary(data) else _text(data)
 
 
 def _is_binary(data: bytes) -> bool:

@@ -111,7 +111,8 @@ def _nanoseconds(text: str, path: str) -> int:
         seconds = Decimal(text)  # a float would be exact only to 200 ns
     except ArithmeticError:
         seconds = Decimal("nan")
-    if not seconds.is_finite() or abs(seconds) >= _MOST_SECONDS:
+    # `abs` would raise an error for the largest exponents.
+    if not seconds.is_finite() or seconds.copy_abs() >= _MOST_SECONDS:
         hint = number_with_comma(path.rpartition(".")[2], text)
         raise FieldMisfitError(path, f"{path} must be seconds, not {shortened(text)}", hint)
     return int(seconds * _NANOSECONDS)

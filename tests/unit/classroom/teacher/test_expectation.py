@@ -119,4 +119,7 @@ def test_an_invalid_expectation_is_refused_with_the_reason(text: str, reason: st
 def test_spaces_do_not_cost_time() -> None:
     begun_s = time.process_time()
     assert len(parse_expectations("runs /a" + " " * 60_000 + ";   runs /b  and  runs /c")) == 3
+    with pytest.raises(ClassValueError) as caught:
+        parse_expectations("publishes std_msgs/String on /a at" + "\n" * 60_000 + "/b" * 5000)
+    assert len(str(caught.value)) < 500
     assert time.process_time() - begun_s < 0.5

@@ -128,6 +128,7 @@ def test_lists_of_texts_and_of_messages() -> None:
         (Header, "stamp", "soon", "stamp must be seconds, not 'soon'"),
         (Header, "stamp", "1e10", "stamp is a builtin_interfaces/msg/Time: 1e10 s does not fit"),
         (Header, "stamp", "inf", "stamp must be seconds, not 'inf'"),
+        (Header, "stamp", "11e999999", "stamp must be seconds, not '11e999999'"),
     ],
 )  # fmt: skip
 def test_a_wrong_entry_raises_a_sentence(
