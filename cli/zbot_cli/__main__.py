@@ -3,6 +3,11 @@
 Ctrl-C is handled before the other imports, because it may come while they run.
 """
 
+import _signal as signal  # built into Python, so no file is read before Ctrl-C is handled
+
+if signal.getsignal(signal.SIGINT) != signal.SIG_IGN:
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+
 from zbot_cli.input import keyboard_interrupt
 
 keyboard_interrupt.end_process_on_ctrl_c()

@@ -374,7 +374,10 @@ def main() -> NoReturn:
     try:
         keyboard_interrupt.raise_on_ctrl_c()
         outcome = run_command(sys.argv[1:])
-    except KeyboardInterrupt:  # during the command, `run_command` catches it
+    except (KeyboardInterrupt, ImportError) as error:
+        cause = keyboard_interrupt.signal_behind(error)
+        if not isinstance(cause, KeyboardInterrupt):
+            raise cause  # noqa: B904 - it is the error itself, or its cause
         outcome = Status.INTERRUPTED
     # Nothing is left to clean up, so Ctrl-C ends the process from here on.
     keyboard_interrupt.end_process_on_ctrl_c()

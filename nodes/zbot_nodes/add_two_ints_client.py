@@ -19,7 +19,7 @@ class AddTwoIntsClient(zbot.Node):
     def __init__(self) -> None:
         super().__init__("add_two_ints_client")
         self.cli = self.create_client(AddTwoInts, "add_two_ints")
-        while not self.cli.wait_for_service(timeout_sec=1.0) and self.context.ok():
+        while not self.cli.wait_for_service(timeout_sec=1.0):
             self.get_logger().info("service not available, waiting again...")
 
     def send_request(self, a: int, b: int) -> AddTwoInts.Response:

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 _END_S = 1.0
 _HANG_S = 10.0
 _PARALLEL = 2
-_LATEST_S = 1.5  #: the latest moment of a signal
+_LATEST_S = 2.5  #: the latest moment of a signal
 #: A traceback without a file of these folders is of Python itself, which had not reached zbot yet.
 _FOLDERS = tuple(str(ROOT / name) + "/" for name in ("zbot", "cli", "nodes"))
 _SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGUSR1)
@@ -44,6 +44,11 @@ _PROGRAMS: dict[str, tuple[str, ...]] = {
     "list": ("zbot", "node", "list"),
     "hz": ("zbot", "topic", "hz", "/chatter"),
     "launch": ("zbot", "launch", "{launch}"),
+    "record": ("zbot", "bag", "record", "--all", "--output", "{new}"),
+    "view": ("zbot", "view", "--no-browser", "--port", "0"),
+    "web": ("zbot", "web", "--no-browser", "--port", "0"),
+    "foxglove": ("zbot", "foxglove", "--port", "0"),
+    "sim": ("zbot", "sim", "--headless"),
 }
 _LAUNCH = """
 launch:
@@ -90,7 +95,9 @@ class RandomEnds:
                 self._check_code(end, process)
 
     def _start(self, end: End) -> Process:
-        words = [word.replace("{launch}", str(self._launch)) for word in _PROGRAMS[end.program]]
+        new = self._processes.folder / f"bag-{len(self._processes.all)}"
+        paths = {"{launch}": str(self._launch), "{new}": str(new)}
+        words = [paths.get(word, word) for word in _PROGRAMS[end.program]]
         return self._processes.start(end.program, *words)
 
     def _check(self, end: End, process: Process) -> None:

@@ -11,7 +11,7 @@ import sys
 
 
 class ZbotError(Exception):
-    """Root of all exceptions that zbot raises on purpose.
+    """Root of all exceptions that zbot raises on purpose, except `ExternalShutdownException`.
 
     Attributes:
         hint: What the user can do. The command prints it below the message. It is empty if there
@@ -254,5 +254,8 @@ class UnknownQoSKeyError(ZbotError, KeyError):
         return str(self.args[0])
 
 
-class ExternalShutdownException(ZbotError):  # noqa: N818 - rclpy's name
-    """A signal or another thread shut down the context while an executor was waiting."""
+class ExternalShutdownException(Exception):  # noqa: N818 - rclpy's name
+    """A signal or another thread shut down the context while an executor was waiting.
+
+    It is not a `ZbotError`, so that code that handles errors does not stop the end of the program.
+    """

@@ -145,7 +145,11 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
         Raises:
             InvalidHandleError: The client or its node was destroyed.
             ArgumentTypeError: `timeout_sec` is neither a number nor a `Duration`.
+            ExternalShutdownException: The main thread waits again after SIGTERM, without a call of
+                `ok()`.
         """
+        if not self._context.is_running:
+            signals.note_vain_wait()
         if self._context.is_inherited:
             self._context.require_valid(f"the client of {self.service_name}")
         self._listen()

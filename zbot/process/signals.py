@@ -79,6 +79,8 @@ class _Process:
     installed_by = 0  #: id of the process that called `install()`
     is_terminated = False  #: whether SIGTERM has come since `install()`
     must_look = False  #: whether SIGTERM has come, and `ok()` was not called since then
+    has_waited = False  #: whether the main thread has waited in vain since then
+    calls_ok = True  #: whether the main thread may call `ok()`
     ends_by: int | None = None
     ends_visibly = False  #: whether `_end_by_signal` is registered
 
@@ -136,10 +138,19 @@ class MainThread:
     spins = 0  #: number of executors that it spins (a callback may spin another executor)
 
 
-def install(options: SignalHandlerOptions = SignalHandlerOptions.ALL) -> None:
-    """Install the signal handlers. Python allows this in the main thread only."""
+def install(
+    options: SignalHandlerOptions = SignalHandlerOptions.ALL, *, calls_ok: bool = True
+) -> None:
+    """Install the signal handlers. Python allows this in the main thread only.
+
+    Args:
+        options: The signals to handle.
+        calls_ok: Whether the main thread may call `ok()`. Otherwise, e.g. in a server with an event
+            loop, SIGTERM raises `SystemExit` immediately.
+    """
     at_exit.register()
     _Process.installed_by, _Process.is_terminated = os.getpid(), False
+    _Process.calls_ok = calls_ok
     if threading.current_thread() is not threading.main_thread():
         return
     if not _Process.ends_visibly:
@@ -282,7 +293,7 @@ def _on_sigterm(number: int, frame: FrameType | None) -> None:
     previous = _Process.previous.get(number)
     is_at_once = callable(previous) or MainThread.spins > 0 or is_second
     # Threads that spin wake up now. They wait as long as the main thread has time to call `ok()`.
-    _Process.must_look = not is_at_once and _may_look()
+    _Process.must_look, _Process.has_waited = not is_at_once and _may_look(), False
     _interrupt_contexts(number)
     if callable(previous):
         previous(number, frame)
@@ -298,7 +309,7 @@ def _on_sigterm(number: int, frame: FrameType | None) -> None:
 def _may_look() -> bool:
     """Return whether the program may still call `ok()`. A forked child may do other work."""
     uses_zbot = bool(at_exit.open_contexts) or os.getpid() == _Process.installed_by
-    return uses_zbot and not at_exit.wait_for_end(0)
+    return _Process.calls_ok and uses_zbot and not at_exit.wait_for_end(0)
 
 
 def _end_unlooked() -> None:
@@ -347,6 +358,22 @@ def _main_thread_ends() -> bool:
         if at_exit.wait_for_end(_END_TIMEOUT_S):
             return True
     return at_exit.wait_for_end(_END_TIMEOUT_S)
+
+
+def note_vain_wait() -> None:
+    """Note a wait that ends at once, because its context does not run any more.
+
+    Otherwise, after SIGTERM, a loop such as `while not client.wait_for_service(1.0):` would run for
+    3 s without a pause.
+
+    Raises:
+        ExternalShutdownException: This is the second such wait of the main thread since SIGTERM,
+            and it has not called `ok()` in between.
+    """
+    if _Process.must_look and threading.current_thread() is threading.main_thread():
+        if _Process.has_waited:
+            raise ShutdownBySignal(_Process.received)
+        _Process.has_waited = True
 
 
 def raise_not_initialized(what: str) -> NoReturn:

@@ -8,6 +8,7 @@ from zbot.executor.callback_group import ReentrantCallbackGroup
 from zbot.executor.ready_queue import ReadyQueue
 from zbot.node.argument_check import check_order, is_class, is_name, is_node
 from zbot.node.subscription import Subscription
+from zbot.process import signals
 from zbot.qos import as_profile
 from zbot.threads.deadline import Deadline
 from zbot.threads.wakeup import BinarySemaphore
@@ -43,8 +44,12 @@ def wait_for_message(
 
     Raises:
         InvalidTopicNameError: The name breaks ROS 2's grammar.
+        ExternalShutdownException: The main thread waits again after SIGTERM, without a call of
+            `ok()`.
     """
     check_order("wait_for_message", (msg_type, is_class), (node, is_node), (topic, is_name))
+    if not node.context.is_running:
+        signals.note_vain_wait()
     arrived: list[MsgT] = []
     signal, ready_queue = BinarySemaphore(), ReadyQueue()
     ready_queue.attach(None, lambda _: signal.set())

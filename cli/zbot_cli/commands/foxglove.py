@@ -26,10 +26,10 @@ def foxglove(
     ] = None,
 ) -> None:
     """Show the running system in Foxglove or Lichtblick."""
-    from zbot.process.signals import SignalHandlerOptions, install  # noqa: PLC0415 - not needed by `--help`
+    from zbot.process.signals import install  # noqa: PLC0415 - not needed by `--help`
     from zbot.web.foxglove.server import serve  # noqa: PLC0415 - as above
 
-    install(SignalHandlerOptions.ALL)
+    install(calls_ok=False)
     serve(host, port, read_only=read_only, origins=origin or (), on_ready=_print_addresses)
 
 

@@ -49,10 +49,10 @@ def plot(
 def _draw_here(words: list[str], window_s: float, duration_s: float | None) -> None:
     from zbot.observer.curve import split_curve  # noqa: PLC0415 - as above
     from zbot.observer.system import System  # noqa: PLC0415 - as above
-    from zbot.process.signals import SignalHandlerOptions, install  # noqa: PLC0415 - only for the terminal
+    from zbot.process.signals import install  # noqa: PLC0415 - only for the terminal
     from zbot_cli.output.terminal_plot import TerminalPlot  # noqa: PLC0415 - as above
 
-    install(SignalHandlerOptions.ALL)
+    install(calls_ok=False)
     with System() as system:
         topics = [name for name, _ in system.snapshot().topics()]
         names = [split_curve(word, topics) for word in words]

@@ -38,7 +38,7 @@ def view(
     no_browser: Annotated[bool, typer.Option("--no-browser", help="Do not open a browser")] = False,
 ) -> None:
     """Show the robot in 3D in a browser."""
-    from zbot.process.signals import SignalHandlerOptions, install  # noqa: PLC0415 - not needed by `--help`
+    from zbot.process.signals import install  # noqa: PLC0415 - not needed by `--help`
     from zbot.serving.browser import has_desktop  # noqa: PLC0415 - as above
     from zbot.view.server.server import Content, bytes_per_s, serve  # noqa: PLC0415 - as above
 
@@ -51,5 +51,5 @@ def view(
         from zbot.view.arrangement.rviz_file import read_rviz_file  # noqa: PLC0415 - as above
 
         content = Content(arrangement=read_rviz_file(file), bytes_per_s=limit)
-    install(SignalHandlerOptions.ALL)
+    install(calls_ok=False)
     serve(host, port, open_browser=not no_browser and has_desktop(), content=content)

@@ -80,13 +80,13 @@ def serve_page(
     Raises:
         CommandError: The extra `web` is not installed.
     """
-    from zbot.process.signals import SignalHandlerOptions, install  # noqa: PLC0415 - not needed by `--help`
+    from zbot.process.signals import install  # noqa: PLC0415 - not needed by `--help`
 
     check_extra()
     from zbot.serving.browser import has_desktop  # noqa: PLC0415 - as above
     from zbot.web.server.server import serve  # noqa: PLC0415 - as above
 
-    install(SignalHandlerOptions.ALL)
+    install(calls_ok=False)
     serve(
         host,
         port,

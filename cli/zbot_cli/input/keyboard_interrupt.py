@@ -40,6 +40,18 @@ def raise_on_ctrl_c() -> None:
         signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
+def signal_behind(error: BaseException) -> BaseException:
+    """Return the exception of the signal that is the cause of an error, or the error itself.
+
+    If a signal comes while a module in C++ is imported, pybind11 replaces the exception of the
+    signal by an `ImportError`.
+    """
+    cause: BaseException | None = error
+    while isinstance(cause, ImportError):
+        cause = cause.__cause__
+    return cause if isinstance(cause, (KeyboardInterrupt, SystemExit)) else error
+
+
 def _print_unless_interrupt(
     kind: type[BaseException], value: BaseException, trace: TracebackType | None
 ) -> None:

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import zbot
 from zbot.executor.spin_thread import SpinThread
 from zbot.parameters.ros_args import remove_ros_args
+from zbot.process.signals import install
 from zbot.serving.browser import has_desktop
 from zbot.view.arrangement.arrangement import Arrangement
 from zbot.view.arrangement.errors import ArrangementError
@@ -66,6 +67,7 @@ def main() -> None:
     """Run until Ctrl-C."""
     options = read_options(remove_ros_args()[1:])
     with zbot.init():
+        install(calls_ok=False)
         node = zbot.Node("rviz2")
         log = node.get_logger()
         content = Content(arrangement=arrangement_of(options, node), node=node)

@@ -402,8 +402,6 @@ BLIND = {
 finally: print("cleaned up")""",
     "compute": "while True: pass",
     "lock": "threading.Event().wait()",
-    "service": """from std_srvs.srv import Trigger
-while not robot.create_client(Trigger, "nobody").wait_for_service(timeout_sec=0.05): pass""",
     "clock": "while True: robot.get_clock().sleep_for(zbot.Duration(seconds=0.05))",
     "thread": """threading.Thread(target=zbot.spin, args=[robot], daemon=True).start()
 time.sleep(60)""",
@@ -430,6 +428,66 @@ threading.Timer(0.1, print, ["ready"], {{"flush": True}}).start()
     # A second sleep_for() raises at once.
     assert kind == "clock" or took_s > (2 if kind == "sleep" else 0.4)
     assert (program.lines[-1] == "cleaned up") == (kind == "finally")
+
+
+#: Waits that end at once after SIGTERM, and not after their time.
+WAITS = {
+    "service": 'robot.create_client(Trigger, "nobody").wait_for_service(timeout_sec=0.1)',
+    "action": 'ActionClient(robot, Fibonacci, "nobody").wait_for_server(timeout_sec=0.1)',
+    "message": 'wait_for_message(Trigger.Request, robot, "nothing", time_to_wait=0.1)[0]',
+}
+
+
+@pytest.mark.parametrize("wait", WAITS.values(), ids=WAITS)
+def test_a_loop_of_waits_does_not_run_on_after_sigterm(start: Start, wait: str) -> None:
+    program = start(
+        source=f"""{HEAD}
+from example_interfaces.action import Fibonacci
+from std_srvs.srv import Trigger
+from zbot.action import ActionClient
+from zbot.remote.wait_for_message import wait_for_message
+robot = Robot()
+while not {wait}:
+    print("waiting again", flush=True)
+"""
+    )
+    program.wait_for("waiting again")
+    program.new_lines()
+    assert stop_without_errors(program, signal.SIGTERM) == -signal.SIGTERM
+    assert len(program.new_lines()) < 20  # it would be thousands
+
+
+def test_a_signal_in_an_import_of_a_module_in_cpp_prints_no_traceback(start: Start) -> None:
+    program = start(
+        source="""
+try:
+    raise KeyboardInterrupt
+except KeyboardInterrupt as interrupt:
+    raise ImportError("initialization failed") from interrupt
+""",
+        by_zbot=True,
+    )
+    assert program.wait() == -signal.SIGINT
+    assert program.lines == []
+
+
+#: Commands whose main thread runs a server. It does not call `ok()`.
+SERVERS = {
+    "view": ("viser", "view", "--no-browser", "--port", "0"),
+    "web": ("nicegui", "web", "--no-browser", "--port", "0"),
+    "foxglove": ("foxglove", "foxglove", "--port", "0"),
+}
+
+
+@pytest.mark.parametrize("name", SERVERS)
+def test_sigterm_ends_a_server_without_waiting_for_ok(start: Start, name: str) -> None:
+    extra, *words = SERVERS[name]
+    pytest.importorskip(extra, reason=f"{extra} is not installed")
+    program = start("zbot", *words)
+    program.wait_for(f"zbot {name}: ")
+    begin = time.monotonic()
+    assert stop_without_errors(program, signal.SIGTERM, LIMIT_S + 3) == -signal.SIGTERM
+    assert time.monotonic() - begin < allowed(2)  # SIGTERM waits 3 s for a call of ok()
 
 
 def test_sigterm_during_a_rates_sleep_ends_the_program_without_output(start: Start) -> None:

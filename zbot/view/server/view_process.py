@@ -37,12 +37,12 @@ def view_if_installed() -> AbstractContextManager[object]:
 
 def main() -> None:
     """Serve the view until standard input closes."""
-    from zbot.process.signals import SignalHandlerOptions, install  # noqa: PLC0415 - only in this process
+    from zbot.process.signals import install  # noqa: PLC0415 - only in this process
     from zbot.serving.browser import has_desktop  # noqa: PLC0415 - as above
     from zbot.view.server.server import DEFAULT_PORT, serve  # noqa: PLC0415 - as above
 
     end_with_parent()
-    install(SignalHandlerOptions.ALL)
+    install(calls_ok=False)
     serve(port=DEFAULT_PORT, open_browser=has_desktop())
 
 

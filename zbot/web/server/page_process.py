@@ -42,14 +42,14 @@ def main() -> None:
 
     If another process serves the page already, only open that page in the browser.
     """
-    from zbot.process.signals import SignalHandlerOptions, install  # noqa: PLC0415 - only in the page process
+    from zbot.process.signals import install  # noqa: PLC0415 - only in the page process
     from zbot.web.server.server import serve  # noqa: PLC0415 - as above
 
     end_with_parent()
     path = sys.argv[1]
     with socket.socket() as arbiter:
         if _is_first(arbiter):
-            install(SignalHandlerOptions.ALL)
+            install(calls_ok=False)
             serve(open_browser=True, start_path=path)
         else:
             _show_others(path)

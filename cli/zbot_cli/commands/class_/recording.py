@@ -15,7 +15,7 @@ from zbot.bag.errors import BagExistsError, BagWriteError
 from zbot.bag.options import MAX_CACHE_BYTES, RecordOptions, StorageOptions
 from zbot.bag.packages import import_mcap
 from zbot.classroom.teacher.opening import command
-from zbot.process.signals import SignalHandlerOptions, install
+from zbot.process.signals import install
 from zbot.terminal.text import escape_control_characters
 from zbot_cli.commands.class_.bag_check import NAME_KEY, NUMBER_KEY
 from zbot_cli.errors import CommandError
@@ -65,19 +65,21 @@ class ClassRecording:
         if missing is not None:
             raise CommandError(f"nobody in the class has the number {missing}: see zbot class list")
         self._make_folder()
-        install(SignalHandlerOptions.ALL)
+        install(calls_ok=False)
         print(f"Recording to {self._folder}; Ctrl-C ends the recording", flush=True)
-        # Ctrl-C is the usual end of a recording.
-        with contextlib.suppress(KeyboardInterrupt):
-            while True:
-                for number, name in students.items():
-                    if number not in self._running and number in (self._numbers or students):
-                        self._begin(number, name)
-                self._report_errors()
-                time.sleep(_LOOK_S)
-                students = _students()
-        for recording in self._running.values():
-            recording.stop()
+        try:
+            # Ctrl-C is the usual end of a recording.
+            with contextlib.suppress(KeyboardInterrupt):
+                while True:
+                    for number, name in students.items():
+                        if number not in self._running and number in (self._numbers or students):
+                            self._begin(number, name)
+                    self._report_errors()
+                    time.sleep(_LOOK_S)
+                    students = _students()
+        finally:
+            for recording in self._running.values():
+                recording.stop()
         self._report_errors()
 
     def _begin(self, number: int, name: str) -> None:

@@ -60,6 +60,8 @@ def run_and_exit(executable: Executable, arguments: Sequence[str]) -> NoReturn:
     _set_path(executable)
     try:
         _run(executable, arguments)
+    except ImportError as error:
+        raise keyboard_interrupt.signal_behind(error)  # noqa: B904 - it is the error itself, or its cause
     except SystemExit:
         at_exit.wait_for_threads()
         raise
