@@ -67,7 +67,7 @@ RUNS = (
     Run("random_ends", 0.08, 0.4, "--runs {rounds}"),
     Run("meeting_point_holders", 0.08, 28, "--runs {rounds}"),
     Run("churn", 0.09, 0.08, "--runs {rounds} --starts {rounds}0"),
-    Run("periods", 0.05, 15, "--rounds {rounds}"),
+    Run("periods", 0.05, 21, "--rounds {rounds}"),
 )
 
 
