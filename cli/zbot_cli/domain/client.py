@@ -122,8 +122,10 @@ def hidden_node(
     from zbot.node.node import Node  # noqa: PLC0415 - not needed by `list`
     from zbot.process.signals import SignalHandlerOptions, install, last_signal  # noqa: PLC0415 - not needed by `list`
 
-    install(SignalHandlerOptions.SIGTERM if survives_ctrl_c else SignalHandlerOptions.ALL)
+    options = SignalHandlerOptions.SIGTERM if survives_ctrl_c else SignalHandlerOptions.ALL
+    install(options, calls_ok=False)  # nobody calls `ok()` while the session opens
     with client(wait=True) as context:
+        install(options)
         node = Node(
             name or f"_zbot_cli_{verb}_{os.getpid()}",
             context=context,

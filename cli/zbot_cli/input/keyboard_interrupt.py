@@ -32,8 +32,8 @@ def raise_on_ctrl_c() -> None:
 
     Only the main thread may call this function. It sets two hooks. The first hook prints no
     traceback of `KeyboardInterrupt`, because Ctrl-C may come just after the end of a command. The
-    second hook raises SIGINT again after 5 ms if Python has dropped the exception, e.g. in a
-    callback of an import.
+    second hook raises the signal again after 5 ms if Python has dropped its exception, e.g. in a
+    callback of an import. It does this for SIGTERM too.
     """
     if signal.getsignal(signal.SIGINT) == signal.SIG_DFL:
         sys.excepthook, sys.unraisablehook = _print_unless_interrupt, _raise_again
@@ -66,7 +66,11 @@ def _print_unless_interrupt(
 
 
 def _raise_again(dropped: sys.UnraisableHookArgs) -> None:
-    if not issubclass(dropped.exc_type, KeyboardInterrupt):
+    value = dropped.exc_value
+    number = signal.SIGINT if isinstance(value, KeyboardInterrupt) else None
+    if isinstance(value, SystemExit):
+        number = getattr(value, "number", number)  # zbot's handlers raise it (`SignalExit`)
+    if number is None:
         sys.__unraisablehook__(dropped)
         return
     import contextlib  # noqa: PLC0415 - seldom used
@@ -74,9 +78,9 @@ def _raise_again(dropped: sys.UnraisableHookArgs) -> None:
 
     started = False
     while not started:
-        again = threading.Timer(_RAISE_AGAIN_AFTER_S, signal.raise_signal, [signal.SIGINT])
+        again = threading.Timer(_RAISE_AGAIN_AFTER_S, signal.raise_signal, [number])
         again.daemon = True
-        # If start() takes longer than the timer, KeyboardInterrupt comes here: start a new timer.
-        with contextlib.suppress(KeyboardInterrupt):
+        # If start() takes longer than the timer, the exception comes here: start a new timer.
+        with contextlib.suppress(KeyboardInterrupt, SystemExit):
             again.start()
             started = True

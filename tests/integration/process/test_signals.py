@@ -471,6 +471,30 @@ except KeyboardInterrupt as interrupt:
     assert program.lines == []
 
 
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM], ids=["SIGINT", "SIGTERM"])
+def test_a_command_does_not_lose_a_signal_in_a_destructor(start: Start, number: int) -> None:
+    program = start(
+        source=f"""
+import signal, time
+from zbot.process import signals
+from zbot_cli.input import keyboard_interrupt
+
+class Thing:
+    def __del__(self):
+        signal.raise_signal({number:d})
+
+keyboard_interrupt.end_process_on_ctrl_c()
+keyboard_interrupt.raise_on_ctrl_c()
+signals.install(calls_ok=False)
+Thing()
+while True:
+    time.sleep(0.2)
+"""
+    )
+    assert program.wait(10) == -number
+    assert program.lines == []
+
+
 #: Commands whose main thread runs a server. It does not call `ok()`.
 SERVERS = {
     "view": ("viser", "view", "--no-browser", "--port", "0"),
