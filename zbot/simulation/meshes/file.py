@@ -50,9 +50,8 @@ def read_triangles(path: Path) -> Triangles:
     if len(data) > _MOST_BYTES:
         raise SimulationError(f"{path} has more than {_MOST_BYTES // 10**6} MB")
     try:
-        with np.errstate(
-            all="ignore"
-        ):  # numpy would print a warning for a number that is too large
+        # numpy would print a warning for a number that is too large, which `check_points` refuses.
+        with np.errstate(all="ignore"):
             return _triangles(path, data)
     except ValueError as error:
         raise SimulationError(f"{path} is damaged: {error}") from error
