@@ -151,7 +151,10 @@ class _Decoders:
                 own_name, base = place.name, place.type.base
             else:
                 own_name, base = "", ros2_name(field.base) if "/" in field.base else field.base
-            steps.append((own_name, self._value(name, field, base, level)))
+            if "/" in field.base and "/" not in base:
+                reason = f"the field {field.name} is a {field.base}, and a {base} in ROS 2"
+                raise BagTypeError(name, reason)
+            steps.append((own_name, self._value(field, base, level)))
 
         def decode(data: bytes, position: int) -> tuple[Any, int]:
             values = {}
@@ -163,23 +166,20 @@ class _Decoders:
 
         return decode
 
-    def _value(self, name: str, field: Ros1Field, base: str, level: int) -> Decode:
+    def _value(self, field: Ros1Field, base: str, level: int) -> Decode:
         is_number = field.base in _FORMATS and field.base not in {"bool", "byte"}
         if is_number and field.size is not None:
             return _numbers(field, _FORMATS[field.base])
-        decode = self._single(name, field, base, level)
+        decode = self._single(field, base, level)
         return decode if field.size is None else _list(decode, field.size)
 
-    def _single(self, name: str, field: Ros1Field, base: str, level: int) -> Decode:
+    def _single(self, field: Ros1Field, base: str, level: int) -> Decode:
         if field.base == "string":
             return _text
         if field.base in _TIMES:
             return _time(*_TIMES[field.base])
         if field.base in _FORMATS:
             return _number(_FORMATS[field.base], is_byte=base == "byte")
-        if "/" not in base:
-            reason = f"the field {field.name} is a {field.base}, and a {base} in ROS 2"
-            raise BagTypeError(name, reason)
         return self.message(field.base, base, level + 1)
 
 
