@@ -5,6 +5,8 @@ from __future__ import annotations
 import json
 from typing import TYPE_CHECKING, Any
 
+import pytest
+
 from tests.classroom.impairment import Impairment, impair
 from tests.classroom.lesson import Lesson
 from tests.conftest import allowed
@@ -16,6 +18,7 @@ if TYPE_CHECKING:
     from tests.conftest import Program
 
 HZ, COUNT = 50, 600
+SLOW = Impairment(300, 60, 0)
 CALL_TIMEOUT_S = 5.0  # of telemetry.py's calls
 
 
@@ -64,3 +67,29 @@ def test_reliable_messages_arrive_or_are_reported_lost(
     assert outcomes[0] == outcomes[-1] == "answered"
     assert {"server_gone", "timeout"} & set(outcomes)
     assert max(took_s for took_s, _ in sent["calls"]) < CALL_TIMEOUT_S + allowed(2)
+
+
+@pytest.mark.parametrize(
+    "impairment",
+    [SLOW, Impairment(50, 20, 0.1)],
+    ids=["packets take 0.3 s", "a tenth of the packets is lost"],
+)
+def test_a_laptop_joins_over_bad_wifi(
+    make_testbed: Callable[[int], LanTestbed], impairment: Impairment
+) -> None:
+    testbed = make_testbed(1)
+    lesson = Lesson(testbed, 1, pin="471100")
+    impair(testbed, impairment, testbed.laptops)
+    lesson.join()
+    lesson.start_nodes()
+    status = testbed.laptops[0].run("zbot", "status")
+    assert "\nlinked\n" in status.out, status
+
+
+def test_a_port_that_refuses_is_not_taken_for_a_blocked_one(
+    make_testbed: Callable[[int], LanTestbed],
+) -> None:
+    testbed = make_testbed(1)
+    impair(testbed, SLOW, testbed.laptops)
+    refused = testbed.laptops[0].run("zbot", "join", testbed.teacher.address)
+    assert "answers, but no class and no hub is open" in refused.err

@@ -1,4 +1,4 @@
-"""Errors of `zbot join`: each has a message of its own and appears within two seconds."""
+"""Errors of `zbot join`: each has a message of its own and appears within four seconds."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
     from tests.classroom.machine import Machine
 
-LIMIT_S = 2.0
+LIMIT_S = 4.0
 PIN = "4711"
 
 

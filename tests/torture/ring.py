@@ -170,21 +170,22 @@ class Ring:
                 member.usage.append((now, *member.process.usage()))
 
     def check_growth(self) -> None:
-        """Compare the memory and the descriptors at the end with those after the start."""
-        for member in self.members:
-            used = [usage for usage in member.usage if usage[1]]
-            if len(used) < 8:
-                continue
-            part = len(used) // 4
-            begin, end = used[:part], used[-part:]
-            for what, column, most in (
-                ("bytes", 1, _MOST_GROWTH_BYTES),
-                ("descriptors", 2, _MOST_NEW_DESCRIPTORS),
-            ):
-                first, last = (
-                    max(usage[column] for usage in begin),
-                    min(usage[column] for usage in end),
-                )
+        """Compare the memory and the descriptors at the end with those after the start.
+
+        A node that starts while others are dead has few links. So all nodes are compared with the
+        node that had the most after its start.
+        """
+        used = [[usage for usage in member.usage if usage[1]] for member in self.members]
+        quarters = [usages[: len(usages) // 4] for usages in used if len(usages) >= 8]
+        for column, what, most in (
+            (1, "bytes", _MOST_GROWTH_BYTES),
+            (2, "descriptors", _MOST_NEW_DESCRIPTORS),
+        ):
+            first = max((usage[column] for begin in quarters for usage in begin), default=0)
+            for member, usages in zip(self.members, used, strict=True):
+                if len(usages) < 8:
+                    continue
+                last = min(usage[column] for usage in usages[-(len(usages) // 4) :])
                 if last - first > most:
                     text = f"{member.name} has {last} {what}, at first {first}"
                     kept = "" if member.process is None else member.process.descriptors()

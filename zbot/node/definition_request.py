@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from zbot.interfaces import InterfaceSpec
     from zbot.wire.tokens import EndpointToken
 
-ANSWER_TIMEOUT_S = 2.0  #: nodes usually answer within milliseconds
+ANSWER_TIMEOUT_S = 5.0  #: nodes usually answer within milliseconds, on bad Wi-Fi in 2 s
 
 
 @dataclass(frozen=True)

@@ -59,7 +59,7 @@ MAX_SESSIONS = 4000
 #: Maximum number of half-open connections. A class may reconnect while an attacker opens 1,000.
 ACCEPT_PENDING = 2000
 #: Time (ms) after which a half-open connection is closed. A laptop usually needs 10 ms to open a
-#: connection completely, and 1 s on bad Wi-Fi.
+#: connection completely, and 2 s if a round trip takes 0.6 s and a packet is lost.
 ACCEPT_TIMEOUT_MS = 3000
 
 # Zenoh assigns each connection to a region. All connections of the hub belong to the region below

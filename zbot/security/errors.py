@@ -95,3 +95,12 @@ def no_tls_error(host: str, port: int) -> SecurityError:
         f"{host}:{port} uses no certificates: join without --keystore, or start the hub there "
         "with --keystore"
     )
+
+
+def silent_tls_error(host: str, port: int) -> SecurityError:
+    """Return the error that the program that listens at an address does not answer with TLS."""
+    return SecurityError(
+        f"{host}:{port} does not answer with a certificate: try again in a moment if the network "
+        "is slow; if the hub there uses no certificates, join without --keystore, or start it "
+        "with --keystore"
+    )

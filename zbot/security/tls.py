@@ -5,10 +5,16 @@ from __future__ import annotations
 import ipaddress
 import socket
 import ssl
+import time
 from typing import TYPE_CHECKING, Any
 
 from zbot.security.certificate import Facts, check_issued
-from zbot.security.errors import certificate_address_error, no_tls_error, refused_certificate_error
+from zbot.security.errors import (
+    certificate_address_error,
+    no_tls_error,
+    refused_certificate_error,
+    silent_tls_error,
+)
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -16,9 +22,10 @@ if TYPE_CHECKING:
     from zbot.security.keystore import Identity
 
 
-_HANDSHAKE_S = 1.5  #: short, so that an error is reported within two seconds
-#: In TLS 1.3, a server refuses a client's certificate after the handshake, one round trip later.
+_HANDSHAKE_S = 3.0  #: long enough for TCP to repeat lost packets
+# In TLS 1.3, a server refuses a client's certificate after the handshake, one round trip later.
 _REFUSAL_S = 0.4
+_CLOSED_S = 2.5  # a hub closes a connection after 3 s if Zenoh's first message does not come
 
 
 def tls_settings(identity: Identity) -> dict[str, Any]:
@@ -87,17 +94,22 @@ def check_dialling(
     """
     identity.check()
     with socket.create_connection((host, port), timeout_s) as plain:
+        begun = time.monotonic()
         try:
             with _context(identity).wrap_socket(plain, server_hostname=host) as wrapped:
                 shown = wrapped.getpeercert(binary_form=True)
                 said = _checked_server(shown or b"", identity, host, port)
-                _await_refusal(wrapped, host, port)
+                took_s = time.monotonic() - begun
+                wait_s = min(max(_REFUSAL_S, 2 * took_s), _CLOSED_S - took_s)
+                _await_refusal(wrapped, host, port, max(wait_s, 0.01))
                 return said
         except ssl.SSLError as exc:
             if "ALERT" in (exc.reason or ""):
                 raise refused_certificate_error(host, port, _in_words(exc)) from exc
             raise no_tls_error(host, port) from exc
-        except (TimeoutError, ConnectionError) as exc:
+        except TimeoutError as exc:
+            raise silent_tls_error(host, port) from exc
+        except ConnectionError as exc:
             raise no_tls_error(host, port) from exc
 
 
@@ -119,8 +131,8 @@ def _checked_server(shown: bytes, identity: Identity, host: str, port: int) -> F
     return said
 
 
-def _await_refusal(wrapped: ssl.SSLSocket, host: str, port: int) -> None:
-    wrapped.settimeout(_REFUSAL_S)
+def _await_refusal(wrapped: ssl.SSLSocket, host: str, port: int, timeout_s: float) -> None:
+    wrapped.settimeout(timeout_s)
     try:
         if not wrapped.recv(1):
             raise refused_certificate_error(host, port, "it closed the connection")

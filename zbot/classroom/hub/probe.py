@@ -24,8 +24,9 @@ if TYPE_CHECKING:
 
     from zbot.classroom.hub.address import Address
 
-#: A connection in one building takes milliseconds, but TCP repeats a lost packet after 1 s.
-_TIMEOUT_S = 1.25
+# A connection in one building takes milliseconds, and on bad Wi-Fi up to a second. TCP repeats a
+# lost packet after 1 s.
+_TIMEOUT_S = 2.5
 _LOOK_UP_S = 0.3
 _LATE_S = 5.0  # longest delay of a thread on a busy machine
 _PAUSE_S = 0.05  # between attempts if the port refuses the connection
@@ -60,7 +61,7 @@ def first_reachable(candidates: Sequence[Address], timeout_s: float = _TIMEOUT_S
     problems: list[ClassroomError] = []
     for candidate in candidates:
         try:
-            address, problem = answers.get(timeout=max(timeout_s, _REOPENING_S) + patience_s)
+            address, problem = answers.get(timeout=timeout_s + _REOPENING_S + patience_s)
         except queue.Empty:
             raise address_error(
                 candidate.host, "no name server answers: use the IP address"
@@ -85,22 +86,22 @@ def _rank(problem: ClassroomError) -> int:
     return next((place for place, kind in enumerate(order) if isinstance(problem, kind)), 9)
 
 
-def problem_at(address: Address, timeout_s: float = _TIMEOUT_S) -> ClassroomError | None:
+def problem_at(
+    address: Address, timeout_s: float = _TIMEOUT_S, reopening_s: float = _REOPENING_S
+) -> ClassroomError | None:
     """Return why an address cannot be reached, or `None`.
-
-    If the port refuses, try again for at least 3 s: a hub may be opened again at this moment.
 
     Args:
         address: The address.
-        timeout_s: How long to wait for an answer. The time of a name look-up is not counted.
+        timeout_s: How long to wait for each answer. The time of a name look-up is not counted.
+        reopening_s: How long to try again if the port refuses. A hub may be opened again at this
+            moment.
     """
     other_ports = _OtherPorts(address.host)
-    deadline = Deadline(timeout_s)
-    reopened = Deadline(max(timeout_s, _REOPENING_S))
+    reopened = Deadline(reopening_s)
     while True:
         try:
-            left = max(deadline.left_s, _PAUSE_S)
-            with socket.create_connection((address.host, address.port), left):
+            with socket.create_connection((address.host, address.port), timeout_s):
                 return None
         except socket.gaierror:
             return address_error(address.host, "no machine of that name is known here")

@@ -35,11 +35,12 @@ if TYPE_CHECKING:
 _ANSWER_TIMEOUT_S = 5.0
 _WORD = re.compile("[0-9A-Za-z_-]{0,128}")
 _RELEASE_TIMEOUT_S = 10.0  # the number of a laptop that gives up too soon stays taken
-_MEMBER_TIMEOUT_S = 1.0
+_MEMBER_TIMEOUT_S = 2.0
 _LONGEST_WAIT_S = 30.0  # after too many wrong PINs in the class, every laptop must wait
 _REOPENING_S = 5.0  # longest time for which a hub is closed while it is opened again
 _REOPENED_PAUSE_S = 0.5
-_SILENT_S = 0.4  # a program that is not a hub usually closes the connection sooner
+_OPEN_TIMEOUT_MS = 3500  # a hub closes a link that is half open after 3 s
+_SILENT_S = 3.0  # a hub that refuses usually closes the link sooner
 _MOST_FRUITLESS = 3  # attempts at a hub or a class that does not answer
 _MAX_SENTENCE_LENGTH = 500
 _MAX_VERSION = 40
@@ -96,7 +97,7 @@ def request_membership(
             fruitless += 1
             if fruitless == _MOST_FRUITLESS:
                 raise
-            problem = problem_at(address, _REOPENING_S)
+            problem = problem_at(address, reopening_s=_REOPENING_S)
             if problem is not None:
                 raise problem from None
             time.sleep(_REOPENED_PAUSE_S)  # a hub that was just opened does not answer yet
@@ -122,13 +123,15 @@ def open_lobby(address: Address, link: Link) -> tuple[zenoh.Session, bool]:
     """
     # A hub with users refuses clients without a user name. A hub without users refuses clients
     # with a user name.
-    begun = time.monotonic()
     for settings in (_NOBODY, credentials(LOBBY, LOBBY_SECRET)):
-        session = open_hub_client(link.endpoint(address), {**settings, **link.settings})
+        begun = time.monotonic()
+        more = {**settings, **link.settings}
+        session = open_hub_client(link.endpoint(address), more, _OPEN_TIMEOUT_MS)
         if session is not None:
             return session, settings != _NOBODY
-    is_silent = time.monotonic() - begun > _SILENT_S
-    raise NoHubError(address.host, address.port, is_silent=is_silent)
+        if time.monotonic() - begun > _SILENT_S:
+            raise NoHubError(address.host, address.port, is_silent=True)
+    raise NoHubError(address.host, address.port)
 
 
 def is_member(joined: Membership) -> bool | None:

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from zbot.classroom.hub.process import HubProcess
     from zbot.classroom.teacher.student_list import StudentList
 
-_FACTS_TIMEOUT_S = 1.0
+_FACTS_TIMEOUT_S = 2.0  # on bad Wi-Fi, TCP has to repeat a packet
 _MAX_TIME_NS = 1 << 63  # limit for `time_ns`: a number in JSON may have thousands of digits
 
 
@@ -83,7 +83,7 @@ class Laptops:
             self._watched.clear()
 
     def refresh(self) -> None:
-        """Query the facts of all connected laptops. Wait for the slowest laptop, at most 1 s."""
+        """Query the facts of all connected laptops. Wait for the slowest laptop, at most 2 s."""
         serving = self._serving
         if serving is None:
             return
