@@ -212,7 +212,8 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
     def _reply_payload(
         self, request_id: bytes, query: zenoh.Query, payload: Any, response: Any = None
     ) -> None:
-        if len(payload) >= LARGE_BYTES:
+        is_large = len(payload) >= LARGE_BYTES
+        if is_large:
             keep_freed_memory()
             payload = self._context.share(payload)
         facts = request_id and LAYOUT.pack(
@@ -228,16 +229,25 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
             lambda latest: latest.reply(
                 self._key, payload, encoding=self._encoding, attachment=facts or None
             ),
+            is_large=is_large,
         )
 
     def _reply_error(self, request_id: bytes, query: zenoh.Query, error: Exception) -> None:
         payload, encoding = self._context.dialect.error_payload(error)
         self._send_reply(
-            request_id, query, lambda latest: latest.reply_err(payload, encoding=encoding)
+            request_id,
+            query,
+            lambda latest: latest.reply_err(payload, encoding=encoding),
+            is_large=False,
         )
 
     def _send_reply(
-        self, request_id: bytes, query: zenoh.Query, send: Callable[[zenoh.Query], None]
+        self,
+        request_id: bytes,
+        query: zenoh.Query,
+        send: Callable[[zenoh.Query], None],
+        *,
+        is_large: bool,
     ) -> None:
         def reply(query: zenoh.Query) -> None:
             try:
@@ -250,7 +260,9 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
                 query.drop()  # ends the query, so that the caller does not wait for more replies
 
         activity.has_sent = True
-        reply(self._repeated.end(request_id, query, reply) if request_id else query)
+        if request_id:
+            query = self._repeated.end(request_id, query, reply, is_large=is_large)
+        reply(query)
 
     def destroy(self) -> None:
         """Leave the graph and let waiting requests fail. This method may be called twice."""

@@ -8,12 +8,15 @@ from collections import OrderedDict
 from typing import TYPE_CHECKING, Any
 
 from zbot.node.errors import ServiceError
+from zbot.wire.attachment import GID_LENGTH
 from zbot.wire.error_reply import unpack_error
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     import zenoh
+
+    Reply = Callable[[zenoh.Query], None]
 
 # Zenoh keeps 0.8 kB for each query until the query's timeout, even if the reply came long before.
 # So the timeout is short, and the request is repeated at growing intervals (docs/wire.md).
@@ -22,7 +25,8 @@ _LONGEST_TIMEOUT_S = 60.0
 _TIMEOUT_REPLY = b"Timeout"  # Zenoh's own error reply after the timeout
 # After this time, a reply counts as late. Its query may end soon: the timeout is 2 s or more.
 _LATE_S = 1.0
-# A server keeps at most this many late replies. A further late reply removes the oldest.
+# A server keeps at most this many late replies, and the latest quick reply of this many clients. A
+# further one removes the oldest.
 _MAX_ANSWERS = 32
 
 
@@ -86,12 +90,19 @@ def response_sample(reply: zenoh.Reply | None, service: str) -> zenoh.Sample:
 
 
 class RepeatedRequests:
-    """Stores a server's running requests and late replies. Any thread may call the methods."""
+    """Stores a server's running requests and some replies. Any thread may call the methods.
+
+    A late reply may come after the timeout of its query. The network may also hold up a quick reply
+    for longer than that, e.g. while a laptop changes to another access point. So the latest quick
+    reply of each client is kept too.
+    """
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
         self._working: dict[bytes, tuple[zenoh.Query, float]] = {}
-        self._answered: OrderedDict[bytes, Callable[[zenoh.Query], None]] = OrderedDict()
+        self._late: OrderedDict[bytes, Reply] = OrderedDict()
+        # By the client's gid. The first value is the request.
+        self._latest: OrderedDict[bytes, tuple[bytes, Reply]] = OrderedDict()
 
     def is_new(self, request: bytes, query: zenoh.Query, arrived_s: float) -> bool:
         """Return whether a request is new. A repeated request gets the reply of the first request.
@@ -105,7 +116,10 @@ class RepeatedRequests:
         """
         with self._lock:
             # Keep the reply: if this query is closed already, a later repetition needs the reply.
-            reply = self._answered.get(request)
+            reply = self._late.get(request)
+            if reply is None:
+                known, reply = self._latest.get(request[-GID_LENGTH:], (b"", None))
+                reply = reply if known == request else None
             if reply is None:
                 former = self._working.get(request)
                 self._working[request] = (query, arrived_s if former is None else former[1])
@@ -114,16 +128,23 @@ class RepeatedRequests:
         return False
 
     def end(
-        self, request: bytes, query: zenoh.Query, reply: Callable[[zenoh.Query], None]
+        self, request: bytes, query: zenoh.Query, reply: Reply, *, is_large: bool
     ) -> zenoh.Query:
         """End a request, and return its latest query, to which the reply must be sent.
 
-        A late reply is kept, because the client may repeat the request.
+        The reply is kept, because the client may repeat the request. A quick reply that is large is
+        not kept.
         """
         with self._lock:
             latest, arrived_s = self._working.pop(request, (query, 0.0))
             if time.monotonic() - arrived_s > _LATE_S:
-                self._answered[request] = reply
-                while len(self._answered) > _MAX_ANSWERS:
-                    self._answered.popitem(last=False)
+                _keep(self._late, request, reply)
+            elif not is_large:
+                _keep(self._latest, request[-GID_LENGTH:], (request, reply))
         return latest
+
+
+def _keep(kept: OrderedDict[bytes, Any], key: bytes, value: Any) -> None:
+    kept[key] = value
+    if len(kept) > _MAX_ANSWERS:
+        kept.popitem(last=False)

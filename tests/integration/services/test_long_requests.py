@@ -11,10 +11,13 @@ import zbot
 from tests.conftest import wait_until
 from tests.integration.services.conftest import Request, add, client_of
 from zbot.node.errors import ServiceError
+from zbot.node.service_request import ServiceRequest
 
 from example_interfaces.srv import AddTwoInts
 
 if TYPE_CHECKING:
+    import zenoh
+
     from tests.conftest import MakeContext
 
 
@@ -94,3 +97,38 @@ def test_a_late_error_is_received(make_context: MakeContext, caller: zbot.Node) 
         executor.shutdown()
         server.context.shutdown()
         thread.join(5)
+
+
+@pytest.mark.parametrize("kind", ["call", "call_async"])
+def test_a_request_whose_reply_the_network_held_up_is_served_once(
+    kind: str, server: zbot.Node, caller: zbot.Node, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("zbot.node.service_request._LATE_S", 100.0)  # the server was quick
+    held_up: list[zenoh.Reply] = []
+
+    def is_timeout(request: ServiceRequest, reply: zenoh.Reply) -> bool:
+        if held_up:
+            return False
+        held_up.append(reply)  # stands for a reply that comes after the timeout
+        request._has_timed_out = True
+        return True
+
+    monkeypatch.setattr(ServiceRequest, "is_timeout", is_timeout)
+    served: list[int] = []
+
+    def count(request: Any, response: Any) -> Any:
+        served.append(request.a)
+        return add(request, response)
+
+    server.create_service(AddTwoInts, "add", count)
+    client = client_of(caller)
+    if kind == "call":
+        assert client.call(Request(a=1, b=2), timeout_sec=10).sum == 3
+    else:
+        future = client.call_async(Request(a=1, b=2))
+        assert wait_until(future.done, 10)
+        assert future.result().sum == 3
+    assert len(held_up) == 1
+    assert served == [1]
+    assert client.call(Request(a=4, b=2), timeout_sec=10).sum == 6
+    assert served == [1, 4]

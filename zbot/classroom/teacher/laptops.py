@@ -119,8 +119,11 @@ class Laptops:
         laptop.system = clean_name(str(facts.get("system", "")))
         their_ns = facts.get("time_ns")
         if isinstance(their_ns, int) and 0 <= their_ns < _MAX_TIME_NS:
-            # As in NTP: assume that the laptop read its clock half-way between query and reply.
-            laptop.clock_offset_s = (their_ns - (asked_ns + came_ns) // 2) / 1e9
+            # As in NTP: assume that the laptop read its clock half-way between query and reply. An
+            # offset that may come from the network alone is not told.
+            offset_ns = their_ns - (asked_ns + came_ns) // 2
+            is_sure = abs(offset_ns) > (came_ns - asked_ns) // 2
+            laptop.clock_offset_s = offset_ns / 1e9 if is_sure else 0.0
         error = facts.get("last_error")
         if isinstance(error, dict):
             laptop.last_error = {
