@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import os
+import signal
 import sys
 import threading
 import time
@@ -40,6 +41,10 @@ for name, is_same in (("random", False), ("zbot", True)):
         suppress_health_check=[hypothesis.HealthCheck.too_slow],
     )
 hypothesis.settings.load_profile("zbot")
+
+# A shell starts a program with `&` so that it ignores Ctrl-C, and its children too. Tests send it.
+if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 # Bytecode is kept: otherwise every worker and every program would compile everything again.
 os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
