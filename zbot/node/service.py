@@ -235,10 +235,7 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
     def _reply_error(self, request_id: bytes, query: zenoh.Query, error: Exception) -> None:
         payload, encoding = self._context.dialect.error_payload(error)
         self._send_reply(
-            request_id,
-            query,
-            lambda latest: latest.reply_err(payload, encoding=encoding),
-            is_large=False,
+            request_id, query, lambda latest: latest.reply_err(payload, encoding=encoding)
         )
 
     def _send_reply(
@@ -247,7 +244,7 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
         query: zenoh.Query,
         send: Callable[[zenoh.Query], None],
         *,
-        is_large: bool,
+        is_large: bool = False,
     ) -> None:
         def reply(query: zenoh.Query) -> None:
             try:
