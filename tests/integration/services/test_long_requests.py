@@ -30,6 +30,15 @@ def short_time(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("zbot.node.service_request._LATE_S", 0.02)
 
 
+def answer(client: zbot.Client[Any, Any], kind: str) -> int:
+    """Return the sum of 1 and 2 by a call of a kind."""
+    if kind == "call":
+        return int(client.call(Request(a=1, b=2), timeout_sec=10).sum)
+    future = client.call_async(Request(a=1, b=2))
+    assert wait_until(future.done, 10)
+    return int(future.result().sum)
+
+
 @pytest.mark.parametrize("kind", ["call", "call_async"])
 @pytest.mark.parametrize("is_coroutine", [False, True])
 def test_a_slow_handler_is_called_once(
@@ -57,12 +66,7 @@ def test_a_slow_handler_is_called_once(
 
     server.create_service(AddTwoInts, "add", slow_coroutine if is_coroutine else slow)
     client = client_of(caller)
-    if kind == "call":
-        assert client.call(Request(a=1, b=2), timeout_sec=10).sum == 3
-    else:
-        future = client.call_async(Request(a=1, b=2))
-        assert wait_until(future.done, 10)
-        assert future.result().sum == 3
+    assert answer(client, kind) == 3
     assert served == [1]
 
 
@@ -122,12 +126,7 @@ def test_a_request_whose_reply_the_network_held_up_is_served_once(
 
     server.create_service(AddTwoInts, "add", count)
     client = client_of(caller)
-    if kind == "call":
-        assert client.call(Request(a=1, b=2), timeout_sec=10).sum == 3
-    else:
-        future = client.call_async(Request(a=1, b=2))
-        assert wait_until(future.done, 10)
-        assert future.result().sum == 3
+    assert answer(client, kind) == 3
     assert len(held_up) == 1
     assert served == [1]
     assert client.call(Request(a=4, b=2), timeout_sec=10).sum == 6
