@@ -175,16 +175,15 @@ class Ring:
         A node that starts while others are dead has few links. So all nodes are compared with the
         node that had the most after its start.
         """
-        used = [[usage for usage in member.usage if usage[1]] for member in self.members]
-        quarters = [usages[: len(usages) // 4] for usages in used if len(usages) >= 8]
+        used = {member: [usage for usage in member.usage if usage[1]] for member in self.members}
+        used = {member: usages for member, usages in used.items() if len(usages) >= 8}
+        begins = [usages[: len(usages) // 4] for usages in used.values()]
         for column, what, most in (
             (1, "bytes", _MOST_GROWTH_BYTES),
             (2, "descriptors", _MOST_NEW_DESCRIPTORS),
         ):
-            first = max((usage[column] for begin in quarters for usage in begin), default=0)
-            for member, usages in zip(self.members, used, strict=True):
-                if len(usages) < 8:
-                    continue
+            first = max((usage[column] for begin in begins for usage in begin), default=0)
+            for member, usages in used.items():
                 last = min(usage[column] for usage in usages[-(len(usages) // 4) :])
                 if last - first > most:
                     text = f"{member.name} has {last} {what}, at first {first}"

@@ -44,7 +44,7 @@ _RELINK_PAUSE_S = 0.2  # longer than the pause between two tries to connect
 _RECONNECTION_PAUSE_S = 0.3  # nodes try every 0.1 s, and less often on a busy machine
 _FOUND_PAUSE_S = 0.25  # enough for all machines to answer multicast and then send their tokens
 _WATCH_S = 0.2  # to see whether the router process does anything
-_HUB_CLIENT_OPEN_TIMEOUT_MS = 500  # for this machine's hub
+_HUB_CLIENT_OPEN_TIMEOUT_MS = 500
 _CLIENT_OPEN_TIMEOUT_MS = 200  # a router accepts a client within 5 ms if the machine is not busy
 _BUSY_OPEN_TIMEOUT_MS = 2000
 _CLIENT_TIMEOUT_MS = 2000  # the limit for one try to open a client session with nodes
@@ -128,16 +128,13 @@ def hub_endpoint() -> str:
 
 
 def open_hub_client(
-    endpoint: str | None = None,
-    more: dict[str, Any] | None = None,
-    open_timeout_ms: int = _HUB_CLIENT_OPEN_TIMEOUT_MS,
+    endpoint: str | None = None, more: dict[str, Any] | None = None
 ) -> zenoh.Session | None:
     """Open a client session of a hub.
 
     Args:
         endpoint: The hub's endpoint. If left out, this machine's hub is used.
         more: Zenoh's configuration paths and values, e.g. a user name other than this machine's.
-        open_timeout_ms: Limit for TCP's and Zenoh's handshakes, which are three round trips.
 
     Returns:
         The session, or `None` if there is no hub or the hub refuses this machine.
@@ -147,7 +144,7 @@ def open_hub_client(
         "connect/endpoints": [endpoint or hub_endpoint()],
         "connect/timeout_ms": 0,
         "connect/exit_on_failure": True,
-        "transport/unicast/open_timeout": open_timeout_ms,
+        "transport/unicast/open_timeout": _HUB_CLIENT_OPEN_TIMEOUT_MS,
         "scouting/multicast/enabled": False,
         **_NO_ADMIN_SPACE,
         **(more or {}),

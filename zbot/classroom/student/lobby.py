@@ -39,7 +39,8 @@ _MEMBER_TIMEOUT_S = 2.0
 _LONGEST_WAIT_S = 30.0  # after too many wrong PINs in the class, every laptop must wait
 _REOPENING_S = 5.0  # longest time for which a hub is closed while it is opened again
 _REOPENED_PAUSE_S = 0.5
-_OPEN_TIMEOUT_MS = 3500  # a hub closes a link that is half open after 3 s
+# A hub closes a link that is half open after 3 s.
+_OPENING: dict[str, Any] = {"transport/unicast/open_timeout": 3500}
 _SILENT_S = 3.0  # a hub that refuses usually closes the link sooner
 _MOST_FRUITLESS = 3  # attempts at a hub or a class that does not answer
 _MAX_SENTENCE_LENGTH = 500
@@ -125,8 +126,8 @@ def open_lobby(address: Address, link: Link) -> tuple[zenoh.Session, bool]:
     # with a user name.
     for settings in (_NOBODY, credentials(LOBBY, LOBBY_SECRET)):
         begun = time.monotonic()
-        more = {**settings, **link.settings}
-        session = open_hub_client(link.endpoint(address), more, _OPEN_TIMEOUT_MS)
+        more = {**settings, **link.settings, **_OPENING}
+        session = open_hub_client(link.endpoint(address), more)
         if session is not None:
             return session, settings != _NOBODY
         if time.monotonic() - begun > _SILENT_S:
