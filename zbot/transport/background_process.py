@@ -11,6 +11,7 @@ import time
 from pathlib import Path
 from typing import IO, TYPE_CHECKING, Any
 
+from zbot.threads.deadline import poll
 from zbot.transport import membership
 from zbot.transport.process_facts import process_space
 
@@ -19,6 +20,8 @@ if TYPE_CHECKING:
 
 # On Windows, no other process can read a locked byte, so the locked byte is far behind the text.
 _LOCKED_BYTE = 1 << 20
+_LOCK_TIMEOUT_S = 0.2
+_LOCK_PAUSE_S = 0.005
 _OLD_S = 7 * 24 * 3600.0
 _forgotten: set[int] = set()  #: ids of processes that may run longer than this one
 
@@ -55,8 +58,10 @@ def lock(file: IO[str]) -> bool:
             import msvcrt  # noqa: PLC0415 - Windows only
 
             file.seek(_LOCKED_BYTE)
-            msvcrt.locking(file.fileno(), msvcrt.LK_NBLCK, 1)
-            file.seek(0)
+            try:
+                msvcrt.locking(file.fileno(), msvcrt.LK_NBLCK, 1)
+            finally:
+                file.seek(0)  # the caller may read the file of the process that has locked it
         else:
             import fcntl  # noqa: PLC0415 - not on Windows
 
@@ -64,6 +69,14 @@ def lock(file: IO[str]) -> bool:
     except OSError:
         return False
     return True
+
+
+def lock_soon(file: IO[str]) -> bool:
+    """Lock a file. Try for 0.2 s, because a program that looks for its owner locks it for a moment.
+
+    Return `False` if another process keeps it locked.
+    """
+    return poll(lambda: lock(file), _LOCK_TIMEOUT_S, _LOCK_PAUSE_S)
 
 
 def hub_lock_path() -> Path:

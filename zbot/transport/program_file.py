@@ -13,15 +13,12 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.json_reader import read_json_object
 from zbot.package.user_folders import make_private
-from zbot.threads.deadline import poll
 from zbot.transport import background_process
 
 if TYPE_CHECKING:
     from pathlib import Path
     from typing import IO
 
-_LOCK_TIMEOUT_S = 0.2  # another program may hold the lock for a moment to read the file
-_PAUSE_S = 0.005
 _YOUNG_S = 5.0  # a younger file may not be locked yet
 
 
@@ -67,7 +64,7 @@ def _locked_file(path: Path) -> IO[str]:
     make_private(path.parent)
     descriptor = os.open(path, os.O_RDWR | os.O_CREAT | os.O_EXCL, 0o600)
     file = os.fdopen(descriptor, "w+", encoding="utf-8")
-    poll(lambda: background_process.lock(file), _LOCK_TIMEOUT_S, _PAUSE_S)
+    background_process.lock_soon(file)
     return file
 
 

@@ -33,6 +33,7 @@ _BUSY_THREADS = 2
 _BUSY_FACTOR = 15
 _END_TIMEOUT_S = 1.0  # a killed process ends within 20 ms
 _PAUSE_S = 0.002
+_PS_S = 2.0
 _KILLED = "killed"
 REPLACEMENT = "replacement"  #: argument of a router if the router before it was killed
 
@@ -77,7 +78,7 @@ def hold_lock(domain: int) -> IO[str] | None:
     if sys.platform != "win32":
         return None
     file = _path(domain).open("r+", encoding="utf-8")
-    background_process.lock(file)
+    background_process.lock_soon(file)
     return file
 
 
@@ -174,7 +175,7 @@ def _kill(domain: int, number: int) -> bool:
     _write(domain, _KILLED)  # so that no other program kills it too
     try:
         os.kill(number, getattr(signal, "SIGKILL", signal.SIGTERM))
-    except (ProcessLookupError, PermissionError):
+    except OSError:  # it has just ended, or it is another user's
         return False
     # Another program may already have started the next router. Then the file has the new id.
     poll(lambda: _read(domain) != _KILLED or not _is_locked(domain), _END_TIMEOUT_S, _PAUSE_S)
@@ -263,7 +264,10 @@ def _threads(number: int) -> list[tuple[str, float]]:
         return []
     # macOS: one line for the whole process, e.g. `S 0:01.25`.
     words = ["ps", "-o", "state=,cputime=", "-p", str(number)]
-    line = subprocess.run(words, capture_output=True, text=True, check=False).stdout.split()  # noqa: S603 - a number
+    line: list[str] = []
+    with contextlib.suppress(OSError, subprocess.TimeoutExpired):
+        done = subprocess.run(words, capture_output=True, text=True, check=False, timeout=_PS_S)  # noqa: S603 - a number
+        line = done.stdout.split()
     if not line:
         return []
     minutes, _, seconds = line[1].rpartition(":")

@@ -7,22 +7,21 @@ programs.
 
 from __future__ import annotations
 
-import contextlib
 import os
-import subprocess
-import sys
+import threading
 from dataclasses import asdict, dataclass, field, fields
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from zbot.names import is_hidden
-from zbot.transport import environment, membership
+from zbot.transport import environment, membership, router_process
 from zbot.transport.other_version import other_versions_text
 from zbot.transport.process_facts import command_line, process_space
 from zbot.transport.program_file import ProgramFile, program_documents
 from zbot.version import __version__
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from zbot.transport.membership import Membership
 
 _FOLDER = "programs"
@@ -91,18 +90,21 @@ class Registration:
             version=__version__,
         )
         self._file = ProgramFile(_folder())
+        self._lock = threading.RLock()  # re-entrant, because a signal handler may make a node
         self._write()
 
     def add(self, node: str) -> None:
         """Add a node's full name."""
-        self._program.nodes.append(node)
-        self._write()
+        with self._lock:
+            self._program.nodes.append(node)
+            self._write()
 
     def remove(self, node: str) -> None:
         """Remove a node's full name."""
-        with contextlib.suppress(ValueError):
-            self._program.nodes.remove(node)
-        self._write()
+        with self._lock:
+            if node in self._program.nodes:
+                self._program.nodes.remove(node)
+            self._write()
 
     def _write(self) -> None:
         self._file.write(asdict(self._program))
@@ -180,7 +182,7 @@ def stopped_text(domain: int, node: str = "") -> str:
         for program in running()
         if program.domain == domain
         and (node in program.nodes if node else program.visible_nodes)
-        and is_stopped(program.pid)
+        and router_process.is_stopped(program.pid)
     ]
     if not found:
         return ""
@@ -216,23 +218,3 @@ def elsewhere_text(domain: int) -> str:
         if names
     ]
     return f"this machine runs {'; '.join(places[:_MOST_LISTED])}" if places else ""
-
-
-def is_stopped(pid: int) -> bool:
-    """Return whether a process is stopped, e.g. by Ctrl-Z. It is `False` on Windows."""
-    if sys.platform == "win32":
-        return False
-    try:
-        facts = Path(f"/proc/{pid}/stat").read_text(errors="replace")
-    except OSError:
-        return sys.platform == "darwin" and _state_by_ps(pid).startswith("T")
-    # The name of the program, in brackets, may contain blanks and brackets.
-    return facts.rpartition(")")[2].split()[:1] == ["T"]
-
-
-def _state_by_ps(pid: int) -> str:
-    ps = ["/bin/ps", "-o", "state=", "-p", str(pid)]
-    try:
-        return subprocess.run(ps, capture_output=True, text=True, check=False, timeout=2).stdout  # noqa: S603 - fixed words
-    except (OSError, subprocess.TimeoutExpired):
-        return ""

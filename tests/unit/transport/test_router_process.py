@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+import signal
+import subprocess
 import sys
 from typing import TYPE_CHECKING
 
@@ -76,3 +78,15 @@ def test_only_one_program_kills_a_router_and_writes_to_its_file(
         assert not router_process.kill(domain, router)
         assert ended == []
         assert path.read_text() == str(router)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows cannot stop a process")
+def test_a_process_is_stopped_until_it_continues() -> None:
+    with subprocess.Popen([sys.executable, "-c", "input()"], stdin=subprocess.PIPE) as process:
+        assert not router_process.is_stopped(process.pid)
+        process.send_signal(signal.SIGSTOP)
+        os.waitpid(process.pid, os.WUNTRACED)
+        assert router_process.is_stopped(process.pid)
+        process.send_signal(signal.SIGCONT)
+        process.communicate(b"")
+    assert not router_process.is_stopped(process.pid)

@@ -1,18 +1,15 @@
 from __future__ import annotations
 
 import os
-import signal
-import subprocess
-import sys
 from dataclasses import replace
 from types import SimpleNamespace
 from typing import TYPE_CHECKING
 
 import pytest
 
-from zbot.transport import membership, running_programs
+from zbot.transport import membership, router_process, running_programs
 from zbot.transport.membership import Membership
-from zbot.transport.running_programs import Registration, RunningProgram, is_stopped
+from zbot.transport.running_programs import Registration, RunningProgram
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -100,7 +97,7 @@ def test_without_a_writable_folder_nothing_is_registered() -> None:
 def test_a_stopped_program_is_named_with_its_process(monkeypatch: pytest.MonkeyPatch) -> None:
     programs = [replace(INSIDE, pid=11), replace(INSIDE, pid=12, nodes=["/arm", "/_hidden"])]
     monkeypatch.setattr(running_programs, "running", lambda: programs)
-    monkeypatch.setattr(running_programs, "is_stopped", lambda pid: pid in {11, 12})
+    monkeypatch.setattr(router_process, "is_stopped", lambda pid: pid in {11, 12})
     assert running_programs.stopped_text(17, "/arm") == (
         "/arm (process 12) is stopped, e.g. by Ctrl-Z: type `fg` in the terminal, or `kill -9 12`"
     )
@@ -110,7 +107,7 @@ def test_a_stopped_program_is_named_with_its_process(monkeypatch: pytest.MonkeyP
     )
     assert running_programs.stopped_text(17, "/other") == ""
     assert running_programs.stopped_text(0) == ""
-    monkeypatch.setattr(running_programs, "is_stopped", lambda _: False)
+    monkeypatch.setattr(router_process, "is_stopped", lambda _: False)
     assert running_programs.stopped_text(17) == ""
 
 
@@ -127,15 +124,3 @@ def test_nodes_of_other_domains_are_named_with_their_domain(
     assert running_programs.elsewhere_text(5) == "this machine runs /talker in domain 17"
     monkeypatch.setattr(running_programs, "running", lambda: programs[:1])
     assert running_programs.elsewhere_text(17) == ""
-
-
-@pytest.mark.skipif(sys.platform == "win32", reason="Windows cannot stop a process")
-def test_a_process_is_stopped_until_it_continues() -> None:
-    with subprocess.Popen([sys.executable, "-c", "input()"], stdin=subprocess.PIPE) as process:
-        assert not is_stopped(process.pid)
-        process.send_signal(signal.SIGSTOP)
-        os.waitpid(process.pid, os.WUNTRACED)
-        assert is_stopped(process.pid)
-        process.send_signal(signal.SIGCONT)
-        process.communicate(b"")
-    assert not is_stopped(process.pid)

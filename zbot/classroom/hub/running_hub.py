@@ -14,7 +14,7 @@ import subprocess
 import sys
 import time
 from dataclasses import asdict, dataclass
-from typing import IO, TYPE_CHECKING
+from typing import TYPE_CHECKING
 
 from zbot.classroom.errors import already_joined_error, hub_start_error
 from zbot.errors import ZbotError
@@ -33,7 +33,6 @@ if TYPE_CHECKING:
 READY = "ready"
 _STOP_TIMEOUT_S = 5.0
 _PAUSE_S = 0.02
-_LOCK_TIMEOUT_S = 0.2
 # Zenoh accepts all links in one thread, and receives in two. If a laptop is out of reach when its
 # link is closed, the thread stands still for 10 s (docs/design/zenoh-faults.md). These are enough
 # threads for a class of thirty. They cost 1 MB.
@@ -61,11 +60,6 @@ def _state_path() -> Path:
     return folder() / "hub.json"
 
 
-def _lock_within_timeout(file: IO[str]) -> bool:
-    """Lock a file. Retry, because `find` in another process may hold the lock for a short time."""
-    return poll(lambda: background_process.lock(file), _LOCK_TIMEOUT_S, _PAUSE_S)
-
-
 @contextlib.contextmanager
 def hub_lock() -> Iterator[None]:
     """Hold the lock of this machine's hub during a `with` block.
@@ -75,7 +69,7 @@ def hub_lock() -> Iterator[None]:
     """
     make_private_folder(folder())
     with background_process.hub_lock_path().open("w", encoding="utf-8") as file:
-        if not _lock_within_timeout(file):
+        if not background_process.lock_soon(file):
             running = find()
             raise already_joined_error(f"has a hub already ({running.role if running else 'busy'})")
         try:
@@ -168,8 +162,9 @@ def stop() -> bool:
     hub = find()
     if hub is None:
         return False
-    with contextlib.suppress(ProcessLookupError):
-        os.kill(hub.pid, signal.SIGTERM)
-    while not poll(lambda: not background_process.is_hub_locked(), _STOP_TIMEOUT_S, _PAUSE_S):
-        os.kill(hub.pid, getattr(signal, "SIGKILL", signal.SIGTERM))
+    for number in (signal.SIGTERM, getattr(signal, "SIGKILL", signal.SIGTERM)):
+        with contextlib.suppress(OSError):  # it has just ended
+            os.kill(hub.pid, number)
+        if poll(lambda: not background_process.is_hub_locked(), _STOP_TIMEOUT_S, _PAUSE_S):
+            break
     return True
