@@ -13,6 +13,7 @@ from zbot.log.call_site import TimeProvider as TimeProvider
 from zbot.log.log_file import get_logging_directory as get_logging_directory
 from zbot.log.logger import Logger as Logger
 from zbot.log.logger import get_logger as get_logger
+from zbot.log.logger import warn_once as warn_once
 from zbot.log.record import LoggingSeverity as LoggingSeverity
 from zbot.log.record import Record as Record
 from zbot.log.record import get_logging_severity_from_string as get_logging_severity_from_string
@@ -43,4 +44,5 @@ __all__ = [
     "remove_sink",
     "set_logger_level",
     "sinks_disabled",
+    "warn_once",
 ]

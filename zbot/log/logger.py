@@ -165,6 +165,16 @@ def get_logger(name: str) -> Logger:
     return Logger(name)
 
 
+_warned: set[str] = set()
+
+
+def warn_once(text: str) -> None:
+    """Log a warning of zbot itself. Each text is logged once in a process."""
+    if text not in _warned:
+        _warned.add(text)
+        get_logger("zbot").warning(text)
+
+
 def _check_name(kind: str, name: str) -> None:
     if not name:
         raise InvalidNameError(kind.lower(), name or "", f"{kind} must not be empty", 0)

@@ -6,7 +6,7 @@ import json
 import os
 from typing import TYPE_CHECKING, NamedTuple
 
-from zbot.log import get_logger
+from zbot.log import warn_once
 from zbot.transport import background_process, config, membership
 from zbot.transport.config import DiscoveryRange
 from zbot.transport.meeting_port import meeting_port
@@ -68,7 +68,7 @@ def warn(domain_id: int | None) -> None:
     texts = [difference.text for difference in differences(domain_id) if difference.is_logged]
     texts += filter(None, [missing_hub()])
     if texts:
-        get_logger("zbot").warning("\n".join(texts), once=True)
+        warn_once("\n".join(texts))
 
 
 def place(joined: Membership) -> str:

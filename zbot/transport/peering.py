@@ -159,10 +159,9 @@ class Peering:
         try:
             return work()
         except (OSError, SetupError) as exc:
-            from zbot.log import get_logger  # noqa: PLC0415 - seldom used
+            from zbot.log import warn_once  # noqa: PLC0415 - seldom used
 
-            text = f"cannot look for other programs ({exc}): trying again each second"
-            get_logger("zbot").warning(text, once=True)
+            warn_once(f"cannot look for other programs ({exc}): trying again each second")
             return _CHECK_DELAY_S
 
     def _react(self, event: Any) -> float:

@@ -218,9 +218,9 @@ class RmwMeeting:
 
     def warn_unanswered(self) -> None:
         """Log once that no router answers."""
-        from zbot.log import get_logger  # noqa: PLC0415 - seldom used
+        from zbot.log import warn_once  # noqa: PLC0415 - seldom used
 
-        get_logger("zbot").warning(no_router_text(self._connect), once=True)
+        warn_once(no_router_text(self._connect))
 
     def close(self) -> None:
         """Do nothing: no port belongs to this program."""

@@ -117,9 +117,12 @@ def _greatest_id() -> str:
 
 
 def _warn(text: str, *, once: bool = False) -> None:
-    from zbot.log import get_logger  # noqa: PLC0415 - seldom used
+    from zbot.log import get_logger, warn_once  # noqa: PLC0415 - seldom used
 
-    get_logger("zbot").warning(text, once=once)
+    if once:
+        warn_once(text)
+    else:
+        get_logger("zbot").warning(text)
 
 
 def hub_endpoint() -> str:

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 from zbot.errors import ArgumentTypeError, WrongTypeError, WrongValueError, ZbotError
-from zbot.log import LoggingSeverity, get_logger
+from zbot.log import LoggingSeverity, get_logger, warn_once
 from zbot.time import Time
 
 if TYPE_CHECKING:
@@ -149,3 +149,9 @@ def test_the_log_call_at_a_place_cannot_change(
     assert place(first) or "throttle_duration_sec" in first
     with pytest.raises(WrongValueError, match=rf"{what} .*test_filters\.py:\d+"):
         place(second)
+
+
+def test_zbot_warns_of_the_same_thing_once(logged: Logged) -> None:
+    for text in ("no free port", "no free port", "no free file", "no free port"):
+        warn_once(text)
+    assert logged() == ["no free port", "no free file"]
