@@ -9,11 +9,13 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
 from zbot.threads.deadline import Deadline
+from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
 
     from zbot.executor.task import Future
+    from zbot.graph.snapshot import Snapshot
     from zbot.node.client import Client
     from zbot.node.node import Node
 
@@ -75,7 +77,7 @@ class ServiceCalls:
             NoAnswerError: The answer did not come in time.
             ServiceError: The server ended before it answered, or its callback failed.
         """
-        with self._client(name, srv_type) as client:
+        with self._client(name, srv_type, self._graph()) as client:
             try:
                 return client.call(request, self._answer_timeout_s)
             except TimeoutError:
@@ -90,12 +92,12 @@ class ServiceCalls:
             srv_type: The service class.
             requests: The requests by the names of the services. The answers have the same keys.
         """
-        answers = Answers()
+        answers, graph = Answers(), self._graph()
         with contextlib.ExitStack() as stack:
             sent: dict[str, Future[Any]] = {}
             for name, request in requests.items():
                 try:
-                    client = stack.enter_context(self._client(name, srv_type))
+                    client = stack.enter_context(self._client(name, srv_type, graph))
                     sent[name] = client.call_server_async(request)
                 except ZbotError as error:
                     answers.errors[name] = error
@@ -114,17 +116,23 @@ class ServiceCalls:
             except ZbotError as error:
                 answers.errors[name] = error
 
+    def _graph(self) -> Snapshot | None:
+        """Return the graph, or `None` if the calls wait for servers that start later.
+
+        In a command, this asks all sessions, so it is done once for all calls.
+        """
+        return None if self._server_timeout_s > 0 else self._node.context.graph.snapshot()
+
     @contextlib.contextmanager
-    def _client(self, name: str, srv_type: type[Any]) -> Iterator[Client[Any, Any]]:
+    def _client(
+        self, name: str, srv_type: type[Any], graph: Snapshot | None
+    ) -> Iterator[Client[Any, Any]]:
         client = self._node.create_client(srv_type, name)
         try:
-            is_expected = self._server_timeout_s > 0 or self._is_offered(client.service_name)
+            is_expected = graph is None or graph.on(client.service_name, EntityKind.SERVICE)
             limit_s = self._server_timeout_s or self._answer_timeout_s
             if not (is_expected and client.wait_for_service(limit_s)):
                 raise NoServiceError(name)
             yield client
         finally:
             self._node.destroy_client(client)
-
-    def _is_offered(self, name: str) -> bool:
-        return any(name == known for known, _ in self._node.context.graph.snapshot().services())

@@ -13,6 +13,7 @@ import pytest
 import zbot
 from tests.conftest import wait_until
 from tests.integration.services.conftest import Request, Response, add, client_of
+from zbot.remote.service_calls import ServiceCalls
 from zbot.wire.messagepack.codec import messagepack_codec_for
 
 from example_interfaces.srv import AddTwoInts
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
     import zenoh
 
     from tests.conftest import MakeContext, Spin
+    from zbot.graph.snapshot import Snapshot
 
 
 class TestAnswers:
@@ -184,6 +186,30 @@ class TestCallsFromCallbacks:
         caller.create_service(AddTwoInts, "add", count_down)
         spin(caller)
         assert client.call(Request(a=5), timeout_sec=5).sum == 5
+
+
+class TestCallsOfSeveralServices:
+    def test_a_command_asks_for_the_graph_once(
+        self, server: zbot.Node, caller: zbot.Node, spin: Spin, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        names = [f"/add_{number}" for number in range(4)]
+        for name in names:
+            server.create_service(AddTwoInts, name, add)
+        spin(server)
+        asked: list[object] = []
+        graph = caller.context.graph
+        snapshot = graph.snapshot
+
+        def count() -> Snapshot:
+            asked.append(graph)
+            return snapshot()
+
+        monkeypatch.setattr(graph, "snapshot", count)
+        requests = {name: Request(a=1, b=2) for name in [*names, "/missing"]}
+        answers = ServiceCalls(caller).call_all(AddTwoInts, requests)
+        assert answers.found == dict.fromkeys(names, Response(sum=3))
+        assert list(answers.errors) == ["/missing"]
+        assert len(asked) == 1
 
 
 class TestManyCalls:
