@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
+import zbot
 from tests.conftest import allowed, wait_until
 from tests.integration.conftest import KEEP_ALL, await_match
 from zbot.errors import InvalidHandleError
@@ -18,8 +19,7 @@ from std_msgs.msg import Int64, String
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    import zbot
-    from tests.conftest import Spin
+    from tests.conftest import MakeContext, Spin
 
 
 def test_a_callback_may_destroy_its_own_subscription(
@@ -169,3 +169,14 @@ def test_destroying_under_traffic_is_clean(
     # Nobody looks for more messages.
     assert wait_until(lambda: all(subscription.due_ns is None for subscription in destroyed), 5)
     assert spinner.error is None
+
+
+def test_a_node_that_fails_in_its_constructor_leaves_the_graph(make_context: MakeContext) -> None:
+    context = make_context()
+    with pytest.raises(zbot.errors.ZbotError, match="use_sim_time"):
+        zbot.Node(
+            "arm", context=context, parameter_overrides=[zbot.Parameter("use_sim_time", value=1)]
+        )
+    assert context.nodes == []
+    observer = zbot.Node("observer", context=context)
+    assert observer.get_node_names() == ["observer"]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 from types import FunctionType
 from typing import TYPE_CHECKING, Any, cast
 
@@ -109,29 +110,34 @@ class Node(GraphQueries, NodeEntities, NodeParameters):
         context.require_valid(f"the node {name!r}")
         overrides = overrides_of(arguments.parameters_for(fully_qualified(space, name)))
         self._zbot_state = handle = NodeState(context, arguments, name, space)
-        context.add_node(self, handle.full_name)
-        self._zbot_logger = get_logger(handle.logger_name)
-        self._zbot_rosout = Rosout(self, as_profile(rosout_qos_profile)) if enable_rosout else None
-        for warning in arguments.warnings_for(handle.full_name):
-            self._zbot_logger.warning(warning)
+        self._zbot_rosout: Rosout | None = None
         self._zbot_time = TimeSource()
-        self._zbot_time.attach_clock(handle.clock)
-        handle.parameters.overrides = overrides | {p.name: p for p in parameter_overrides or ()}
-        handle.parameters.allow_undeclared = allow_undeclared_parameters
-        self._zbot_add_parameter_events()
-        if automatically_declare_parameters_from_overrides:
-            self._zbot_declare_overrides()
-        self._zbot_declare_own()
-        handle.check_parameters()
-        handle.check_remaps()
-        self._zbot_time.attach_node(self)
-        if start_parameter_services:
-            self._zbot_parameter_services = ParameterServices(handle, self._zbot_resolve)
-        self._zbot_type_descriptions = TypeDescriptionService(self)
-        if enable_logger_service:
-            from zbot.node.logger_services import LoggingService  # noqa: PLC0415 - few nodes have it
+        with contextlib.ExitStack() as on_error:  # a node that fails does not stay in the graph
+            on_error.callback(Node.destroy_node, self)
+            context.add_node(self, handle.full_name)
+            self._zbot_logger = get_logger(handle.logger_name)
+            if enable_rosout:
+                self._zbot_rosout = Rosout(self, as_profile(rosout_qos_profile))
+            for warning in arguments.warnings_for(handle.full_name):
+                self._zbot_logger.warning(warning)
+            self._zbot_time.attach_clock(handle.clock)
+            handle.parameters.overrides = overrides | {p.name: p for p in parameter_overrides or ()}
+            handle.parameters.allow_undeclared = allow_undeclared_parameters
+            self._zbot_add_parameter_events()
+            if automatically_declare_parameters_from_overrides:
+                self._zbot_declare_overrides()
+            self._zbot_declare_own()
+            handle.check_parameters()
+            handle.check_remaps()
+            self._zbot_time.attach_node(self)
+            if start_parameter_services:
+                self._zbot_parameter_services = ParameterServices(handle, self._zbot_resolve)
+            self._zbot_type_descriptions = TypeDescriptionService(self)
+            if enable_logger_service:
+                from zbot.node.logger_services import LoggingService  # noqa: PLC0415 - few nodes have it
 
-            LoggingService(self)
+                LoggingService(self)
+            on_error.pop_all()
 
     def _zbot_add_parameter_events(self) -> None:
         from rcl_interfaces.msg import ParameterEvent  # noqa: PLC0415 - the import makes the class
