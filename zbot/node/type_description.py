@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import threading
 import time
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from zbot.interfaces import MessageSpec, get_spec, type_description, type_hash
@@ -14,6 +14,7 @@ from zbot.node.service import Service
 from zbot.node.service_types import DESCRIPTION_SERVICE
 from zbot.qos import qos_profile_services_default
 from zbot.threads.foreign_call import called_by_zenoh
+from zbot.threads.on_demand_thread import OnDemandThread
 from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:
@@ -21,21 +22,30 @@ if TYPE_CHECKING:
 
     import zenoh
 
+    from zbot.context import Context
     from zbot.interfaces import InterfaceSpec
     from zbot.node.entities import NodeEntities
 
 
 class _ThreadedService(Service[Any, Any]):
-    """Service that runs each request in a new thread, so that no executor is needed."""
+    """Service that serves requests in a thread of its own, so that no executor is needed."""
+
+    def __init__(self, context: Context, *args: Any, **options: Any) -> None:
+        start = partial(context.start_thread, "zbot type description")
+        self._work = OnDemandThread(start, self._serve_next)  # before the first request
+        super().__init__(context, *args, **options)
 
     @called_by_zenoh
     def _receive(self, query: zenoh.Query) -> None:
-        threading.Thread(
-            target=self.execute,
-            args=((query, time.monotonic()),),
-            name="zbot type description",
-            daemon=True,
-        ).start()
+        self._queries.append((query, time.monotonic()))
+        self._work.wake()
+
+    def _serve_next(self) -> float | None:
+        taken = self.take()
+        if taken is None:
+            return None
+        self.execute(taken)
+        return 0.0
 
 
 class TypeDescriptionService:
