@@ -159,7 +159,10 @@ class RawServer(Service[bytes, bytes]):
         if encoding == ENCODING:
             payload = pack({"error": error.kind, "message": error.message})
         self._send_reply(
-            request_id, query, lambda latest: latest.reply_err(payload, encoding=encoding)
+            request_id,
+            query,
+            lambda latest: latest.reply_err(payload, encoding=encoding),
+            len(payload),
         )
 
     def close(self) -> None:

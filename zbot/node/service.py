@@ -212,8 +212,8 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
     def _reply_payload(
         self, request_id: bytes, query: zenoh.Query, payload: Any, response: Any = None
     ) -> None:
-        is_large = len(payload) >= LARGE_BYTES
-        if is_large:
+        size = len(payload)
+        if size >= LARGE_BYTES:
             keep_freed_memory()
             payload = self._context.share(payload)
         facts = request_id and LAYOUT.pack(
@@ -229,13 +229,16 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
             lambda latest: latest.reply(
                 self._key, payload, encoding=self._encoding, attachment=facts or None
             ),
-            is_large=is_large,
+            size,
         )
 
     def _reply_error(self, request_id: bytes, query: zenoh.Query, error: Exception) -> None:
         payload, encoding = self._context.dialect.error_payload(error)
         self._send_reply(
-            request_id, query, lambda latest: latest.reply_err(payload, encoding=encoding)
+            request_id,
+            query,
+            lambda latest: latest.reply_err(payload, encoding=encoding),
+            len(payload),
         )
 
     def _send_reply(
@@ -243,8 +246,7 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
         request_id: bytes,
         query: zenoh.Query,
         send: Callable[[zenoh.Query], None],
-        *,
-        is_large: bool = False,
+        size: int,
     ) -> None:
         def reply(query: zenoh.Query) -> None:
             try:
@@ -258,7 +260,7 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
 
         activity.has_sent = True
         if request_id:
-            query = self._repeated.end(request_id, query, reply, is_large=is_large)
+            query = self._repeated.end(request_id, query, reply, size)
         reply(query)
 
     def destroy(self) -> None:

@@ -7,6 +7,7 @@ import time
 from collections import OrderedDict
 from typing import TYPE_CHECKING, Any
 
+from zbot.memory import LARGE_BYTES
 from zbot.node.errors import ServiceError
 from zbot.wire.attachment import GID_LENGTH
 from zbot.wire.error_reply import unpack_error
@@ -28,6 +29,7 @@ _LATE_S = 1.0
 # A server keeps at most this many late replies, and the latest quick reply of this many clients. A
 # further one removes the oldest.
 _MAX_ANSWERS = 32
+_MAX_LATE_BYTES = 1 << 25  # of all late replies together. The newest is always kept.
 
 
 class ServiceRequest:
@@ -100,7 +102,7 @@ class RepeatedRequests:
     def __init__(self) -> None:
         self._lock = threading.Lock()
         self._working: dict[bytes, tuple[zenoh.Query, float]] = {}
-        self._late: OrderedDict[bytes, Reply] = OrderedDict()
+        self._late: OrderedDict[bytes, tuple[Reply, int]] = OrderedDict()  # with their sizes
         # By the client's gid. The first value is the request.
         self._latest: OrderedDict[bytes, tuple[bytes, Reply]] = OrderedDict()
 
@@ -116,7 +118,7 @@ class RepeatedRequests:
         """
         with self._lock:
             # Keep the reply: if this query is closed already, a later repetition needs the reply.
-            reply = self._late.get(request)
+            reply, _ = self._late.get(request, (None, 0))
             if reply is None:
                 known, reply = self._latest.get(request[-GID_LENGTH:], (b"", None))
                 reply = reply if known == request else None
@@ -127,24 +129,36 @@ class RepeatedRequests:
         reply(query)
         return False
 
-    def end(
-        self, request: bytes, query: zenoh.Query, reply: Reply, *, is_large: bool
-    ) -> zenoh.Query:
+    def end(self, request: bytes, query: zenoh.Query, reply: Reply, size: int) -> zenoh.Query:
         """End a request, and return its latest query, to which the reply must be sent.
 
         The reply is kept, because the client may repeat the request. A quick reply that is large is
         not kept.
+
+        Args:
+            request: As in `is_new`.
+            query: The query that came first.
+            reply: Sends the reply.
+            size: Bytes of the reply.
         """
         with self._lock:
             latest, arrived_s = self._working.pop(request, (query, 0.0))
             if time.monotonic() - arrived_s > _LATE_S:
-                _keep(self._late, request, reply)
-            elif not is_large:
+                self._keep_late(request, reply, size)
+            elif size < LARGE_BYTES:
                 _keep(self._latest, request[-GID_LENGTH:], (request, reply))
         return latest
+
+    def _keep_late(self, request: bytes, reply: Reply, size: int) -> None:
+        _keep(self._late, request, (reply, size))
+        while (
+            len(self._late) > 1 and sum(size for _, size in self._late.values()) > _MAX_LATE_BYTES
+        ):
+            self._late.popitem(last=False)
 
 
 def _keep(kept: OrderedDict[bytes, Any], key: bytes, value: Any) -> None:
     kept[key] = value
+    kept.move_to_end(key)
     if len(kept) > _MAX_ANSWERS:
         kept.popitem(last=False)
