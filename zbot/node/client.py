@@ -307,11 +307,18 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
         on_reply: Callable[[zenoh.Reply], object],
         on_end: Callable[[], object],
     ) -> None:
-        """Send a request. Zenoh's thread calls `on_reply` for each reply, then `on_end` once."""
+        """Send a request. Zenoh's thread calls `on_reply` for each reply, then `on_end` once.
+
+        Raises:
+            InvalidHandleError: The client was destroyed, also while it waited for a response.
+        """
+        querier = self._querier
+        if querier is None:
+            raise InvalidHandleError(f"the client of {self.service_name}")
         handler: Any = zenoh.handlers.Callback(on_reply, drop=on_end, indirect=False)
         activity.has_sent = True
         self._context.session.get(
-            self._querier.key_expr,
+            querier.key_expr,
             handler,
             payload=request.payload,
             encoding=self._encoding,

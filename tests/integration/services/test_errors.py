@@ -13,6 +13,7 @@ from tests.integration.services.conftest import Request, Response, add, client_o
 from zbot.action import ActionClient
 from zbot.errors import InvalidHandleError, NotInitializedError, WrongTypeError
 from zbot.interfaces.errors import NotAMessageTypeError
+from zbot.node import service_request
 from zbot.node.errors import ServiceError
 
 from example_interfaces.action import Fibonacci
@@ -167,6 +168,18 @@ def test_a_destroyed_client_refuses(caller: zbot.Node) -> None:
         client.call_async(Request())
     with pytest.raises(InvalidHandleError):
         client.wait_for_service(0)
+
+
+def test_a_client_that_is_destroyed_during_a_call_says_so(
+    make_context: MakeContext, caller: zbot.Node, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(service_request, "_FIRST_TIMEOUT_S", 0.2)  # then the request is repeated
+    server = zbot.Node("server", context=make_context())  # never spins
+    server.create_service(AddTwoInts, "add", add)
+    client = client_of(caller)
+    threading.Timer(0.05, client.destroy).start()
+    with pytest.raises(InvalidHandleError, match="client of /add"):
+        client.call(Request(), timeout_sec=30)
 
 
 def test_shutdown_ends_a_call(make_context: MakeContext, caller: zbot.Node) -> None:
