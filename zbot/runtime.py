@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from zbot.context import get_default_context
@@ -120,6 +121,7 @@ def get_global_executor(context: Context | None = None) -> Executor:
     executor = _executors.get(id(context))
     if executor is None or executor.context is not context:
         executor = _executors[id(context)] = SingleThreadedExecutor(context=context)
+        context.on_shutdown(partial(_executors.pop, id(context), None))
     return executor
 
 

@@ -11,6 +11,7 @@ from __future__ import annotations
 import contextlib
 import threading
 import time
+import weakref
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import NotInitializedError, WrongStateError
@@ -64,7 +65,9 @@ class Executor(ExecutorNodes):
         self._spin_lock = threading.Lock()
         self._spinning_thread = None
         self._spins_in_main = False
-        context.add_waker(self.wake)
+        # The context keeps only the semaphore: a program may drop an executor without `shutdown`.
+        context.add_waker(self._wakeup.set)
+        weakref.finalize(self, context.remove_waker, self._wakeup.set).atexit = False
 
     @property
     def is_spinning(self) -> bool:
@@ -353,10 +356,13 @@ class Executor(ExecutorNodes):
             self._wait_for_future(future, deadline)
             return
         future.add_waker(self._wakeup.set)
-        while not future.is_over and self._context.is_running and not self._is_shutdown:
-            self._spin_for(future, deadline)
-            if deadline is not None and time.monotonic_ns() >= deadline:
-                return
+        try:
+            while not future.is_over and self._context.is_running and not self._is_shutdown:
+                self._spin_for(future, deadline)
+                if deadline is not None and time.monotonic_ns() >= deadline:
+                    return
+        finally:
+            future.remove_waker(self._wakeup.set)
 
     def spin_once_until_future_complete(
         self, future: Future[Any], timeout_sec: float | None = None
@@ -367,7 +373,10 @@ class Executor(ExecutorNodes):
             self._wait_for_future(future, deadline_ns_of(timeout_sec))
             return
         future.add_waker(self._wakeup.set)
-        self._spin_once(deadline_ns_of(timeout_sec), lambda: future.is_over)
+        try:
+            self._spin_once(deadline_ns_of(timeout_sec), lambda: future.is_over)
+        finally:
+            future.remove_waker(self._wakeup.set)
 
     def _spin_once(self, deadline_ns: int | None, stop: Callable[[], bool] | None = None) -> None:
         """Run one callback with the `spin_once` of a program's own executor."""
@@ -406,6 +415,7 @@ class Executor(ExecutorNodes):
                 else:
                     return
         finally:
+            future.remove_waker(wake.set)
             self._context.remove_waker(wake.set)
 
     def _begin_spin(self) -> None:
@@ -481,7 +491,7 @@ class Executor(ExecutorNodes):
         for node in list(self._nodes):
             self.remove_node(node)
         self._drop_paused()
-        self._context.remove_waker(self.wake)
+        self._context.remove_waker(self._wakeup.set)
         return ended
 
     def wait_idle(self, timeout_s: float) -> bool:

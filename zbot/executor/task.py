@@ -146,6 +146,12 @@ class Future(Generic[T]):
                 return
         waker()
 
+    def remove_waker(self, waker: Callable[[], object]) -> None:
+        """Remove a function that was given to `add_waker`. Do nothing if the future is over."""
+        with self._lock:
+            if waker in self._wakers:
+                self._wakers.remove(waker)
+
     def remove_done_callback(self, callback: Callable[[Self], Any]) -> bool:
         """Remove every occurrence of a callback. Return whether there was an occurrence."""
         with self._lock:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import gc
 import threading
 import time
+import weakref
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -449,3 +451,31 @@ def test_a_busy_topic_leaves_room_for_timers(node: zbot.Node, spin: Spin) -> Non
     spin(node)
     publisher.publish(Int64())
     assert wait_until(lambda: len(ticks) > 20)
+
+
+class CountingFuture(zbot.Future[None]):
+    """Future that counts the functions that wait for it."""
+
+    wakers = 0
+
+    def add_waker(self, waker: Callable[[], object]) -> None:
+        self.wakers += 1
+        super().add_waker(waker)
+
+    def remove_waker(self, waker: Callable[[], object]) -> None:
+        self.wakers -= 1
+        super().remove_waker(waker)
+
+
+def test_a_future_forgets_the_spins_that_are_over(executor: zbot.Executor) -> None:
+    future = CountingFuture()
+    for _ in range(3):
+        executor.spin_until_future_complete(future, 0.0)
+        executor.spin_once_until_future_complete(future, 0.0)
+    assert future.wakers == 0
+
+
+def test_the_context_does_not_keep_a_dropped_executor(context: zbot.Context) -> None:
+    dropped = weakref.ref(zbot.SingleThreadedExecutor(context=context))
+    gc.collect()
+    assert dropped() is None

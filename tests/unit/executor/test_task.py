@@ -279,3 +279,13 @@ def test_a_signal_in_a_done_callback_reaches_the_completing_thread() -> None:
     future.add_done_callback(interrupted)
     with pytest.raises(ExternalShutdownException):
         future.set_result(3)
+
+
+def test_a_removed_waker_is_not_called() -> None:
+    future, woken = pending(), []
+    for waker in (kept := lambda: woken.append("kept"), removed := lambda: woken.append("removed")):
+        future.add_waker(waker)
+    future.remove_waker(removed)
+    future.set_result(None)
+    future.remove_waker(kept)
+    assert woken == ["kept"]
