@@ -76,7 +76,11 @@ class EntityQueue:
             return None
         if not self._groups.reserve(entity):
             return None  # the entity is queued again when the group is free
-        taken = entity.take()
+        try:
+            taken = entity.take()
+        except BaseException:  # e.g. of a program's own waitable
+            self._finish(entity)
+            raise
         if taken is not None:
             return entity, taken
         for waiting in self._groups.release(entity):

@@ -93,6 +93,23 @@ def test_a_removed_waitable_never_runs(
     assert list(node.waitables) == []
 
 
+def test_a_failed_waitable_does_not_keep_its_group(
+    node: zbot.Node, single: zbot.SingleThreadedExecutor
+) -> None:
+    class Broken(TriggeredWaitable):
+        def take_data(self) -> str:
+            super().take_data()
+            raise LookupError("no data")
+
+    bell, ran = Broken(node.default_callback_group), zbot.Future[str]()
+    node.add_waitable(bell)
+    bell.guard.trigger()
+    with pytest.raises(LookupError, match="no data"):
+        complete(single, ran)
+    node.create_guard_condition(lambda: ran.set_result("executed")).trigger()
+    assert complete(single, ran) == "executed"
+
+
 def test_a_waitable_waits_for_its_group(
     node: zbot.Node, single: zbot.SingleThreadedExecutor
 ) -> None:
