@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import threading
 from typing import TYPE_CHECKING, Literal
@@ -24,7 +25,7 @@ class ContextState:
         self.is_inherited = False  #: whether the parent of this forked process opened the session
         self._process: int | None = None  # id of the process that called `init`
         self._wakers: list[Callable[[], None]] = []
-        self._on_shutdown: list[Callable[[], None]] = []
+        self._on_shutdown: list[Callable[[], object]] = []
 
     def close(self) -> None:
         """Close the session."""
@@ -88,11 +89,10 @@ class ContextState:
             self._state = "shut down"
             callbacks, self._on_shutdown = self._on_shutdown, []
         self._wake()
-        try:
-            for callback in callbacks:
-                callback()
-        finally:
-            self.close()
+        with contextlib.ExitStack() as stack:  # an exception of one does not skip the others
+            stack.callback(self.close)
+            for callback in reversed(callbacks):
+                stack.callback(callback)
 
     def try_shutdown(self) -> None:
         """Shut down if the context is not shut down yet."""
@@ -102,7 +102,7 @@ class ContextState:
         """Shut down."""
         self.shutdown()
 
-    def on_shutdown(self, callback: Callable[[], None]) -> None:
+    def on_shutdown(self, callback: Callable[[], object]) -> None:
         """Add a callback that `shutdown()` calls first. Callbacks may be added before `init()`.
 
         Raises:

@@ -42,6 +42,19 @@ def test_a_context_is_initialised_once() -> None:
         state.begin()
 
 
+def test_an_exception_of_a_callback_does_not_skip_the_others() -> None:
+    state = State().begin()
+
+    def fail() -> None:
+        raise ValueError("full disk")
+
+    state.on_shutdown(fail)
+    state.on_shutdown(lambda: state.happened.append("saved"))
+    with pytest.raises(ValueError, match="full disk"):
+        state.shutdown()
+    assert state.happened == ["saved", "close"]
+
+
 def test_an_interrupted_context_is_not_ok_but_still_valid() -> None:
     state = State().begin()
     state.interrupt()
