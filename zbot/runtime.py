@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
@@ -9,8 +10,10 @@ from zbot.context import get_default_context
 from zbot.errors import NotInitializedError
 from zbot.executor.errors import not_an_executor_error
 from zbot.executor.single_threaded_executor import SingleThreadedExecutor
+from zbot.executor.spin_arguments import is_future
 from zbot.executor.spinnable import check_node
 from zbot.interfaces.unknown_field import add_advice
+from zbot.node.argument_check import check_order, is_node
 from zbot.node.node import Node
 from zbot.process import error_advice, signals
 from zbot.process.signals import SignalHandlerOptions
@@ -128,8 +131,7 @@ def get_global_executor(context: Context | None = None) -> Executor:
 def _spin(node: Node, executor: Executor | None, run: Callable[[Executor], None]) -> None:
     """Add the node to the executor, call a function with the executor, and remove the node."""
     check_node("spin", node)
-    if node.context.is_inherited:
-        node.context.require_valid(f"the node {node.get_fully_qualified_name()}")
+    _check_context(node)
     if executor is None:
         executor = _executor_of(node)
     elif not hasattr(executor, "spin_once"):
@@ -146,6 +148,13 @@ def _spin(node: Node, executor: Executor | None, run: Callable[[Executor], None]
             before.add_node(node)
         elif added:
             executor.pause_node(node)  # a program often spins the same node again immediately
+
+
+def _check_context(node: Node) -> None:
+    # A thread may spin until the main thread shuts the context down, which is no mistake.
+    is_late = node.context.is_over and threading.current_thread() is threading.main_thread()
+    if node.context.is_inherited or (is_late and not node.context.is_interrupted):
+        node.context.require_valid(f"the node {node.get_fully_qualified_name()}")
 
 
 def _executor_of(node: Node) -> Executor:
@@ -183,6 +192,7 @@ def spin_until_future_complete(
     timeout_sec: float | None = None,
 ) -> None:
     """Run a node's callbacks until the future is done, at most `timeout_sec` seconds."""
+    check_order("spin_until_future_complete", (node, is_node), (future, is_future))
     _spin(node, executor, lambda chosen: chosen.spin_until_future_complete(future, timeout_sec))
 
 

@@ -476,4 +476,6 @@ class NodeEntities(PrivateAliases):
         handle = self._zbot_state
         if handle.is_destroyed:
             raise InvalidHandleError(f"the node {handle.full_name}")
+        if handle.context.is_over:
+            handle.context.require_valid(f"the node {handle.full_name}")
         return handle
