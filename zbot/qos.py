@@ -195,7 +195,17 @@ class _Policy(Generic[_PolicyT]):
         except ValueError:
             reason = f"{self._name} must be a {self._policy.__name__}, not {value!r}"
             raise InvalidQoSProfileError(reason) from None
+        if isinstance(value, QoSPolicyEnum) and not isinstance(value, self._policy):
+            _warn_of_other_policy(self._name, value, f"{self._policy.__name__}.{policy.name}")
         setattr(profile, self._slot, policy)
+
+
+def _warn_of_other_policy(argument: str, value: QoSPolicyEnum, counts_as: str) -> None:
+    # rclpy takes the number of the member. So a program that runs there is not refused.
+    given = f"{type(value).__name__}.{value.name}"
+    keyword = type(value).__name__.removesuffix("Policy").lower()
+    advice = f"write {keyword}={given} in a QoSProfile"
+    warnings.warn(f"{argument} is {given}, which counts as {counts_as}: {advice}", stacklevel=4)
 
 
 class _Value(Generic[_ValueT]):
@@ -358,6 +368,8 @@ def as_profile(qos_or_depth: QoSProfile | int) -> QoSProfile:
         return qos_or_depth
     if not isinstance(qos_or_depth, int) or isinstance(qos_or_depth, bool):
         raise qos_argument_error(qos_or_depth)
+    if isinstance(qos_or_depth, QoSPolicyEnum):
+        _warn_of_other_policy("the QoS profile", qos_or_depth, f"the depth {int(qos_or_depth)}")
     return QoSProfile(depth=qos_or_depth)
 
 

@@ -1,7 +1,7 @@
 from __future__ import annotations
 
 import copy
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import pytest
 
@@ -28,6 +28,9 @@ from zbot.qos import (
     qos_profile_sensor_data,
 )
 from zbot.time import Duration
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
 
 
 def test_a_depth_alone_keeps_the_last_messages() -> None:
@@ -247,3 +250,25 @@ def test_a_number_in_place_of_a_profile_is_its_depth() -> None:
     assert as_profile(qos_profile_sensor_data) is qos_profile_sensor_data
     with pytest.raises(WrongTypeError, match="Expected QoSProfile or int, the depth of a queue"):
         as_profile("10")  # type: ignore[arg-type]  # pyright: ignore[reportArgumentType]
+
+
+@pytest.mark.parametrize(
+    ("make", "text"),
+    [
+        (
+            lambda: QoSProfile(ReliabilityPolicy.BEST_EFFORT),
+            (
+                "history is ReliabilityPolicy.BEST_EFFORT, which counts as HistoryPolicy.KEEP_ALL: "
+                "write reliability=ReliabilityPolicy.BEST_EFFORT in a QoSProfile"
+            ),
+        ),
+        (
+            lambda: QoSProfile(depth=1, durability=ReliabilityPolicy.BEST_EFFORT),
+            "counts as DurabilityPolicy.VOLATILE: write reliability=",
+        ),
+        (lambda: as_profile(ReliabilityPolicy.BEST_EFFORT), "which counts as the depth 2: write"),
+    ],
+)
+def test_a_member_of_another_policy_is_told(make: Callable[[], object], text: str) -> None:
+    with pytest.warns(UserWarning, match=text):
+        make()
