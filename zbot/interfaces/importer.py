@@ -159,11 +159,11 @@ class _KindModule(ModuleType):
         # SetBool_Request is a part of SetBool.
         owner = self._names.get(attribute.partition("_")[0])
         if owner is None:
-            raise AttributeError(self._missing(attribute))
+            raise AttributeError(self._missing(attribute), name="")  # Python suggests nothing
         try:
             cls = registry.get_interface(f"{owner.rpartition('/')[0]}/{attribute}")
         except UnknownInterfaceError:
-            raise AttributeError(self._missing(attribute)) from None
+            raise AttributeError(self._missing(attribute), name="") from None
         setattr(self, attribute, cls)
         return cls
 

@@ -7,7 +7,7 @@ from types import GenericAlias
 from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Collection
 
     from typing_extensions import Self
 
@@ -98,10 +98,8 @@ class Service:
     __class_getitem__: ClassVar[Any] = classmethod(GenericAlias)
 
     def __init__(self, *_: object, **fields: object) -> None:
-        name, given = type(self).__name__, ", ".join(f"{field}=..." for field in fields)
-        raise NotImplementedError(
-            f"Service classes can not be instantiated: write {name}.Request({given})"
-        )
+        advice = _part_call(type(self), ("Request", "Response"), fields)
+        raise NotImplementedError(f"Service classes can not be instantiated: write {advice}")
 
 
 class Action:
@@ -112,10 +110,16 @@ class Action:
     __class_getitem__: ClassVar[Any] = classmethod(GenericAlias)
 
     def __init__(self, *_: object, **fields: object) -> None:
-        name, given = type(self).__name__, ", ".join(f"{field}=..." for field in fields)
-        raise NotImplementedError(
-            f"Action classes can not be instantiated: write {name}.Goal({given})"
-        )
+        advice = _part_call(type(self), ("Goal", "Result", "Feedback"), fields)
+        raise NotImplementedError(f"Action classes can not be instantiated: write {advice}")
+
+
+def _part_call(cls: type[Any], parts: tuple[str, ...], fields: Collection[str]) -> str:
+    """Return the call of the first part with all the fields, e.g. `SetBool.Request(data=...)`."""
+    known = ((part, getattr(cls, part).get_fields_and_field_types()) for part in parts)
+    fitting = (part for part, names in known if set(fields) <= names.keys())
+    given = ", ".join(f"{field}=..." for field in fields)
+    return f"{cls.__name__}.{next(fitting, parts[0])}({given})"
 
 
 class Impl:

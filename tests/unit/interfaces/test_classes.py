@@ -7,7 +7,7 @@ import pickle
 import re
 import traceback
 from array import array
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pytest
@@ -20,6 +20,12 @@ from zbot.interfaces.message import Message
 from zbot.interfaces.parser import parse_message
 from zbot.wire.errors import CodecError
 from zbot.wire.messagepack.codec import messagepack_codec_for
+
+from example_interfaces.action import Fibonacci
+from std_srvs.srv import SetBool
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
 
 
 def define(text: str) -> type[Any]:
@@ -445,3 +451,23 @@ def test_help_shows_the_definition() -> None:
     doc = get_message("geometry_msgs/msg/Vector3").__doc__ or ""
     assert doc.startswith("geometry_msgs/msg/Vector3\n")
     assert "float64 x" in doc
+
+
+@pytest.mark.parametrize(
+    ("make", "text"),
+    [
+        (lambda: SetBool(data=True), r"write SetBool.Request\(data=...\)$"),
+        (
+            lambda: SetBool(success=True, message=""),
+            r"write SetBool.Response\(success=..., message",
+        ),
+        (lambda: Fibonacci(sequence=[1]), r"write Fibonacci.Result\(sequence=...\)$"),
+        (Fibonacci, r"write Fibonacci.Goal\(\)$"),
+        (lambda: SetBool(no=1), r"write SetBool.Request\(no=...\)$"),
+    ],
+)
+def test_a_service_or_action_class_names_the_part_to_write(
+    make: Callable[[], object], text: str
+) -> None:
+    with pytest.raises(NotImplementedError, match=text):
+        make()

@@ -146,8 +146,9 @@ def test_a_missing_name_is_an_import_error(statement: str, message: str) -> None
 def test_a_missing_attribute_is_an_attribute_error() -> None:
     module = importlib.import_module("std_msgs.msg")
     assert not hasattr(module, "Strng")
-    with pytest.raises(AttributeError, match="did you mean 'String'"):
+    with pytest.raises(AttributeError, match="did you mean 'String'") as caught:
         _ = module.Strng
+    assert not caught.value.name  # otherwise, Python suggests the name once more
     package = importlib.import_module("std_msgs")
     assert not hasattr(package, "String")
     with pytest.raises(AttributeError, match=r"write from std_msgs\.msg import String"):
