@@ -28,6 +28,11 @@ class CallbackGroup:
     def __init__(self) -> None:
         self._entities = weakref.WeakSet()
 
+    @property
+    def entities(self) -> set[weakref.ref[Any]]:
+        """Weak references to the entities of the group, as in rclpy."""
+        return {weakref.ref(entity) for entity in self._entities}
+
     def add_entity(self, entity: Any) -> None:
         """Put a subscription, timer, service ... into the group."""
         self._entities.add(entity)

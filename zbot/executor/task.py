@@ -124,6 +124,8 @@ class Future(Generic[T]):
     def add_done_callback(self, callback: Callable[[Self], Any]) -> None:
         """Call `callback(self)` when the future is over, or immediately if it is over already.
 
+        An exception of a callback that is called immediately passes through.
+
         Raises:
             WrongTypeError: The callback is not callable.
             WrongStateError: The callback does not take one argument.
@@ -183,7 +185,12 @@ class Future(Generic[T]):
 
     def _run_callbacks(self) -> None:
         for callback in self._pop_callbacks():
-            self._run(callback)
+            try:
+                self._run(callback)
+            except ExternalShutdownException:
+                raise  # a signal came during the callback
+            except Exception as exc:  # noqa: BLE001 - as in rclpy, the completing thread goes on
+                warnings.warn(f"Unhandled exception in done callback: {exc}", stacklevel=2)
 
     def _pop_callbacks(self) -> list[Callable[[Any], Any]]:
         with self._lock:
@@ -194,13 +201,8 @@ class Future(Generic[T]):
         executor = None if self._executor is None else self._executor()
         if executor is not None:
             executor.create_task(callback, self)
-            return
-        try:
+        else:
             callback(self)
-        except ExternalShutdownException:
-            raise  # a signal came during the callback
-        except Exception as exc:  # noqa: BLE001 - as in rclpy, the completing thread goes on
-            warnings.warn(f"Unhandled exception in done callback: {exc}", stacklevel=2)
 
 
 class Task(Future[T]):

@@ -25,6 +25,12 @@ def test_a_reentrant_group_allows_every_callback() -> None:
     assert group.ending_execution(entity) == []
 
 
+def test_a_group_has_weak_references_to_its_entities() -> None:
+    group, entity = ReentrantCallbackGroup(), Entity()
+    group.add_entity(entity)
+    assert [reference() for reference in group.entities] == [entity]
+
+
 def test_an_exclusive_group_allows_one_callback_and_returns_waiting_ones_in_order() -> None:
     group, first, second, third = MutuallyExclusiveCallbackGroup(), Entity(), Entity(), Entity()
     assert group.beginning_execution(first)

@@ -271,6 +271,11 @@ def test_an_error_of_a_done_callback_does_not_reach_the_completing_thread() -> N
     assert later == [3]
 
 
+def test_an_error_of_a_late_done_callback_reaches_the_caller() -> None:
+    with pytest.raises(ZeroDivisionError):
+        finished().add_done_callback(lambda _: 1 / 0)
+
+
 def test_a_signal_in_a_done_callback_reaches_the_completing_thread() -> None:
     def interrupted(_: object) -> None:
         raise ExternalShutdownException
