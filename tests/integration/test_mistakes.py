@@ -12,7 +12,8 @@ import pytest
 
 import zbot
 from zbot.action import ActionClient, ActionServer
-from zbot.errors import ZbotError
+from zbot.action.errors import ActionMessageError
+from zbot.errors import NotInitializedError, ZbotError
 from zbot.executor.callback_group import ReentrantCallbackGroup
 from zbot.executor.multi_threaded_executor import MultiThreadedExecutor
 from zbot.executor.single_threaded_executor import SingleThreadedExecutor
@@ -20,7 +21,7 @@ from zbot.executor.waitable import Waitable
 from zbot.libraries.message_filter import SimpleFilter, Subscriber
 from zbot.lifecycle import LifecycleNode
 from zbot.node.event_callbacks import PublisherEventCallbacks, SubscriptionEventCallbacks
-from zbot.qos import QoSProfile
+from zbot.qos import QoSPresetProfiles, QoSProfile
 from zbot.remote.wait_for_message import wait_for_message
 from zbot.tf2 import Buffer, TransformBroadcaster, TransformListener
 
@@ -49,6 +50,10 @@ def robot() -> Iterator[Any]:
 
 def action_server(node: Any, execute: Any = None, **options: Any) -> Any:
     return ActionServer[Any, Any, Any](node, Fibonacci, "fibonacci", execute, **options)
+
+
+def raised(error: Exception) -> None:
+    raise error
 
 
 @pytest.mark.parametrize(
@@ -151,6 +156,14 @@ def action_server(node: Any, execute: Any = None, **options: Any) -> Any:
             "Parameter.*: write its .value$",
         ),
         (lambda n: n.create_publisher(SetBool.Request, "t", 10).publish([]), r"given list: \[\]$"),
+        (
+            lambda _: raised(ActionMessageError("/f", Fibonacci.Result, Fibonacci.Result)),
+            r"not the class Fibonacci_Result; write Fibonacci.Result\(.*\), with parentheses$",
+        ),
+        (
+            lambda n: n.create_publisher(String, "t", QoSPresetProfiles.SENSOR_DATA),
+            "write QoSPresetProfiles.SENSOR_DATA.value$",
+        ),
         (lambda n: n.create_publisher(String, "t", QoSProfile), "received the class QoSProfile"),
         (
             lambda n: n.create_timer(1, n.tick, ReentrantCallbackGroup),
@@ -162,12 +175,21 @@ def action_server(node: Any, execute: Any = None, **options: Any) -> Any:
             lambda n: n.create_subscription(String, "t", n.hear, 1, event_callbacks=n.hear),
             "event_c",
         ),
-        (lambda n: n.create_timer("0.5", n.tick), "must be a positive number of seconds"),
+        (
+            lambda n: n.create_timer("0.5", n.tick),
+            "must be a positive number of seconds, not '0.5'$",
+        ),
+        (lambda n: n.create_timer(zbot.Duration(seconds=2), n.tick), r"Duration\(.*\): write 2$"),
+        (lambda n: n.create_rate(-1), "a rate's frequency must be a positive number of hertz, not"),
         # what is not a node
         (lambda _: zbot.spin(Robot), r"spin needs a node, .* write Robot\(\) with parentheses"),  # type: ignore[arg-type]
         (lambda _: zbot.spin(None), "spin needs a node, .* but was given None"),  # type: ignore[arg-type]
         (lambda _: zbot.spin_once("robot"), "but was given str: 'robot'"),  # type: ignore[arg-type]
         (lambda n: SingleThreadedExecutor(context=n.context).add_node(Robot), "add_node needs a n"),  # type: ignore[arg-type]
+        (
+            lambda n: zbot.spin_until_future_complete(zbot.Future(), n),  # type: ignore[arg-type]
+            r"write spin_until_future_complete\(self, future\)$",
+        ),
         (lambda n: zbot.spin_until_future_complete(n, None), "future must be a future, e.g. the"),  # type: ignore[arg-type]
         (lambda n: zbot.spin_until_future_complete(n, zbot.Future(), 0.1), "timeout_sec=0.1"),  # type: ignore[arg-type]
         (lambda n: zbot.spin_once(n, timeout_sec="1"), "timeout_sec must be a number of seconds"),  # type: ignore[arg-type]
@@ -234,3 +256,24 @@ def test_any_number_can_be_a_period(robot: Any, period: Any) -> None:
     timer = robot.create_timer(period, robot.tick)
     assert timer.timer_period_ns == 500_000_000
     robot.destroy_timer(timer)
+
+
+@pytest.mark.parametrize(
+    "use",
+    [
+        lambda n: n.create_timer(0.5, n.tick),
+        lambda n: n.create_guard_condition(n.tick),
+        lambda n: n.create_rate(1.0),
+        lambda n: n.create_publisher(String, "t", 10),
+        zbot.spin,
+        lambda n: zbot.spin_once(n, timeout_sec=0),
+        lambda n: zbot.spin_until_future_complete(n, zbot.Future(), timeout_sec=0),
+    ],
+)
+def test_a_node_cannot_be_used_after_shutdown(use: Callable[[Any], Any]) -> None:
+    context = zbot.Context()
+    context.init([], domain_id=44)
+    late = Robot("late", context=context)
+    context.shutdown()
+    with pytest.raises(NotInitializedError, match=r"\(and no shutdown\(\) after it\)"):
+        use(late)

@@ -26,6 +26,7 @@ class ActionMessageError(ZbotError, TypeError):
 
     def __init__(self, action: str, expected: type[Any], value: object) -> None:
         self.action, self.expected, self.value = action, type_name(expected), value
+        advice = f"{call_text(expected)}{', with parentheses' * isinstance(value, type)}"
         super().__init__(
-            f"{action} takes a {self.expected}, not {shortened(value)}; write {call_text(expected)}"
+            f"{action} takes a {self.expected}, not {shortened(value)}; write {advice}"
         )

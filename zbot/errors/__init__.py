@@ -27,7 +27,9 @@ class ZbotError(Exception):
 
 
 def shortened(value: object, limit: int = 80) -> str:
-    """Return at most `limit` characters of the `repr` of a value."""
+    """Return at most `limit` characters of the `repr` of a value. A class is told by its name."""
+    if isinstance(value, type):
+        return f"the class {value.__name__}"
     try:
         text = repr(value)
     except ValueError:  # Python writes no number with more than 4300 digits
@@ -236,9 +238,11 @@ class InvalidQoSProfileError(ZbotError, ValueError):
 
 def qos_argument_error(value: object) -> WrongTypeError:
     """Return the error that a value is not a QoS profile and not the depth of a queue."""
+    preset = hasattr(getattr(value, "value", None), "depth")
+    advice = f"{value}.value" if preset else "the depth, e.g. 10"
     return WrongTypeError(
         "Expected QoSProfile or int, the depth of a queue, but received "
-        f"{described(value)}; write the depth, e.g. 10"
+        f"{described(value)}; write {advice}"
     )
 
 

@@ -29,7 +29,12 @@ def left_s(deadline_ns: int | None) -> float | None:
     return None if deadline_ns is None else max(0, deadline_ns - time.monotonic_ns()) / 1e9
 
 
+def is_future(value: object) -> bool:
+    """Return whether a value is a future, and not the class."""
+    return hasattr(value, "add_waker") and not isinstance(value, type)
+
+
 def check_future(future: object) -> None:
     """Raise `ArgumentTypeError` if the argument is not a future."""
-    if not hasattr(future, "add_waker") or isinstance(future, type):
+    if not is_future(future):
         raise ArgumentTypeError("future", "a future, e.g. the result of call_async()", future)

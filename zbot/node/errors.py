@@ -39,12 +39,16 @@ class InvalidPeriodError(ZbotError, ValueError, RuntimeError):
 
     def __init__(self, what: str, value: object) -> None:
         self.what, self.value = what, value
+        unit = "seconds" if "period" in what else "hertz"
         super().__init__(
-            f"{what} must be a positive number of seconds or hertz, not {value!r}{_value_of(value)}"
+            f"{what} must be a positive number of {unit}, not {value!r}{_advice(value)}"
         )
 
 
-def _value_of(value: object) -> str:
+def _advice(value: object) -> str:
+    """Return what to write in place of a value that stands for a number, or `""`."""
+    if type(value).__name__ == "Duration":
+        return f": write {value.nanoseconds / 1e9:g}"  # type: ignore[attr-defined] # our own class
     return ": write its .value" if type(value).__name__ == "Parameter" else ""
 
 
@@ -63,10 +67,11 @@ def request_type_error(service: str, expected: type[Any], value: object) -> Wron
 
 def response_type_error(service: str, expected: type[Any], value: object) -> WrongTypeError:
     """Return the error that a service's callback returned something else than its response."""
-    return WrongTypeError(
-        f"the callback of {service} returned {shortened(value)}, not a {type_name(expected)}: "
-        "does it end with `return response`?"
-    )
+    advice = "does it end with `return response`?"
+    if isinstance(value, type):
+        advice = "write Response(), with parentheses"
+    given = f"returned {shortened(value)}, not a {type_name(expected)}"
+    return WrongTypeError(f"the callback of {service} {given}: {advice}")
 
 
 class ServiceError(ZbotError, RuntimeError):
