@@ -60,6 +60,7 @@ class _Service:
 
 
 _Wanted = _Topic | _Service
+_Found = dict[str, tuple[list[End], list[End]]]  #: by name, the endpoints of zbot and of ROS 2
 
 
 class RouteManager:
@@ -143,7 +144,8 @@ class RouteManager:
     def update(self) -> None:
         """Compare the routes with the endpoints on both sides, and open and close routes."""
         zbot, ros = self._in_ros(self._zbot.world()), self._ros.world()
-        wanted = {**self._topics(zbot, ros), **self._services(zbot, ros)}
+        topics = _by_name(zbot, ros, _TOPIC_KINDS)
+        wanted = {**self._topics(topics), **self._services(zbot, ros)}
         wanted = {item: ends for item, ends in wanted.items() if self._is_possible(item, ends)}
         taken = self._taken(zbot, ros)
         own = {item for item in wanted if _offer(item) not in taken}
@@ -153,7 +155,7 @@ class RouteManager:
         for item in own - self._routes.keys() - self._failed:
             self._open(item)
         self._show(zbot, ros, own & self._routes.keys())
-        self._tell_mismatches(zbot, ros, own)
+        self._tell_mismatches(topics, own)
 
     # -- names -----------------------------------------------------------------------------------
 
@@ -185,8 +187,7 @@ class RouteManager:
 
     # -- what is to be carried -------------------------------------------------------------------
 
-    def _topics(self, zbot: World, ros: World) -> dict[_Wanted, list[End]]:
-        found = _by_name(zbot, ros, _TOPIC_KINDS)
+    def _topics(self, found: _Found) -> dict[_Wanted, list[End]]:
         wanted: dict[_Wanted, list[End]] = {}
         self._profiles.clear()
         for name, ends in found.items():
@@ -348,17 +349,13 @@ class RouteManager:
         node = self._zbot_name(end.node) if end.node else ""
         return replace(end, name=self._zbot_name(end.name), node=node)
 
-    def _tell_mismatches(self, zbot: World, ros: World, own: Iterable[_Wanted]) -> None:
+    def _tell_mismatches(self, topics: _Found, own: Iterable[_Wanted]) -> None:
         for item in own:
-            if not isinstance(item, _Topic):
-                continue
-            source, target = (zbot, ros) if item.direction is Direction.OUT else (ros, zbot)
-            if target is zbot:
-                continue  # in zbot, all QoS profiles are compatible
-            publishers = [e for e in source.ends if (e.kind, e.name) == (_PUBLISHER, item.name)]
-            ends = [e for e in target.ends if (e.kind, e.name) == (_SUBSCRIPTION, item.name)]
-            for text in mismatches(publishers, ends):
-                self._tell(text)
+            # In zbot, all QoS profiles are compatible.
+            if isinstance(item, _Topic) and item.direction is Direction.OUT:
+                ours, theirs = topics[item.name]
+                for text in mismatches(_of(ours, _PUBLISHER), _of(theirs, _SUBSCRIPTION)):
+                    self._tell(text)
 
     def _tell(self, text: str) -> None:
         if text not in self._told:
@@ -369,11 +366,9 @@ class RouteManager:
 _PUBLISHER, _SUBSCRIPTION = EntityKind.PUBLISHER, EntityKind.SUBSCRIPTION
 
 
-def _by_name(
-    zbot: World, ros: World, kinds: tuple[EntityKind, ...]
-) -> dict[str, tuple[list[End], list[End]]]:
-    """Return the endpoints of some kinds by name: those of zbot, and those of ROS 2."""
-    found: dict[str, tuple[list[End], list[End]]] = defaultdict(lambda: ([], []))
+def _by_name(zbot: World, ros: World, kinds: tuple[EntityKind, ...]) -> _Found:
+    """Return the endpoints of some kinds by name."""
+    found: _Found = defaultdict(lambda: ([], []))
     for index, world in enumerate((zbot, ros)):
         for end in world.ends:
             if end.kind in kinds:

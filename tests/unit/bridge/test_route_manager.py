@@ -1,7 +1,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import pytest
 
@@ -9,11 +9,15 @@ from tests.unit.bridge.fake_side import FakeAnswer, FakeSide
 from zbot.bridge.errors import CallError
 from zbot.bridge.route_manager import RouteManager
 from zbot.bridge.selection import Direction, Selection, patterns
+from zbot.bridge.side import End
 from zbot.interfaces import get_interface
 from zbot.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from zbot.wire.cdr.codec import cdr_codec_for
 from zbot.wire.messagepack.codec import messagepack_codec_for
 from zbot.wire.tokens import EntityKind
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
 
 PUBLISHER, SUBSCRIPTION = EntityKind.PUBLISHER, EntityKind.SUBSCRIPTION
 SERVICE, CLIENT = EntityKind.SERVICE, EntityKind.CLIENT
@@ -161,6 +165,29 @@ def test_a_mismatch_of_profiles_is_told(zbot: FakeSide, ros: FakeSide, log: Line
     made.update()
     assert len(log) == 1
     assert "/robot gets no messages of /laptop" in log[0]
+
+
+class CountedEnds(frozenset[End]):
+    """Endpoints that count how often a program goes through them."""
+
+    passes = 0
+
+    def __iter__(self) -> Iterator[End]:
+        self.passes += 1
+        return super().__iter__()
+
+
+@pytest.mark.parametrize("count", [1, 30])
+def test_the_endpoints_are_not_searched_again_for_each_topic(
+    zbot: FakeSide, ros: FakeSide, log: Lines, count: int
+) -> None:
+    for number in range(count):
+        zbot.add(PUBLISHER, f"/topic{number}")
+        ros.add(SUBSCRIPTION, f"/topic{number}")
+    ends = CountedEnds(ros.present.ends)
+    ros.present = replace(ros.present, ends=ends)
+    assert len(manager(zbot, ros, log).carried) == count
+    assert ends.passes < 10
 
 
 @pytest.mark.parametrize("side", ["zbot", "ros"])
