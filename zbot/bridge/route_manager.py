@@ -98,7 +98,6 @@ class RouteManager:
         self._prefix = prefix.rstrip("/")
         self._log = log
         self._routes: dict[_Wanted, TopicRoute | ServiceRoute] = {}
-        self._failed: set[_Wanted] = set()
         self._told: set[str] = set()
         self._changed = threading.Event()
         self._is_closed = False
@@ -149,10 +148,9 @@ class RouteManager:
         wanted = {item: ends for item, ends in wanted.items() if self._is_possible(item, ends)}
         taken = self._taken(zbot, ros)
         own = {item for item in wanted if _offer(item) not in taken}
-        self._failed &= own
         for item in [item for item in self._routes if item not in own]:
             self._routes.pop(item).close()
-        for item in own - self._routes.keys() - self._failed:
+        for item in own - self._routes.keys():
             self._open(item)
         self._show(zbot, ros, own & self._routes.keys())
         self._tell_mismatches(topics, own)
@@ -265,6 +263,7 @@ class RouteManager:
     # -- routes ----------------------------------------------------------------------------------
 
     def _open(self, wanted: _Wanted) -> None:
+        """Open a route. If that fails, the next change of the graph is another chance."""
         try:
             self._routes[wanted] = (
                 self._topic_route(wanted)
@@ -272,7 +271,6 @@ class RouteManager:
                 else self._service_route(wanted)
             )
         except Exception as error:  # noqa: BLE001 - the classes of rclpy's errors are private
-            self._failed.add(wanted)
             self._tell(f"{wanted.name} is not carried: {error}")
 
     def _sides(self, direction: Direction) -> tuple[Side, Side]:

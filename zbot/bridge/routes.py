@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import time
+from contextlib import contextmanager
 from typing import TYPE_CHECKING, Protocol
 
 from zbot.bridge.errors import CallError
 from zbot.wire.errors import CodecError
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterator
 
-    from zbot.bridge.side import Answer, Side
+    from zbot.bridge.side import Answer, Entity, Side
     from zbot.qos import QoSProfile
 
 
@@ -70,7 +71,8 @@ class TopicRoute:
         self.refused_count = 0
         self._has_passed = False
         self._sender = sides[1].sender(other_name, type_name, profiles[1])
-        self._receiver = sides[0].receiver(self._name, type_name, profiles[0], self._carry)
+        with _closed_on_error(self._sender):
+            self._receiver = sides[0].receiver(self._name, type_name, profiles[0], self._carry)
 
     def _carry(self, data: bytes) -> None:
         if self._limit is not None and not self._limit.admits(time.monotonic()):
@@ -129,7 +131,8 @@ class ServiceRoute:
         name, other_name, type_name = service
         self._request, self._response = request, response
         self._caller = sides[0].caller(name, type_name)
-        self._server = sides[1].server(other_name, type_name, node, self._serve)
+        with _closed_on_error(self._caller):
+            self._server = sides[1].server(other_name, type_name, node, self._serve)
 
     def _serve(self, data: bytes, answer: Answer) -> None:
         try:
@@ -163,6 +166,16 @@ class _Converted:
 
     def fail(self, error: CallError) -> None:
         self._answer.fail(error)
+
+
+@contextmanager
+def _closed_on_error(entity: Entity) -> Iterator[None]:
+    """Remove the first endpoint of a route if there is no second one."""
+    try:
+        yield
+    except BaseException:
+        entity.close()
+        raise
 
 
 def _as_call_error(error: CodecError) -> CallError:

@@ -57,6 +57,7 @@ class FakeSide:
         self.shown_nodes: frozenset[str] = frozenset()
         self.shown: frozenset[End] = frozenset()
         self.missing_types: dict[str, str] = {}
+        self.broken_kinds: set[str] = set()  #: of entities that cannot be made
         self.changed: Callable[[], None] = lambda: None
 
     def add(
@@ -92,6 +93,8 @@ class FakeSide:
         return self.missing_types.get(type_name, "")
 
     def _entity(self, kind: str, name: str, **more: Any) -> FakeEntity:
+        if kind in self.broken_kinds:
+            raise OSError("too many open files")
         self.entities.append(FakeEntity(kind, name, **more))
         return self.entities[-1]
 

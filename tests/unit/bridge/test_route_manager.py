@@ -190,6 +190,25 @@ def test_the_endpoints_are_not_searched_again_for_each_topic(
     assert ends.passes < 10
 
 
+def test_a_route_that_failed_is_tried_again_and_leaves_nothing_open(
+    zbot: FakeSide, ros: FakeSide, log: Lines
+) -> None:
+    ros.add(PUBLISHER, "/scan")
+    ros.add(SERVICE, "/lamp", "std_srvs/srv/SetBool")
+    ros.broken_kinds, zbot.broken_kinds = {"receiver"}, {"server"}
+    made = manager(zbot, ros, log)
+    made.update()
+    assert made.carried == []
+    assert [*zbot.open("sender"), *ros.open("caller")] == []
+    assert sorted(log) == [
+        "/lamp is not carried: too many open files",
+        "/scan is not carried: too many open files",
+    ]
+    ros.broken_kinds, zbot.broken_kinds = set(), set()
+    made.update()
+    assert [name for name, _ in made.carried] == ["/lamp", "/scan"]
+
+
 @pytest.mark.parametrize("side", ["zbot", "ros"])
 def test_a_missing_type_is_told_once(zbot: FakeSide, ros: FakeSide, log: Lines, side: str) -> None:
     {"zbot": zbot, "ros": ros}[side].missing_types["std_msgs/msg/String"] = "it has no String"
