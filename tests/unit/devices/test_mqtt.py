@@ -1,9 +1,14 @@
 from __future__ import annotations
 
+from types import SimpleNamespace
+from typing import Any
+
 import pytest
 
 from zbot.devices.errors import DeviceError, UnreadableError
+from zbot.devices.mqtt import client
 from zbot.devices.mqtt.address import BrokerAddress, parse_address
+from zbot.devices.mqtt.client import BrokerClient
 from zbot.devices.mqtt.payload import read_payload
 from zbot.interfaces.yaml_message import Word
 
@@ -57,3 +62,90 @@ def test_a_payload_may_be_json() -> None:
 def test_a_payload_that_is_no_text_is_refused() -> None:
     with pytest.raises(UnreadableError, match="it is not text"):
         read_payload(b"\xff\xd8\xff")
+
+
+class Code:
+    """Answer of a broker."""
+
+    def __init__(self, refusal: str = "") -> None:
+        self.is_failure = bool(refusal)
+        self._refusal = refusal
+
+    def __str__(self) -> str:
+        return self._refusal
+
+
+class FakeMqtt:
+    """Client of paho-mqtt without a broker. `connection` and `answers` are the broker's answers."""
+
+    protocol = 4  # its subscriptions have no options
+
+    def __init__(self, *answers: str) -> None:
+        self.connection, self.answers = "", list(answers)
+
+    def __getattr__(self, _name: str) -> Any:
+        return lambda *_: None
+
+    def loop_start(self) -> None:
+        self.on_connect(self, None, None, Code(self.connection), None)
+
+    def subscribe(self, _filters: Any) -> None:
+        self.on_subscribe(self, None, 1, list(map(Code, self.answers)), None)
+
+    def lose(self) -> None:
+        self.on_disconnect(self, None, None, Code("Unspecified error"), None)
+
+
+class Lines(list[str]):
+    def info(self, message: str) -> None:
+        self.append(message)
+
+    warning = info
+
+
+def connect(fake: FakeMqtt, monkeypatch: pytest.MonkeyPatch) -> Lines:
+    library = SimpleNamespace(
+        Client=lambda *_, **__: fake,
+        CallbackAPIVersion=SimpleNamespace(VERSION2=2),
+        MQTTProtocolVersion=int,
+    )
+    monkeypatch.setattr(client, "mqtt_library", lambda: library)
+    lines = Lines()
+    log: Any = lines
+    BrokerClient(BrokerAddress("broker", 1883), log, ["home/#", "lab/#"], lambda _: None)
+    return lines
+
+
+def test_a_refused_filter_ends_the_start(monkeypatch: pytest.MonkeyPatch) -> None:
+    with pytest.raises(DeviceError, match=r"the broker refuses lab/# \(Not authorized\)$"):
+        connect(FakeMqtt("", "Not authorized"), monkeypatch)
+
+
+def test_a_filter_that_is_refused_later_is_logged(monkeypatch: pytest.MonkeyPatch) -> None:
+    fake = FakeMqtt("", "")
+    lines = connect(fake, monkeypatch)
+    fake.answers = ["Not authorized", ""]
+    for _ in range(2):
+        fake.lose()
+        fake.loop_start()
+    assert lines == 2 * [
+        "the broker broker:1883 is gone: waiting until it is back",
+        "broker:1883: the broker refuses home/# (Not authorized)",
+    ]
+
+
+def test_a_broker_that_is_back_and_refuses_is_logged_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    fake = FakeMqtt("", "")
+    lines = connect(fake, monkeypatch)
+    fake.lose()
+    lines.clear()
+    fake.connection = "Server busy"
+    for _ in range(3):
+        fake.loop_start()
+        fake.lose()
+    fake.connection = ""
+    fake.loop_start()
+    assert lines == [
+        "broker:1883: the broker refuses: Server busy",
+        "the broker broker:1883 is back",
+    ]

@@ -109,13 +109,14 @@ class BrokerClient:
         client.loop_start()
         if not self._answered.wait(_FIRST_ANSWER_S):
             self._refusal = f"no answer within {_FIRST_ANSWER_S:.0f} s"
-        if self._refusal is None:
+        refusal = self._refusal
+        if refusal is None:
             return client
         client.disconnect()
         client.loop_stop()
-        if self._refusal == _OLD_BROKER and version == 5:
+        if refusal == self._refusal_text(_OLD_BROKER) and version == 5:
             return self._started(4)  # MQTT 3.1.1
-        raise DeviceError(f"{self._address}: {self._refusal_text(self._refusal)}")
+        raise DeviceError(f"{self._address}: {refusal}")
 
     def _refusal_text(self, reason: str) -> str:
         if reason not in _REFUSED:
@@ -143,9 +144,7 @@ class BrokerClient:
 
     def _on_connect(self, client: Any, _data: Any, _flags: Any, code: Any, _more: Any) -> None:
         if code.is_failure:
-            if not self._answered.is_set():
-                self._refusal = str(code)
-            self._answered.set()
+            self._refuse(self._refusal_text(str(code)))
             return
         self._is_connected = True
         if self._filters:
@@ -153,13 +152,27 @@ class BrokerClient:
         else:
             self._be_ready()
 
-    def _on_subscribe(self, *_: object) -> None:
-        self._be_ready()
+    def _on_subscribe(self, _client: Any, _data: Any, _id: int, codes: Any, _more: Any) -> None:
+        """Read the answers of the broker, one for each filter."""
+        answers = zip(self._filters, codes, strict=False)
+        refused = [f"{text} ({code})" for text, code in answers if code.is_failure]
+        if refused:
+            self._refuse(f"the broker refuses {', '.join(refused)}")
+        else:
+            self._be_ready()
 
     def _be_ready(self) -> None:
         """Say that the broker is back. From now on, no message of it is missed."""
         if self._answered.is_set():
             self._log.info(f"the broker {self._address} is back")
+        self._refusal = None
+        self._answered.set()
+
+    def _refuse(self, text: str) -> None:
+        """End the wait for the first answer. Log a later refusal, but not again at each try."""
+        if self._answered.is_set() and text != self._refusal:
+            self._log.warning(f"{self._address}: {text}")
+        self._refusal = text
         self._answered.set()
 
     def _options(self, client: Any) -> Any:
@@ -182,6 +195,7 @@ class BrokerClient:
 
     def _on_disconnect(self, _client: Any, _data: Any, _flags: Any, code: Any, _more: Any) -> None:
         if self._is_connected and code.is_failure:
+            self._refusal = None
             self._log.warning(f"the broker {self._address} is gone: waiting until it is back")
         self._is_connected = False
 
