@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from zbot.interfaces import get_interface, type_hash
@@ -29,15 +29,6 @@ class ZenohKeys:
     data: str  #: key of the messages, or of a service's requests
     node_token: str
     endpoint_token: str
-
-    def with_zid(self, zid: str) -> ZenohKeys:
-        """Return the keys for a session. `zid` is its id, as Zenoh prints it."""
-        node, endpoint = self.node_token, self.endpoint_token
-        return replace(
-            self,
-            node_token=node.replace(f"/{ZID}/", f"/{zid}/", 1),
-            endpoint_token=endpoint.replace(f"/{ZID}/", f"/{zid}/", 1),
-        )
 
 
 def zenoh_keys(

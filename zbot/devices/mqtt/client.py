@@ -74,11 +74,6 @@ class BrokerClient:
         self._is_connected = False
         self._client = self._started(5)
 
-    @property
-    def is_connected(self) -> bool:
-        """Whether the broker answers."""
-        return self._is_connected
-
     def publish(self, topic: str, payload: bytes, qos: int, *, is_retained: bool) -> bool:
         """Send a message. Return whether it was sent or waits for the broker."""
         info = self._client.publish(topic, payload, qos, is_retained)
