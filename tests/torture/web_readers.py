@@ -139,7 +139,7 @@ def _connection(data: bytes) -> None:
         streams: Any = Streams(reader, _NoWriter())  # type: ignore[arg-type]
         publishing: Any = _NoPublishing()
         with ThreadPoolExecutor(1) as threads:
-            await Connection(streams, streams, publishing, threads)._from_client()
+            await Connection(streams, streams, publishing, threads, threads)._from_client()
 
     asyncio.run(run())
 

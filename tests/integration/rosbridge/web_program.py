@@ -29,7 +29,8 @@ class WebProgram:
         threading.Timer(delay_s, function).start()
 
     def send(self, op: str, **fields: Any) -> None:
-        self.dispatcher.take(json.dumps({"op": op, **fields}))
+        if not self.dispatcher.take(json.dumps({"op": op, **fields})):
+            self.dispatcher.finish()
 
     def read(self) -> list[dict[str, Any]]:
         self.received += map(json.loads, self.session.outbox.take().frames)

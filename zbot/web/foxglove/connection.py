@@ -79,13 +79,21 @@ class Connection:
         server: The server of the SDK.
         publishing: The publishers of the client.
         threads: Threads for what takes long.
+        waiting_threads: Threads that wait for answers of nodes. A node that does not answer delays
+            only these threads.
     """
 
     def __init__(
-        self, client: Streams, server: Streams, publishing: Publishing, threads: Executor
+        self,
+        client: Streams,
+        server: Streams,
+        publishing: Publishing,
+        threads: Executor,
+        waiting_threads: Executor,
     ) -> None:
         self._client, self._server = client, server
-        self._publishing, self._threads = publishing, threads
+        self._publishing = publishing
+        self._threads, self._waiting_threads = threads, waiting_threads
         self._budget = ClientBudget()
         self._outbox = Outbox()
         self._subscribed: set[int] = set()
@@ -103,8 +111,9 @@ class Connection:
             for way in ways:
                 way.cancel()
             outcomes = await asyncio.gather(*ways, return_exceptions=True)
-            # Without a wait: the server may be ending, and nothing depends on it.
-            self._threads.submit(self._publishing.close)
+            # Without a wait: the server may be ending, and nothing depends on it. `close` waits for
+            # the end of an `advertise`.
+            self._waiting_threads.submit(self._publishing.close)
         for outcome in outcomes:
             if isinstance(outcome, OverBudgetError):
                 await self._close(str(outcome))
@@ -180,7 +189,7 @@ class Connection:
             return
         head = message.frames[0].content(_CALL_HEAD.size)
         if head[:1] == bytes((_MESSAGE,)):
-            await self._work(self._publish, message)
+            await self._work(self._threads, self._publish, message)
         elif head[:1] == bytes((_CALL,)) and len(head) == _CALL_HEAD.size:
             await self._call(_CALL_HEAD.unpack(head)[1:], message)
         else:
@@ -208,7 +217,7 @@ class Connection:
             return
         if op == "unadvertise":
             for number in _list(fields, "channelIds"):
-                await self._work(self._publishing.unadvertise, _number(number))
+                await self._work(self._threads, self._publishing.unadvertise, _number(number))
             return
         if op == "subscribe":
             fields = self._allowed(fields)
@@ -222,7 +231,8 @@ class Connection:
     async def _advertise(self, channels: list[Any]) -> None:
         for channel in channels:
             try:
-                await self._work(self._publishing.advertise, channel)
+                # Nodes may have to explain the type of the channel.
+                await self._work(self._waiting_threads, self._publishing.advertise, channel)
             except ViewerError as error:
                 self._outbox.put_status(str(error))  # the other channels are advertised
 
@@ -240,7 +250,9 @@ class Connection:
             self._outbox.put_status(text)
         return {**fields, "subscriptions": allowed}
 
-    async def _work(self, function: Callable[[Any], None], argument: Any) -> None:
+    async def _work(
+        self, threads: Executor, function: Callable[[Any], None], argument: Any
+    ) -> None:
         """Call a function in a thread. After that, a client that needs too much has to wait."""
 
         def work() -> None:
@@ -252,7 +264,7 @@ class Connection:
 
         used: list[float] = []
         try:
-            await asyncio.get_running_loop().run_in_executor(self._threads, work)
+            await asyncio.get_running_loop().run_in_executor(threads, work)
         finally:
             if used:
                 await asyncio.sleep(self._budget.note_work(used[0]))

@@ -68,6 +68,7 @@ class Guard:
         self._publishing = publishing
         self._clients = Clients()
         self._threads = ThreadPoolExecutor(_THREADS, "zbot foxglove")
+        self._waiting_threads = ThreadPoolExecutor(_THREADS, "zbot foxglove types")
         self._silent: dict[asyncio.StreamWriter, None] = {}  #: connections without a request
         self._token = token
         self._names = OwnNames(host, has_token=token is not None)
@@ -161,7 +162,8 @@ class Guard:
                 if _SWITCHED.match(answer):
                     client = Streams(reader, writer)
                     server = Streams(inner_reader, inner_writer)
-                    await Connection(client, server, self._publishing(), self._threads).run()
+                    threads = self._threads, self._waiting_threads
+                    await Connection(client, server, self._publishing(), *threads).run()
         finally:
             self._clients.remove(machine)
             with contextlib.suppress(RuntimeError):  # the server is ending
@@ -169,7 +171,8 @@ class Guard:
 
     def close(self) -> None:
         """Cancel all work that has not begun."""
-        self._threads.shutdown(wait=False, cancel_futures=True)
+        for threads in (self._threads, self._waiting_threads):
+            threads.shutdown(wait=False, cancel_futures=True)
 
 
 def free_loopback_address() -> str:

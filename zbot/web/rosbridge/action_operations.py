@@ -12,6 +12,7 @@ from zbot.interfaces import type_name
 from zbot.interfaces.plain_value import json_value
 from zbot.web.rosbridge.client_message import RosbridgeError
 from zbot.web.rosbridge.json_message import message_from_json
+from zbot.web.rosbridge.session import UnknownHereError
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -69,6 +70,9 @@ class ActionOperations:
         self._goals[key] = goal
         try:
             goal.start()
+        except UnknownHereError:
+            goal.end()  # it starts again in a thread that may ask the nodes
+            raise
         except Exception as error:  # noqa: BLE001 - the client gets an answer in any case
             goal.fail(self._session.bridge.sentence(error))
 
@@ -83,7 +87,7 @@ class ActionOperations:
         bridge = self._session.bridge
         given = message.word("action")
         name = bridge.node.resolve_service_name(given)
-        action_type = bridge.interface("action", message.word("type"))
+        action_type = self._session.interface("action", message.word("type"))
         known = self._served.pop(name, None)
         if known is not None:
             known.close()
@@ -136,7 +140,7 @@ class _SentGoal:
     def start(self) -> None:
         self._session.require_writable("sending goals")
         bridge = self._session.bridge
-        action_type = bridge.interface("action", self._message.word("action_type"))
+        action_type = self._session.interface("action", self._message.word("action_type"))
         args = self._message.get("args")
         goal = message_from_json(
             action_type.Goal, {} if args is None else args, bridge.now, self._message.size

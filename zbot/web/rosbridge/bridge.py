@@ -42,8 +42,8 @@ class Bridge:
         node: The node that publishes, subscribes, calls and serves for the clients.
         shared: Publishers, service clients and action clients that all rosbridge clients share.
         threads: Threads that handle messages of clients and encode messages for clients.
-        waiting_threads: Threads that wait for answers of nodes, e.g. for parameters. A node that
-            does not answer delays only these threads.
+        waiting_threads: Threads that wait for answers of nodes, e.g. for parameters or types. A
+            node that does not answer delays only these threads.
         is_read_only: Whether clients can only read.
         clients: The clients. Only the thread of the server may use them.
     """
@@ -89,7 +89,8 @@ class Bridge:
     def end_client(self, close: Callable[[], None]) -> None:
         """Destroy in another thread what a client has created."""
         if self.node.context.ok():
-            self.threads.submit(self._run, close)
+            # The client's last message may still wait for an answer, and `close` waits for it.
+            self.waiting_threads.submit(self._run, close)
 
     def _run(self, close: Callable[[], None]) -> None:
         try:
@@ -107,7 +108,7 @@ class Bridge:
         return self.node.get_clock().now().to_msg()
 
     def interface(self, kind: str, name: str) -> Any:
-        """Return the class of a type.
+        """Return the class of a type. This may take seconds. See `Session.interface`.
 
         Args:
             kind: `msg`, `srv` or `action`.

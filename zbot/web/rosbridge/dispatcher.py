@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from zbot.web.rosbridge.action_operations import ActionOperations
 from zbot.web.rosbridge.client_message import Fragments, RosbridgeError, read_message
 from zbot.web.rosbridge.service_operations import ServiceOperations
+from zbot.web.rosbridge.session import UnknownHereError
 from zbot.web.rosbridge.topic_operations import TopicOperations
 
 if TYPE_CHECKING:
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
 
 
 class Dispatcher:
-    """Dispatcher of one client's messages. Only one thread at a time may call `take`.
+    """Dispatcher of one client's messages. Only one thread at a time may call `take` or `finish`.
 
     Args:
         session: The client's session.
@@ -28,6 +29,7 @@ class Dispatcher:
         self._session = session
         self._lock = threading.RLock()
         self._is_closed = False
+        self._unfinished: str | bytes = ""
         self._fragments = Fragments()
         self._topics = TopicOperations(session)
         self._services = ServiceOperations(session)
@@ -41,17 +43,33 @@ class Dispatcher:
             **self._actions.operations,
         }
 
-    def take(self, data: str | bytes) -> None:
-        """Execute a message of the client. If there is an error, send it as a status message."""
+    def take(self, data: str | bytes) -> bool:
+        """Execute a message of the client. If there is an error, send it as a status message.
+
+        Returns:
+            Whether the message is executed. If not, nodes must be asked for a type: call `finish`
+            before the next message.
+        """
         with self._lock:
             if not self._is_closed:
                 self._carry_out(data)
+            return not self._unfinished
+
+    def finish(self) -> None:
+        """Execute the message that `take` has not executed. This may take seconds."""
+        with self._lock:
+            data, self._unfinished = self._unfinished, ""
+            self._session.may_ask = True
+            self.take(data)
+            self._session.may_ask = False
 
     def _carry_out(self, data: str | bytes) -> None:
         message: ClientMessage | None = None
         try:
             message = read_message(data)
             self._operation(message.op)(message)
+        except UnknownHereError:
+            self._unfinished = data
         except Exception as error:  # noqa: BLE001 - the other messages of the client go on
             self._session.report("error", self._session.bridge.sentence(error), message)
 

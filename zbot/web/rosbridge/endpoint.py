@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import time
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 from starlette.websockets import WebSocketDisconnect
 
@@ -20,6 +20,8 @@ if TYPE_CHECKING:
     from starlette.websockets import WebSocket
 
     from zbot.web.rosbridge.bridge import Bridge
+
+T = TypeVar("T")
 
 _TRY_AGAIN_LATER = 1013
 _POLICY_VIOLATION = 1008
@@ -69,7 +71,6 @@ def endpoint(bridge: Bridge) -> Callable[[WebSocket], Awaitable[None]]:
 
 
 async def _receive(socket: WebSocket, session: Session, dispatcher: Dispatcher) -> None:
-    loop = asyncio.get_running_loop()
     budget = ClientBudget()
     while True:
         event = await socket.receive()
@@ -85,19 +86,31 @@ async def _receive(socket: WebSocket, session: Session, dispatcher: Dispatcher) 
                 session.report("error", str(error))
             await asyncio.sleep(budget.refusal_pause_s(len(data)))
             continue
-        # This runs in a thread, because a message may need a definition from another machine. The
-        # next message is received only after that, so a client that sends too fast has to wait.
-        used_s = await loop.run_in_executor(session.bridge.threads, _timed, dispatcher.take, data)
+        # The next message is received only after that, so a client that sends too fast has to wait.
+        used_s = await _execute(session.bridge, dispatcher, data)
         delay_s = budget.note_work(used_s)
         if delay_s:
             await asyncio.sleep(delay_s)
 
 
-def _timed(function: Callable[[str | bytes], None], data: str | bytes) -> float:
-    """Call a function, and return the time of the processor that it needed, in seconds."""
+async def _execute(bridge: Bridge, dispatcher: Dispatcher, data: str | bytes) -> float:
+    """Execute a message in a thread. Return the time of the processor that it needed, in seconds.
+
+    If the message needs a definition from another machine, a thread that may wait continues.
+    """
+    loop = asyncio.get_running_loop()
+    is_done, used_s = await loop.run_in_executor(bridge.threads, _timed, dispatcher.take, data)
+    if not is_done:
+        _, more_s = await loop.run_in_executor(bridge.waiting_threads, _timed, dispatcher.finish)
+        used_s += more_s
+    return used_s
+
+
+def _timed(function: Callable[..., T], *arguments: object) -> tuple[T, float]:
+    """Call a function, and return its result and the time of the processor that it needed."""
     began_s = time.thread_time()
-    function(data)
-    return time.thread_time() - began_s
+    result = function(*arguments)
+    return result, time.thread_time() - began_s
 
 
 async def _send(socket: WebSocket, session: Session, has_news: asyncio.Event) -> None:

@@ -14,6 +14,7 @@ from zbot.web.rosbridge import rosapi
 from zbot.web.rosbridge.bridge import ClientFailedError
 from zbot.web.rosbridge.client_message import RosbridgeError
 from zbot.web.rosbridge.json_message import message_from_json
+from zbot.web.rosbridge.session import UnknownHereError
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -68,6 +69,9 @@ class ServiceOperations:
             return
         try:
             call.start()
+        except UnknownHereError:
+            call.end()  # it starts again in a thread that may ask the nodes
+            raise
         except Exception as error:  # noqa: BLE001 - the client gets an answer in any case
             call.fail(self._session.bridge.sentence(error))
 
@@ -75,7 +79,7 @@ class ServiceOperations:
         self._session.require_writable("serving")
         bridge = self._session.bridge
         name = bridge.node.resolve_service_name(message.word("service"))
-        service_type = bridge.interface("srv", message.word("type"))
+        service_type = self._session.interface("srv", message.word("type"))
         known = self._served.pop(name, None)
         if known is not None:
             known.close()
@@ -130,7 +134,7 @@ class _Call:
         self._session.require_writable("calling services")
         if len(types) != 1:
             raise RosbridgeError(f"there is no service {name}" if not types else _two_types(name))
-        service_type = bridge.interface("srv", types[0])
+        service_type = self._session.interface("srv", types[0])
         request = message_from_json(
             service_type.Request, {} if args is None else args, bridge.now, self._message.size
         )

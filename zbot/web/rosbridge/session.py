@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from zbot.errors import ZbotError
+from zbot.interfaces import get_interface
 from zbot.serving.client_threads import ClientThreads
+from zbot.web.rosbridge.bridge import full_type
 from zbot.web.rosbridge.client_message import RosbridgeError
 from zbot.web.rosbridge.frame import frames
 from zbot.web.rosbridge.outbox import Outbox
@@ -16,6 +19,10 @@ if TYPE_CHECKING:
     from zbot.web.rosbridge.client_message import ClientMessage
 
 _LEVELS = ("none", "error", "warning", "info")
+
+
+class UnknownHereError(ZbotError):
+    """This machine has no definition of a type, and this thread must not ask the nodes."""
 
 
 class Session:
@@ -30,6 +37,7 @@ class Session:
     Attributes:
         bridge: The node and the executor of all clients.
         call_later: The argument `call_later`.
+        may_ask: Whether the operation that runs now may wait for answers of nodes.
         outbox: The messages that wait for the client.
         waiting_threads: The client's share of the threads that wait for answers of nodes.
     """
@@ -42,6 +50,7 @@ class Session:
     ) -> None:
         self.bridge = bridge
         self.call_later = call_later
+        self.may_ask = False
         self.outbox = Outbox(wake)
         self.waiting_threads = ClientThreads(bridge.waiting_threads)
         self._level = "error"
@@ -75,6 +84,19 @@ class Session:
         if level not in _LEVELS:
             raise RosbridgeError(f"the level {level!r} is not one of {', '.join(_LEVELS)}")
         self._level = level
+
+    def interface(self, kind: str, name: str) -> Any:
+        """Return the class of a type. The arguments and the errors are those of `Bridge.interface`.
+
+        Raises:
+            UnknownHereError: Only the nodes may know the type, and `may_ask` is false.
+        """
+        if self.may_ask:
+            return self.bridge.interface(kind, name)
+        try:
+            return get_interface(full_type(kind, name))
+        except LookupError:
+            raise UnknownHereError(name) from None
 
     def require_writable(self, what: str) -> None:
         """Check that clients may change something.

@@ -72,7 +72,7 @@ class TopicOperations:
         self._session.require_writable("publishing")
         bridge = self._session.bridge
         topic = bridge.node.resolve_topic_name(message.word("topic"))
-        message_type = bridge.interface("msg", message.word("type"))
+        message_type = self._session.interface("msg", message.word("type"))
         self._check_type(topic, message_type)
         depth = int(message.number("queue_size", 100, most=_MAX_QUEUE)) or 1
         self._open_publisher(topic, message_type, depth, is_latched=message.flag("latch"))
@@ -127,7 +127,7 @@ class TopicOperations:
         types = dict(self._session.bridge.graph().topics()).get(topic, [])
         if len(types) != 1:
             raise RosbridgeError(f"the type of {topic} is not known: advertise it first")
-        message_type = self._session.bridge.interface("msg", types[0])
+        message_type = self._session.interface("msg", types[0])
         return self._open_publisher(topic, message_type, 100, is_latched=False)
 
     def _subscribe(self, message: ClientMessage) -> None:
@@ -139,7 +139,7 @@ class TopicOperations:
         types = [given] if given else dict(bridge.graph().topics()).get(topic, [])
         if not types:
             raise RosbridgeError(f"nobody uses {topic}: give its type with 'type'")
-        message_type = bridge.interface("msg", types[0])
+        message_type = self._session.interface("msg", types[0])
         self._check_type(topic, message_type)
         known = self._subscriptions.get(name)
         if known is None:
