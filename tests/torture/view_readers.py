@@ -9,13 +9,14 @@ from tests.torture.reader import Reader
 from tests.unit.view.messages import MESSAGES
 from zbot.description.mesh_address import path_of
 from zbot.description.xml_text import DescriptionError
+from zbot.serving.request import RequestError, parsed
 from zbot.view.arrangement.errors import ArrangementError
 from zbot.view.arrangement.link import link_text, read_link
 from zbot.view.arrangement.rviz_file import read_rviz
 from zbot.view.arrangement.rviz_writer import rviz_text
 from zbot.view.displays import DISPLAYS
 from zbot.view.errors import DisplayError
-from zbot.view.server.guard import Guard, RequestError, parsed, passed_on
+from zbot.view.server.guard import Guard, passed_on
 from zbot.wire.errors import CodecError
 from zbot.wire.messagepack.codec import messagepack_codec_for
 
@@ -93,7 +94,7 @@ VIEW_READERS = (
     ),
     Reader(
         "view_request",
-        ("zbot.view.server.guard",),
+        ("zbot.serving.request", "zbot.view.server.guard"),
         _view_request,
         (RequestError,),
         (b"GET /?token=a HTTP/1.1\r\nHost: a:1\r\nUpgrade: websocket\r\nCookie: b=c\r\n\r\n",),

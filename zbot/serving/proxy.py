@@ -6,11 +6,33 @@ import asyncio
 
 _MOST_BYTES = 16_384
 _PATIENCE_S = 5.0
+#: Connections that have not sent a request yet. Beyond this number, the oldest is closed.
+_MAX_SILENT = 100
 _BLOCK_BYTES = 2**18
 
 
-async def read_head(reader: asyncio.StreamReader) -> bytes | None:
-    """Return the head of a request. Return None if it is too long, or does not come in 5 s."""
+class HeadReader:
+    """Reader of the heads of requests. Too many connections that send nothing are closed."""
+
+    def __init__(self) -> None:
+        self._silent: dict[asyncio.StreamWriter, None] = {}
+
+    async def read(
+        self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter
+    ) -> bytes | None:
+        """Return the head of a request. Return None if it is too long, or does not come in 5 s."""
+        self._silent[writer] = None
+        if len(self._silent) > _MAX_SILENT:
+            oldest = next(iter(self._silent))
+            del self._silent[oldest]
+            oldest.transport.abort()
+        try:
+            return await _read_head(reader)
+        finally:
+            self._silent.pop(writer, None)
+
+
+async def _read_head(reader: asyncio.StreamReader) -> bytes | None:
     try:
         head = await asyncio.wait_for(reader.readuntil(b"\r\n\r\n"), _PATIENCE_S)
     except (asyncio.IncompleteReadError, asyncio.LimitOverrunError, asyncio.TimeoutError):

@@ -9,15 +9,14 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import hmac
-import re
-from dataclasses import dataclass
 from http.cookies import CookieError, SimpleCookie
 from typing import TYPE_CHECKING
-from urllib.parse import parse_qsl, urlsplit
+from urllib.parse import urlsplit
 
 from zbot.serving.address import TOKEN_PARAMETER, address, without_token
 from zbot.serving.own_names import OwnNames
-from zbot.serving.proxy import copy_both, read_head
+from zbot.serving.proxy import HeadReader, copy_both
+from zbot.serving.request import Answer, Request, RequestError, parsed
 from zbot.view.arrangement.link import PARAMETER
 from zbot.view.arrangement.rviz_writer import FILE_NAME
 from zbot.view.server.software_webgl import with_script
@@ -26,14 +25,6 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
     from concurrent.futures import Future
 
-_REASONS = {
-    200: "OK",
-    303: "See Other",
-    400: "Bad Request",
-    403: "Forbidden",
-    502: "Bad Gateway",
-    503: "Service Unavailable",
-}
 _FILE_PATH = f"/{FILE_NAME}"
 _PATIENCE_S = 20.0
 # The browser enforces this policy. The page loads nothing from other sites, and no other site can
@@ -44,58 +35,6 @@ _POLICY = (
     "connect-src 'self' data: blob: ws://{host} wss://{host}; object-src 'none'; "
     "base-uri 'none'; form-action 'none'; frame-ancestors {frames}"
 )
-
-
-class RequestError(ValueError):
-    """The bytes are not the head of a request."""
-
-
-@dataclass(frozen=True)
-class Request:
-    """Head of a request. The names of its fields have small letters."""
-
-    method: str
-    target: str
-    fields: Mapping[str, str]
-
-    @property
-    def is_websocket(self) -> bool:
-        """Whether the browser wants to open a websocket."""
-        return self.fields.get("upgrade", "").lower() == "websocket"
-
-    @property
-    def path(self) -> str:
-        """The address without the host and the query."""
-        return self.target.partition("?")[0]
-
-    @property
-    def query(self) -> list[tuple[str, str]]:
-        """The names and values in the address."""
-        return parse_qsl(self.target.partition("?")[2])
-
-
-@dataclass(frozen=True)
-class Answer:
-    """Answer of the guard itself, without the server behind it."""
-
-    status: int
-    text: str
-    fields: tuple[tuple[str, str], ...] = ()
-
-    def head_and_body(self) -> bytes:
-        """Return the bytes of the answer."""
-        body = f"{self.text}\n".encode()
-        fields = (
-            ("Content-Type", "text/plain; charset=utf-8"),
-            ("Content-Length", str(len(body))),
-            ("Connection", "close"),
-            ("Cache-Control", "no-store"),
-            ("X-Content-Type-Options", "nosniff"),
-            ("Referrer-Policy", "no-referrer"),
-            *self.fields,
-        )
-        lines = [f"HTTP/1.1 {self.status} {_REASONS[self.status]}", *(": ".join(f) for f in fields)]
-        return "\r\n".join([*lines, "", ""]).encode("latin-1", "replace") + body
 
 
 class Guard:
@@ -124,6 +63,7 @@ class Guard:
         # All ports of a host share cookies. The port in the name separates two servers' cookies.
         self._cookie = f"zbot_view_{port}"
         self._names = OwnNames(host, has_token=token is not None)
+        self._heads = HeadReader()
         self._own_ports: set[int] = set()
 
     def is_own_port(self, port: int) -> bool:
@@ -133,7 +73,7 @@ class Guard:
     async def serve(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
         """Check a browser's request, and pass it on."""
         with contextlib.suppress(OSError), contextlib.closing(writer):
-            head = await read_head(reader)
+            head = await self._heads.read(reader, writer)
             answer, request = self._checked(head)
             if answer is None and request is not None and request.path == _FILE_PATH:
                 answer = await self._file()
@@ -255,31 +195,6 @@ class Guard:
             return  # the server behind has ended
         finally:
             self._own_ports.discard(port)
-
-
-def parsed(head: bytes) -> Request:
-    """Return the request with this head.
-
-    Raises:
-        RequestError: The bytes are not the head of a request of HTTP/1.1, or a field that the guard
-            checks comes twice.
-    """
-    line, *lines = head.decode("latin-1").removesuffix("\r\n\r\n").split("\r\n")
-    words = line.split(" ")
-    if len(words) != 3 or not words[1].startswith("/") or not words[2].startswith("HTTP/1."):
-        raise RequestError("the first line is not that of a request")
-    fields: dict[str, str] = {}
-    for header in lines:
-        name, colon, value = header.partition(":")
-        name = name.lower()
-        if not colon or not re.fullmatch(r"[!-9;-~]+", name):
-            raise RequestError("a field of the request has no name")
-        if re.search(r"[\x00-\x08\x0a-\x1f]", value):
-            raise RequestError(f"the field {name[:40]} has a control character")
-        if name in {"host", "origin", "upgrade"} and name in fields:
-            raise RequestError(f"the field {name} comes twice")
-        fields[name] = value.strip()
-    return Request(words[0], words[1], fields)
 
 
 def passed_on(request: Request) -> bytes:

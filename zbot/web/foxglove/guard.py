@@ -17,13 +17,14 @@ import re
 import socket
 from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING
-from urllib.parse import parse_qsl, urlsplit
+from urllib.parse import urlsplit
 
 from zbot.memory import give_back_freed_memory
 from zbot.serving.address import TOKEN_PARAMETER, other_machine, without_token
 from zbot.serving.client_budget import Clients, OverBudgetError
 from zbot.serving.own_names import OwnNames
-from zbot.serving.proxy import read_head
+from zbot.serving.proxy import HeadReader
+from zbot.serving.request import Answer, RequestError, parsed
 from zbot.web.foxglove.connection import Connection, Streams
 
 if TYPE_CHECKING:
@@ -39,8 +40,6 @@ _APPLICATIONS = frozenset({"app", "file", "lichtblick", "foxglove"})
 _EXTENSIONS = re.compile(rb"(?im)^sec-websocket-extensions[ \t]*:.*\r\n")
 _SWITCHED = re.compile(rb"HTTP/1\.1 101 ")
 _THREADS = 16
-#: Connections that have not sent a request yet. Beyond this number, the oldest is closed.
-_MAX_SILENT = 100
 _LOCAL_NAMES = frozenset({"localhost", "127.0.0.1", "::1"})
 
 
@@ -69,7 +68,7 @@ class Guard:
         self._clients = Clients()
         self._threads = ThreadPoolExecutor(_THREADS, "zbot foxglove")
         self._waiting_threads = ThreadPoolExecutor(_THREADS, "zbot foxglove types")
-        self._silent: dict[asyncio.StreamWriter, None] = {}  #: connections without a request
+        self._heads = HeadReader()
         self._token = token
         self._names = OwnNames(host, has_token=token is not None)
         self._origins = frozenset({FOXGLOVE_ORIGIN, *origins})
@@ -78,36 +77,26 @@ class Guard:
         """Check a client's request. Then serve the client until one side closes."""
         try:
             with contextlib.closing(writer):
-                head = await self._head(reader, writer)
-                refusal = "the request is too long or has no end" if head is None else ""
+                head = await self._heads.read(reader, writer)
+                refusal = "the request is too long or has no end"
                 if head is not None:
                     refusal = self.refusal(head)
                 if head is None or refusal:
-                    writer.write(_response(refusal))
+                    writer.write(Answer(403, refusal).head_and_body())
                     await writer.drain()
                     return
                 await self._pass_on(self.without_token(head), reader, writer)
         except (OSError, asyncio.IncompleteReadError):
             return  # one of the sides has closed the connection
 
-    async def _head(
-        self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter
-    ) -> bytes | None:
-        """Return the head of a request. Close the oldest connection if too many send nothing."""
-        self._silent[writer] = None
-        if len(self._silent) > _MAX_SILENT:
-            oldest = next(iter(self._silent))
-            del self._silent[oldest]
-            oldest.transport.abort()
-        try:
-            return await read_head(reader)
-        finally:
-            self._silent.pop(writer, None)
-
     def refusal(self, head: bytes) -> str:
         """Return the reason why a request is refused, or an empty text if it is accepted."""
-        method, target, fields = _parsed(head)
-        if method != "GET" or fields.get("upgrade", "").lower() != "websocket":
+        try:
+            request = parsed(head)
+        except RequestError as error:
+            return str(error)
+        fields = request.fields
+        if request.method != "GET" or not request.is_websocket:
             return "this is no web page: open this address in Foxglove or Lichtblick"
         if fields.get("host", "") not in self._names:
             return f"{fields.get('host', '')!r} is not a name of this server"
@@ -115,7 +104,7 @@ class Guard:
         if origin is not None and not self._may_come_from(origin):
             return f"pages of {origin} may not connect: allow them with --origin {origin}"
         if self._token is not None:
-            given = dict(parse_qsl(target.partition("?")[2])).get(TOKEN_PARAMETER, "")
+            given = dict(request.query).get(TOKEN_PARAMETER, "")
             if not hmac.compare_digest(given.encode(), self._token.encode()):
                 return "the token is missing: use the address that `zbot foxglove` printed"
         return ""
@@ -150,7 +139,7 @@ class Guard:
         try:
             self._clients.add(machine)
         except OverBudgetError as error:
-            writer.write(_response(str(error)))
+            writer.write(Answer(403, str(error)).head_and_body())
             await writer.drain()
             return
         try:
@@ -188,23 +177,3 @@ def free_loopback_address() -> str:
         probe.bind((candidate, 0))
         return candidate
     return "127.0.0.1"
-
-
-def _parsed(head: bytes) -> tuple[str, str, dict[str, str]]:
-    """Return the method, the target and the fields of a request."""
-    line, *lines = head.decode("latin-1").split("\r\n")
-    method, _, rest = line.partition(" ")
-    fields: dict[str, str] = {}
-    for header in lines:
-        name, colon, value = header.partition(":")
-        if colon:
-            fields[name.strip().lower()] = value.strip()
-    return method, rest.partition(" ")[0], fields
-
-
-def _response(reason: str) -> bytes:
-    body = f"{reason}\n".encode()
-    return (
-        b"HTTP/1.1 403 Forbidden\r\nContent-Type: text/plain; charset=utf-8\r\n"
-        b"Connection: close\r\nContent-Length: %d\r\n\r\n%b" % (len(body), body)
-    )

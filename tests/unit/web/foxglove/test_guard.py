@@ -41,7 +41,9 @@ def request(host: str, origin: str = "", target: str = "/", upgrade: str = "webs
         (request("[broken"), "is not a name of this server"),
         (request("localhost", upgrade="h2c"), "open this address in Foxglove"),
         (b"POST / HTTP/1.1\r\nHost: localhost\r\n\r\n", "open this address in Foxglove"),
-        (b"\r\n\r\n", "open this address in Foxglove"),
+        (b"\r\n\r\n", "the first line is not that of a request"),
+        (request("localhost\r\nHost: evil.example"), "the field host comes twice"),
+        (request("localhost", "file://\r\nOrigin: null"), "the field origin comes twice"),
     ],
 )
 def test_websites_and_other_names_are_refused_on_loopback(head: bytes, reason: str) -> None:
