@@ -12,6 +12,7 @@ from zbot.bridge.errors import CallError
 from zbot.bridge.rclpy_graph import RclpyGraph, to_genuine
 from zbot.bridge.rclpy_import import genuine_class, import_rclpy
 from zbot.bridge.rclpy_loop import Loop, Waiting
+from zbot.bridge.sender_filter import SenderFilter
 from zbot.bridge.side import NODE_PREFIX, End, World
 
 if TYPE_CHECKING:
@@ -22,8 +23,6 @@ if TYPE_CHECKING:
     from zbot.qos import QoSProfile
 
 _GRAPH_S = 0.2
-# A message may come before ROS 2 tells which node sent it. The bridge keeps it at most this long.
-_UNKNOWN_SENDER_S = 3.0
 _NO_SERVER_S = 3.0
 # Largest number of messages that are taken from a topic before it is the turn of other topics.
 _BATCH = 100
@@ -155,15 +154,15 @@ class _Receiver:
         qos: Any,
         receive: Callable[[bytes], None],
     ) -> None:
-        self._side, self._name, self._class, self._receive = side, name, message_class, receive
-        self._held: list[tuple[float, bytes, bytes]] = []  # arrival, sender, message
+        self._side, self._class = side, message_class
+        self._senders = SenderFilter(name, side.graph.is_of_bridge, receive, side.log)
         self._entity = side.node.create_subscription(
             message_class, name, _ignore, qos, raw=True, event_callbacks=_events("Subscription")
         )
         self._take_message = self._entity.handle.take_message
         self._waiting = Waiting("subscription", self._entity.handle, self._take)
         side.loop.add(self._waiting)
-        side.at_tick(self._release)
+        side.at_tick(self._senders.release)
 
     def _take(self) -> None:
         for _ in range(_BATCH):
@@ -171,27 +170,11 @@ class _Receiver:
             if taken is None:
                 return
             data, info = taken
-            sender = info["publisher_gid"]["data"]
-            is_of_bridge = self._side.graph.is_of_bridge(self._name, sender)
-            if is_of_bridge is None or self._held:
-                self._held.append((time.monotonic(), sender, data))
-            elif not is_of_bridge:
-                self._receive(data)
-
-    def _release(self) -> None:
-        """Carry the messages whose senders are now known."""
-        while self._held:
-            arrived_s, sender, data = self._held[0]
-            is_of_bridge = self._side.graph.is_of_bridge(self._name, sender)
-            if is_of_bridge is None and time.monotonic() < arrived_s + _UNKNOWN_SENDER_S:
-                return
-            self._held.pop(0)
-            if not is_of_bridge:
-                self._receive(data)
+            self._senders.take(info["publisher_gid"]["data"], data)
 
     def close(self) -> None:
         """Leave the topic."""
-        self._side.not_at_tick(self._release)
+        self._side.not_at_tick(self._senders.release)
         destroy = partial(self._side.node.destroy_subscription, self._entity)
         self._side.loop.remove(self._waiting, destroy)
 
