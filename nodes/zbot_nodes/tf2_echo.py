@@ -44,7 +44,9 @@ class TF2Echo(zbot.Node):
         self.source, self.target = source, target
         self.buffer = Buffer()
         self.monitor = TransformMonitor(self, self.buffer)
-        self.create_timer(1.0 / rate, self.print_transform)
+        # A robot may start while the time of a simulation stands still.
+        real = zbot.Clock(clock_type=zbot.ClockType.STEADY_TIME)
+        self.create_timer(1.0 / rate, self.print_transform, clock=real)
 
     def print_transform(self) -> None:
         """Print the transform, or the reason why there is none."""

@@ -270,7 +270,7 @@ def test_without_a_choice_the_type_is_that_of_the_others(bench: Bench, logged: l
     settings = source("topics", "joy_vel", 0, 100)
     heard = bench.watch(Twist, "/cmd_vel_out")
     publisher = bench.watcher.create_publisher(Twist, "/joy_vel", 10)
-    bench.run(TwistMux, settings)
+    bench.run(TwistMux, {**settings, "use_sim_time": True})  # the time stands still
     assert wait_until(
         lambda: any("the other nodes use Twist" in record.message for record in logged), 10
     )

@@ -106,7 +106,7 @@ def test_a_map_that_cannot_be_read_fails_the_configuration(bench: Bench) -> None
 
 
 def test_maps_are_saved_on_request(bench: Bench, tmp_path: Path) -> None:
-    node = bench.run(MapSaver, {"save_map_timeout": 0.5})
+    node = bench.run(MapSaver, {"save_map_timeout": 0.5, "use_sim_time": True})
     defaults = ("free_thresh_default", "occupied_thresh_default", "map_subscribe_transient_local")
     assert [node.get_parameter(default).value for default in defaults] == [0.25, 0.65, True]
     request = SaveMap.Request(map_topic="floor", map_url=str(tmp_path / "saved"))
@@ -189,6 +189,28 @@ def test_a_missing_node_is_named(bench: Bench, logged: list[Any]) -> None:
     for parameters in ({}, {"node_names": "amcl"}, {"node_names": 1}):
         with pytest.raises(ParameterError, match="node_names must name at least one node"):
             bench.run(LifecycleManager, parameters)
+
+
+def test_a_manager_works_while_the_time_of_a_simulation_stands_still(bench: Bench) -> None:
+    bench.run(MapServer)
+    activated = bench.watch(Bool, "/lifecycle_manager/managed_nodes_activated", KEPT)
+    parameters = {"node_names": ["map_server"], "autostart": True, "use_sim_time": True}
+    bench.run(LifecycleManager, parameters)
+    assert wait_until(lambda: bool(activated) and activated[-1].data, 15)
+
+
+def test_a_manager_forgets_a_request_without_an_answer(bench: Bench, logged: list[Any]) -> None:
+    parameters = {"node_names": ["amcl"], "service_timeout": 0.2, "use_sim_time": True}
+    manager: Any = bench.run(LifecycleManager, parameters)
+    forgotten: list[zbot.Future[Any]] = []
+    manager.changers["amcl"] = SimpleNamespace(
+        service_is_ready=lambda: True,
+        call_async=lambda _request: zbot.Future(),
+        remove_pending_request=forgotten.append,
+    )
+    assert not manage(bench, ManageLifecycleNodes.Request.STARTUP)
+    assert len(forgotten) == 1
+    assert "Failed to change state for node: amcl" in [record.message for record in logged]
 
 
 def test_a_node_whose_answer_is_an_error_is_named(bench: Bench, logged: list[Any]) -> None:

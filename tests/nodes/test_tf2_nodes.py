@@ -32,7 +32,8 @@ def test_echo_shows_every_form_of_a_transform(start: Start) -> None:
     echo.wait_for("- Matrix:")
     assert echo.wait_for("1.000").split() == ["0.000", "-1.000", "0.000", "1.000"]
     assert echo.stop() == -2
-    start(*ECHO, "map", "nowhere").wait_for('"nowhere" passed to lookupTransform')
+    stands_still = ("--ros-args", "-p", "use_sim_time:=true")
+    start(*ECHO, "map", "nowhere", *stands_still).wait_for('"nowhere" passed to lookupTransform')
 
 
 @pytest.mark.parametrize(

@@ -69,6 +69,11 @@ def test_a_relay_follows_another_type(bench: Bench) -> None:
     assert wait_until(arrives, 10)
 
 
+def test_a_relay_finds_its_input_while_the_time_of_a_simulation_stands_still(bench: Bench) -> None:
+    bench.run(Relay, {"input_topic": "a", "use_sim_time": True})
+    connected(bench, "/a", "/a_relay")
+
+
 def test_a_lazy_relay_subscribes_only_for_somebody(bench: Bench) -> None:
     bench.run(Relay, {"input_topic": "a", "lazy": True})
     publisher = bench.watcher.create_publisher(Int32, "/a", 10)

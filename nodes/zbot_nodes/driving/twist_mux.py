@@ -84,7 +84,8 @@ class TwistMux(zbot.Node):
             self.listen(lock, Bool, self.set_lock)
         self.create_timer(_DIAGNOSTICS_S, self.report)
         if not is_chosen:
-            self.create_timer(_FOLLOW_S, self.follow)
+            real = zbot.Clock(clock_type=zbot.ClockType.STEADY_TIME)
+            self.create_timer(_FOLLOW_S, self.follow, clock=real)
 
     def connect(self) -> None:
         """Publish and subscribe with the present type of message."""

@@ -46,8 +46,9 @@ class TF2Monitor(zbot.Node):
         kept = QoSProfile(depth=_DEPTH, durability=DurabilityPolicy.TRANSIENT_LOCAL)
         self.create_subscription(TFMessage, "/tf", self.measure, _DEPTH)
         self.create_subscription(TFMessage, "/tf_static", self.measure, kept)
-        self.create_timer(_LOOK_S, self.look)
-        self.create_timer(_GATHER_S, self.show)
+        real = zbot.Clock(clock_type=zbot.ClockType.STEADY_TIME)
+        self.create_timer(_LOOK_S, self.look, clock=real)
+        self.create_timer(_GATHER_S, self.show, clock=real)
         what = "all frames" if chain is None else f"{chain[0]} -> {chain[1]}"
         print(f"Gathering data on {what} for 10 seconds...", flush=True)
 

@@ -11,10 +11,11 @@ Parameters: node_names, autostart (false), service_timeout (5.0 s), bond_timeout
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import zbot
 from zbot.qos import DurabilityPolicy, QoSProfile
+from zbot.threads.deadline import Deadline
 from zbot_nodes.startup.program import ParameterError, run_node
 
 from lifecycle_msgs.msg import State, Transition
@@ -23,6 +24,9 @@ from nav2_msgs.srv import ManageLifecycleNodes
 from rcl_interfaces.msg import ParameterDescriptor
 from std_msgs.msg import Bool
 from std_srvs.srv import Trigger
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
 
 #: Nodes of Nav2 that zbot does not have. A list with one of them is managed without it.
 _LEFT_OUT = frozenset({"docking_server", "following_server", "route_server"})
@@ -122,6 +126,8 @@ class LifecycleManager(zbot.Node):
         self.is_active = False
         # Callbacks wait for other nodes, so a second callback must be able to run meanwhile.
         self.group = zbot.ReentrantCallbackGroup()
+        # Other programs start and answer also while the time of a simulation stands still.
+        self.real = zbot.Clock(clock_type=zbot.ClockType.STEADY_TIME)
         prefix = self.get_name()
         self.publisher = self.create_publisher(Bool, f"{prefix}/managed_nodes_activated", _KEPT)
         self.changers, self.states = self.create_clients()
@@ -132,10 +138,10 @@ class LifecycleManager(zbot.Node):
         self.set_active(is_active=False)
         if is_automatic:
             self.start_timer: zbot.Timer | None = self.create_timer(
-                _POLL_S, self.start, callback_group=self.group
+                _POLL_S, self.start, callback_group=self.group, clock=self.real
             )
         if bond_s > 0:
-            self.create_timer(_WATCH_S, self.watch, callback_group=self.group)
+            self.create_timer(_WATCH_S, self.watch, callback_group=self.group, clock=self.real)
 
     def create_clients(self) -> tuple[dict[str, Any], dict[str, Any]]:
         """Return the clients of the nodes' services, by node."""
@@ -218,33 +224,36 @@ class LifecycleManager(zbot.Node):
 
     async def ask(self, name: str, client: Any, request: Any) -> Any:
         """Call a service of a node. Return None if the call fails, or has no answer in time."""
-        waited_s = 0.0
-        while not client.service_is_ready():
-            if waited_s >= self.timeout_s:
-                text = f"{name} was not there in {self.timeout_s:g} s: is it a managed node?"
-                self.get_logger().error(text)
-                return None
-            await self.pause(_POLL_S)
-            waited_s += _POLL_S
+        if not await self.wait_for(client.service_is_ready, _POLL_S):
+            text = f"{name} was not there in {self.timeout_s:g} s: is it a managed node?"
+            self.get_logger().error(text)
+            return None
         future = client.call_async(request)
-        waited_s = 0.0
-        while not future.done() and waited_s < self.timeout_s:
-            await self.pause(_POLL_S / 10)
-            waited_s += _POLL_S / 10
-        error = future.exception() if future.done() else None
+        if not await self.wait_for(future.done, _POLL_S / 10):
+            client.remove_pending_request(future)
+            return None
+        error = future.exception()
         if error is not None:
             self.get_logger().error(str(error))
-        return future.result() if future.done() and error is None else None
+            return None
+        return future.result()
+
+    async def wait_for(self, look: Callable[[], bool], pause_s: float) -> bool:
+        """Return whether a function returns true within the time limit of services."""
+        deadline = Deadline(self.timeout_s)
+        while not (seen := look()) and not deadline.is_over:
+            await self.pause(pause_s)
+        return seen
 
     async def pause(self, seconds: float) -> None:
-        """Let other callbacks run for some time."""
+        """Let other callbacks run for some seconds of real time."""
         done: zbot.Future[bool] = zbot.Future()
 
         def end() -> None:
             if not done.done():
                 done.set_result(True)
 
-        timer = self.create_timer(seconds, end, callback_group=self.group)
+        timer = self.create_timer(seconds, end, callback_group=self.group, clock=self.real)
         await done
         self.destroy_timer(timer)
 

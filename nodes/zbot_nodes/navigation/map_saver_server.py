@@ -83,7 +83,10 @@ class MapSaver(LifecycleNode):
             OccupancyGrid, topic, finish, profile, callback_group=self.group
         )
         timeout_s = float(self.setting("save_map_timeout"))
-        timer = self.create_timer(timeout_s, lambda: finish(None), callback_group=self.group)
+        real = zbot.Clock(clock_type=zbot.ClockType.STEADY_TIME)
+        timer = self.create_timer(
+            timeout_s, lambda: finish(None), callback_group=self.group, clock=real
+        )
         grid: OccupancyGrid | None = await done
         self.destroy_timer(timer)
         self.destroy_subscription(subscription)

@@ -52,7 +52,8 @@ class TopicTool(zbot.Node):
 
     def begin(self) -> None:
         """Begin to look for publishers of the input."""
-        self.create_timer(_DISCOVERY_S, self.match)
+        real = zbot.Clock(clock_type=zbot.ClockType.STEADY_TIME)
+        self.create_timer(_DISCOVERY_S, self.match, clock=real)
         self.match()
 
     def match(self) -> None:
