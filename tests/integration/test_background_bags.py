@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any
 
 import pytest
@@ -45,6 +46,26 @@ def test_a_recording_that_starts_too_late_does_not_go_on(
     if (tmp_path / "bag").exists():
         with Reader(tmp_path / "bag") as bag:
             assert not bag.damage
+
+
+class InterruptedEvent(threading.Event):
+    """Event whose wait ends by Ctrl-C."""
+
+    def wait(self, timeout: float | None = None) -> bool:
+        super().wait(timeout)
+        raise KeyboardInterrupt
+
+
+def test_ctrl_c_ends_a_recording_that_starts(
+    domain: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    classes = SimpleNamespace(Event=InterruptedEvent, Thread=threading.Thread)
+    monkeypatch.setattr(background, "threading", classes)
+    with pytest.raises(KeyboardInterrupt):
+        BackgroundRecording(StorageOptions(str(tmp_path / "bag")), EVERYTHING, domain)
+    assert not recording_threads()
+    with Reader(tmp_path / "bag") as bag:
+        assert not bag.damage
 
 
 def test_an_unexpected_error_is_told(

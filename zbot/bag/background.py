@@ -42,8 +42,14 @@ class _Background:
         self._is_ended = False
         self._thread = threading.Thread(target=self._run, name=name, daemon=True)
         self._thread.start()
-        if not self._is_ready.wait(_START_S):
-            self._end()  # the caller gets no object with which to stop the work
+        # If the work does not start, the caller gets no object with which to stop it.
+        try:
+            is_ready = self._is_ready.wait(_START_S)
+        except BaseException:  # Ctrl-C
+            self.stop()
+            raise
+        if not is_ready:
+            self.end()
             raise BagError(f"{name} has not started within {_START_S:g} s")
 
     @property
@@ -57,7 +63,7 @@ class _Background:
 
     def stop(self) -> None:
         """End the work, and wait for its end. After 60 s, stop waiting and set `error`."""
-        self._end()
+        self.end()
         self.join(_STOP_S)
         if self.is_running:
             self.error = f"{self._thread.name} has not ended within {_STOP_S:g} s"
@@ -81,10 +87,10 @@ class _Background:
     def _begin(self) -> None:
         self._is_ready.set()
         if self._is_ended:
-            self._end()  # the first `_end` came too early to reach the work
+            self.end()  # the first `end` came too early to reach the work
 
-    def _end(self) -> None:
-        """End the work soon, also if the work has not begun yet."""
+    def end(self) -> None:
+        """End the work soon, also if the work has not begun yet. Do not wait for its end."""
         self._is_ended = True
 
     @contextlib.contextmanager
@@ -126,8 +132,9 @@ class BackgroundPlayback(_Background):
         self.player: Player | None = None  #: `None` if the bag cannot be played
         super().__init__("zbot bag playback", domain_id)
 
-    def _end(self) -> None:
-        super()._end()
+    def end(self) -> None:
+        """End the playback soon. Do not wait for its end."""
+        super().end()
         if self.player is not None:
             self.player.stop()
 
@@ -175,8 +182,9 @@ class BackgroundRecording(_Background):
             return sum(path.stat().st_size for path in self.path.iterdir())
         return 0
 
-    def _end(self) -> None:
-        super()._end()
+    def end(self) -> None:
+        """End the recording soon. Do not wait for its end."""
+        super().end()
         if self.recorder is not None:
             self.recorder.end()
 

@@ -11,9 +11,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from zbot.bag.background import BackgroundRecording
-from zbot.bag.errors import BagExistsError, BagWriteError
+from zbot.bag.errors import BagError, BagExistsError, BagWriteError
 from zbot.bag.options import MAX_CACHE_BYTES, RecordOptions, StorageOptions
 from zbot.bag.packages import import_mcap
+from zbot.classroom.errors import ClassCommandError
 from zbot.classroom.teacher.opening import command
 from zbot.process.signals import install
 from zbot.terminal.text import escape_control_characters
@@ -47,10 +48,10 @@ class ClassRecording:
         self._max_bytes = max_bytes
         self._options = RecordOptions(topics=list(topics)) if topics else RecordOptions.everything()
         self._running: dict[int, BackgroundRecording] = {}
-        self._reported: set[int] = set()
+        self._reported: dict[str, str] = {}  # the last errors
 
     def run(self) -> None:
-        """Record until Ctrl-C.
+        """Record until Ctrl-C, also while the class does not answer.
 
         Raises:
             ClassroomError: No class is open on this machine.
@@ -71,16 +72,34 @@ class ClassRecording:
             # Ctrl-C is the usual end of a recording.
             with contextlib.suppress(KeyboardInterrupt):
                 while True:
-                    for number, name in students.items():
-                        if number not in self._running and number in (self._numbers or students):
-                            self._begin(number, name)
+                    self._begin_new(students)
                     self._report_errors()
                     time.sleep(_LOOK_S)
-                    students = _students()
+                    students = self._look(students)
         finally:
+            for recording in self._running.values():
+                recording.end()
             for recording in self._running.values():
                 recording.stop()
         self._report_errors()
+
+    def _look(self, known: dict[int, str]) -> dict[int, str]:
+        """Return the students. If the class does not answer, return the known students."""
+        try:
+            found = _students()
+        except ClassCommandError as error:
+            self._report(str(error))
+            return known
+        self._report("")
+        return found
+
+    def _begin_new(self, students: dict[int, str]) -> None:
+        for number, name in students.items():
+            if number not in self._running and number in (self._numbers or students):
+                try:
+                    self._begin(number, name)
+                except BagError as error:  # the next turn of the loop tries again
+                    self._report(str(error), f"{number:3}  ")
 
     def _begin(self, number: int, name: str) -> None:
         path = self._folder / f"{number}_{_NOT_IN_NAMES.sub('_', name)}"
@@ -95,9 +114,13 @@ class ClassRecording:
 
     def _report_errors(self) -> None:
         for number, recording in self._running.items():
-            if recording.error and number not in self._reported:
-                self._reported.add(number)
-                print(f"{number:3}  {recording.error}", file=sys.stderr, flush=True)
+            self._report(recording.error, f"{number:3}  ")
+
+    def _report(self, error: str, prefix: str = "") -> None:
+        """Print an error, if it is not the last error with this prefix."""
+        if error and error != self._reported.get(prefix):
+            print(f"{prefix}{error}", file=sys.stderr, flush=True)
+        self._reported[prefix] = error
 
     def _make_folder(self) -> None:
         try:
