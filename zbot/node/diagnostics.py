@@ -29,7 +29,7 @@ from zbot.wire.keys import SHARED_DOMAIN
 from zbot.wire.tokens import EndpointToken, EntityKind, NodeToken
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterable
 
     from zbot.context import Context
     from zbot.graph.snapshot import Token
@@ -240,25 +240,22 @@ class Diagnostics:
 
     def _compare(self, news: list[Token]) -> None:
         with self._lock:
-            own = list(self._own.values())
-            has_own = any(token.key in self._own for token in news)
+            own = dict(self._own)
+        new = [own[token.key] for token in news if token.key in own]
         self._check_stopped(
-            {
-                fully_qualified(token.namespace, token.node): logger_name
-                for token, logger_name in own
-                if isinstance(token, NodeToken) and token in news
-            }
+            {_full_name(token): name for token, name in new if isinstance(token, NodeToken)}
         )
-        others = self._context.graph.known() if has_own else ()
+        self._check_silent_again(news)
+        # Only tokens with one name are compared: a bridge may have thousands of topics.
+        mine = _by_name(token for token, _ in own.values())
         for token in news:
-            self._check_silent_again(token)
-            for mine, logger_name in own:
-                self._compare_pair(mine, token, logger_name)
-            if token.key in self._own:
-                logger_name = self._own[token.key][1]
-                self._check_shared(token, logger_name)
-                for other in others:
-                    self._compare_pair(token, other, logger_name)
+            for one in mine.get(_full_name(token), ()):
+                self._compare_pair(one, token, own[one.key][1])
+        others = _by_name(self._context.graph.known() if new else ())
+        for token, logger_name in new:
+            self._check_shared(token, logger_name)
+            for other in others.get(_full_name(token), ()):
+                self._compare_pair(token, other, logger_name)
 
     def _check_shared(self, token: Token, logger_name: str) -> None:
         """Warn that others get a student's messages below /class/ only if the teacher allows it."""
@@ -280,8 +277,8 @@ class Diagnostics:
             self._compare_types(mine, other, logger_name)
 
     def _compare_nodes(self, mine: NodeToken, other: NodeToken, logger_name: str) -> None:
-        name = fully_qualified(mine.namespace, mine.node)
-        if name == fully_qualified(other.namespace, other.node):
+        name = _full_name(mine)
+        if name == _full_name(other):
             self._warn(
                 logger_name,
                 ("node", name),
@@ -297,8 +294,11 @@ class Diagnostics:
         Args:
             nodes: The full names of own nodes, each with the name of its logger.
         """
+        if not nodes:
+            return
+        programs = running_programs.stopped(self._context.get_domain_id(), nodes.keys())
         for name, logger_name in nodes.items():
-            text = running_programs.stopped_text(self._context.get_domain_id(), name)
+            text = running_programs.stopped_text([p for p in programs if name in p.nodes])
             if text:
                 self._warn(logger_name, ("stopped", name), f"another node has this name: {text}")
 
@@ -337,11 +337,11 @@ class Diagnostics:
         self._context.graph.follow_type(token.domain, _PARTNERS[token.kind][0], token.type_name)
         self._check_later(token.key, partial(self._check_name, token, logger_name), _HISTORY_S)
 
-    def _check_silent_again(self, other: Token) -> None:
-        """If an endpoint waits for a partner of this type, check later whether this one is it."""
+    def _check_silent_again(self, news: list[Token]) -> None:
+        """If an endpoint waits for a partner of a new type, check later whether it has come."""
+        came = {(token.kind, token.type_name) for token in news if isinstance(token, EndpointToken)}
         for token, logger_name in list(self._silent.values()):
-            sought = (_PARTNERS[token.kind][0], token.type_name)
-            if isinstance(other, EndpointToken) and (other.kind, other.type_name) == sought:
+            if (_PARTNERS[token.kind][0], token.type_name) in came:
                 self._check_later(token.key, partial(self._check_name, token, logger_name))
 
     def _is_silent(self, token: EndpointToken) -> bool:
@@ -434,6 +434,20 @@ def _is_standard(token: Token) -> bool:
     if not isinstance(token, EndpointToken) or token.kind is not EntityKind.PUBLISHER:
         return False
     return token.type_name == _STANDARD_TYPES.get(token.name)
+
+
+def _full_name(token: Token) -> str:
+    """Return the full name of a node, or the name of an endpoint's topic or service."""
+    if isinstance(token, NodeToken):
+        return fully_qualified(token.namespace, token.node)
+    return token.name
+
+
+def _by_name(tokens: Iterable[Token]) -> dict[str, list[Token]]:
+    found: dict[str, list[Token]] = {}
+    for token in tokens:
+        found.setdefault(_full_name(token), []).append(token)
+    return found
 
 
 def _equality(token: EndpointToken) -> tuple[object, ...]:

@@ -20,6 +20,7 @@ from zbot.transport.program_file import ProgramFile, program_documents
 from zbot.version import __version__
 
 if TYPE_CHECKING:
+    from collections.abc import Set
     from pathlib import Path
 
     from zbot.transport.membership import Membership
@@ -170,26 +171,32 @@ def _described(program: RunningProgram, joined: Membership | None) -> str:
     return f"{names} (process {program.pid}: {program.reason(joined)})"
 
 
-def stopped_text(domain: int, node: str = "") -> str:
-    """Return a sentence about programs that Ctrl-Z has stopped, and what to do, or `""`.
+def stopped(domain: int, nodes: Set[str] | None = None) -> list[RunningProgram]:
+    """Return the programs of a domain that Ctrl-Z has stopped.
 
     Args:
-        domain: The domain of the programs.
-        node: The full name of a node. If it is given, only programs with this node count.
+        domain: The domain.
+        nodes: Full names of nodes. Only programs with one of them count. `None` means programs with
+            any visible node.
     """
-    found = [
+    return [
         program
         for program in running()
         if program.domain == domain
-        and (node in program.nodes if node else program.visible_nodes)
+        and (program.visible_nodes if nodes is None else not nodes.isdisjoint(program.nodes))
         and router_process.is_stopped(program.pid)
     ]
-    if not found:
+
+
+def stopped_text(programs: list[RunningProgram]) -> str:
+    """Return a sentence about stopped programs and what to do, or `""` if there are none."""
+    if not programs:
         return ""
-    listed = (f"{', '.join(program.visible_nodes)} (process {program.pid})" for program in found)
+    listed = (f"{', '.join(program.visible_nodes)} (process {program.pid})" for program in programs)
     return (
-        f"{'; '.join(listed)} {'is' if len(found) == 1 else 'are'} stopped, e.g. by Ctrl-Z: type "
-        f"`fg` in the terminal, or `kill -9 {' '.join(str(program.pid) for program in found)}`"
+        f"{'; '.join(listed)} {'is' if len(programs) == 1 else 'are'} stopped, e.g. by Ctrl-Z: "
+        "type `fg` in the terminal, or "
+        f"`kill -9 {' '.join(str(program.pid) for program in programs)}`"
     )
 
 

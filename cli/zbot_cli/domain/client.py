@@ -102,7 +102,7 @@ def _where_to_look() -> str:
 
 def print_stopped_programs() -> None:
     """Print on stderr which programs of the domain are stopped (Ctrl-Z), if any."""
-    text = running_programs.stopped_text(domain_id())
+    text = running_programs.stopped_text(running_programs.stopped(domain_id()))
     if text:
         print(escape_control_characters(text), file=sys.stderr, flush=True)
 

@@ -98,17 +98,17 @@ def test_a_stopped_program_is_named_with_its_process(monkeypatch: pytest.MonkeyP
     programs = [replace(INSIDE, pid=11), replace(INSIDE, pid=12, nodes=["/arm", "/_hidden"])]
     monkeypatch.setattr(running_programs, "running", lambda: programs)
     monkeypatch.setattr(router_process, "is_stopped", lambda pid: pid in {11, 12})
-    assert running_programs.stopped_text(17, "/arm") == (
+    stopped, text = running_programs.stopped, running_programs.stopped_text
+    assert text(stopped(17, {"/arm", "/other"})) == (
         "/arm (process 12) is stopped, e.g. by Ctrl-Z: type `fg` in the terminal, or `kill -9 12`"
     )
-    assert running_programs.stopped_text(17) == (
+    assert text(stopped(17)) == (
         "/talker (process 11); /arm (process 12) are stopped, e.g. by Ctrl-Z: "
         "type `fg` in the terminal, or `kill -9 11 12`"
     )
-    assert running_programs.stopped_text(17, "/other") == ""
-    assert running_programs.stopped_text(0) == ""
+    assert text(stopped(17, {"/other"})) == text(stopped(0)) == ""
     monkeypatch.setattr(router_process, "is_stopped", lambda _: False)
-    assert running_programs.stopped_text(17) == ""
+    assert text(stopped(17)) == ""
 
 
 def test_nodes_of_other_domains_are_named_with_their_domain(
