@@ -140,7 +140,7 @@ class LogRegistry:
         severity = to_severity(level)
         with self._lock:
             self._levels[name] = severity
-            self._refresh()
+            self._refresh(name)
 
     def get_logger_level(self, name: str) -> LoggingSeverity:
         """Return a logger's own level. Return `UNSET` if the logger has no own level."""
@@ -168,7 +168,7 @@ class LogRegistry:
         """
         with self._lock:
             self._sinks.append(SinkEntry(logger_name, sink))
-            self._refresh()
+            self._refresh(logger_name)
 
     def remove_sink(self, logger_name: str, sink: Sink) -> None:
         """Undo one `add_sink`. The call has no effect if the sink was not added."""
@@ -177,7 +177,7 @@ class LogRegistry:
                 if entry.name == logger_name and entry.sink == sink:
                     self._sinks.remove(entry)
                     break
-            self._refresh()
+            self._refresh(logger_name)
 
     @contextmanager
     def sinks_disabled(self) -> Iterator[None]:
@@ -260,20 +260,22 @@ class LogRegistry:
         record = Record(time.time_ns(), level, _OWN_NAME, _text(text), __file__, "_warn", 0)
         console.write(level, console.format(record))
 
-    def _refresh(self) -> None:
+    def _refresh(self, name: str = "") -> None:
+        """Renew the states of a logger and its children. An empty name means all loggers."""
         # `values()` would fail if another thread deletes a logger during the iteration.
         for reference in self._states.valuerefs():
             state = reference()
-            if state is not None:
+            if state is not None and _is_within(state.name, name):
                 state.threshold = self.get_logger_effective_level(state.name)
                 state.sinks = self._sinks_of(state.name)
 
     def _sinks_of(self, name: str) -> tuple[SinkEntry, ...]:
-        return tuple(
-            entry
-            for entry in self._sinks
-            if not entry.name or name == entry.name or name.startswith(f"{entry.name}.")
-        )
+        return tuple(entry for entry in self._sinks if _is_within(name, entry.name))
+
+
+def _is_within(name: str, parent: str) -> bool:
+    """Return whether a logger is `parent` or one of its children. All are of the empty name."""
+    return not parent or name == parent or name.startswith(f"{parent}.")
 
 
 def _text(message: object) -> str:

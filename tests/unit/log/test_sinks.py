@@ -7,6 +7,7 @@ import pytest
 
 from zbot import log
 from zbot.log import LoggingSeverity, get_logger
+from zbot.log.registry import LogRegistry
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -61,6 +62,19 @@ def test_sink_works_for_loggers_made_before_it() -> None:
     log.remove_sink("late", sink)
     logger.info("not heard")
     assert [record.message for record in received] == ["heard"]
+
+
+def test_a_new_sink_does_not_renew_other_loggers() -> None:
+    registry = LogRegistry()
+    registry.add_sink("", id)
+    states = [registry.state_of(name) for name in ("robot", "robot.arm", "robotic", "other")]
+    before = [state.sinks for state in states]
+    for change in (registry.add_sink, registry.remove_sink):
+        change("robot", repr)
+        after = [state.sinks for state in states]
+        changed = [now is not then for now, then in zip(after, before, strict=True)]
+        assert changed == [True, True, False, False]
+    assert after == before
 
 
 def test_sinks_can_be_switched_off(records: list[log.Record]) -> None:
