@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -40,8 +41,11 @@ def similar_names(name: str, known: Iterable[str], count: int = 1) -> tuple[str,
     it has names with mostly the same characters. It never contains the name itself.
     """
     by_lower = _by_lower(name, known)
+    typos = KnownNames(by_lower.values()).typos(name)
+    if typos:
+        return tuple(typos[:count])
     typed = name.lower()
-    found = _typos(typed, by_lower) or _other_lengths(typed, by_lower)
+    found = _other_lengths(typed, by_lower)
     if not found:
         from difflib import get_close_matches  # noqa: PLC0415 - takes 3 ms, needed only after an error
 
@@ -55,29 +59,85 @@ def nearest(name: str, known: Iterable[str], most_edits: int = _MOST_EDITS) -> s
     A similar name needs at most 1 edit if `name` has 3 to 5 characters, and at most `most_edits` if
     it has more. Slashes, and upper and lower case, do not count. A swap of two neighbours, as in
     `topci`, is one edit. Names that differ only in their numbers (`/robot1/scan`, `/robot2/scan`)
-    are not similar.
+    are not similar. If many names are compared with the same known names, `KnownNames` is faster.
     """
-    by_lower = _by_lower(name, known)
-    found = _typos(name.lower(), by_lower, most_edits)
-    return by_lower[found[0]] if found else None
+    return KnownNames(known).nearest(name, most_edits)
+
+
+class KnownNames:
+    """Names that exist, prepared for the comparison with many mistyped names.
+
+    Args:
+        names: The names.
+    """
+
+    def __init__(self, names: Iterable[str]) -> None:
+        # A domain with a hundred robots has a hundred topics of each pattern.
+        self._patterns: dict[str, _Pattern] = {}
+        for name in names:
+            pattern = _pattern(name)
+            if pattern not in self._patterns:
+                self._patterns[pattern] = _Pattern(_letters(pattern))
+            self._patterns[pattern].names.append((name, name.lower(), _letters(name)))
+
+    def nearest(self, name: str, most_edits: int = _MOST_EDITS) -> str | None:
+        """Return what the function `nearest` returns for these names."""
+        for edits in range(_limit(name, most_edits) + 1):  # names with few edits are found faster
+            if found := self._within(name, edits):
+                return found[0]
+        return None
+
+    def typos(self, name: str) -> list[str]:
+        """Return the known names of which `name` may be a typo (see `nearest`), best first."""
+        return self._within(name, _limit(name, _MOST_EDITS))
+
+    def _within(self, name: str, edits: int) -> list[str]:
+        pattern, lowered, letters = _pattern(name), name.lower(), _letters(name)
+        pattern_letters = _letters(pattern)
+        scored = [
+            # `Nod` means `Node` and not `node`, if both exist.
+            (distance, known, text[:1].isupper() != name[:1].isupper(), text)
+            for other, alike in self._patterns.items()
+            if other != pattern and _may_be_near(pattern_letters, alike.letters, edits)
+            for text, known, known_letters in alike.names
+            if abs(len(known) - len(lowered)) <= edits
+            and _may_be_near(letters, known_letters, edits)
+            and (distance := _edit_distance(lowered, known, edits)) <= edits
+        ]
+        return [text for *_, text in sorted(scored)]
+
+
+@dataclass(frozen=True, slots=True)
+class _Pattern:
+    """Names that differ only in their numbers."""
+
+    letters: frozenset[str]
+    names: list[tuple[str, str, frozenset[str]]] = field(default_factory=list)
+
+
+def _limit(name: str, most_edits: int) -> int:
+    return min(most_edits, len(name.replace("/", "")) // 3)
+
+
+def _letters(name: str) -> frozenset[str]:
+    return frozenset(name.lower())
+
+
+def _may_be_near(a: frozenset[str], b: frozenset[str], edits: int) -> bool:
+    """Return whether names with these letters may need so few edits: each edit changes one."""
+    return len(a - b) <= edits and len(b - a) <= edits
+
+
+def _pattern(name: str) -> str:
+    return _NUMBERS.sub("0", name)
 
 
 def _by_lower(name: str, known: Iterable[str]) -> dict[str, str]:
-    pattern = _NUMBERS.sub("0", name)
-    names = [candidate for candidate in known if _NUMBERS.sub("0", candidate) != pattern]
+    pattern = _pattern(name)
+    names = [candidate for candidate in known if _pattern(candidate) != pattern]
     # `Nod` means `Node` and not `node`, if both exist.
     names.sort(key=lambda candidate: candidate[:1].isupper() == name[:1].isupper())
     return {candidate.lower(): candidate for candidate in names}
-
-
-def _typos(name: str, known: Iterable[str], most_edits: int = _MOST_EDITS) -> list[str]:
-    limit = min(most_edits, len(name.replace("/", "")) // 3)
-    scored = (
-        (_edit_distance(name, candidate, limit), candidate)
-        for candidate in known
-        if abs(len(candidate) - len(name)) <= limit
-    )
-    return [candidate for distance, candidate in sorted(scored) if distance <= limit]
 
 
 def _other_lengths(name: str, known: Iterable[str]) -> list[str]:
@@ -103,12 +163,13 @@ def _edit_distance(a: str, b: str, limit: int) -> int:
     above: list[int] = []
     row = list(range(len(b) + 1))
     for i, left in enumerate(a, 1):
-        following = [i]
-        for j, right in enumerate(b, 1):
-            cost = row[j - 1] if left == right else 1 + min(row[j], following[-1], row[j - 1])
+        following = [i] + [limit + 1] * len(b)
+        for j in range(max(1, i - limit), min(len(b), i + limit) + 1):  # the others cost too much
+            right = b[j - 1]
+            cost = row[j - 1] if left == right else 1 + min(row[j], following[j - 1], row[j - 1])
             if above and j > 1 and left == b[j - 2] and right == a[i - 2]:
                 cost = min(cost, above[j - 2] + 1)
-            following.append(cost)
+            following[j] = cost
         if min(*row, *following) > limit:
             return limit + 1
         above, row = row, following

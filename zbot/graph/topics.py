@@ -7,7 +7,7 @@ from enum import Enum
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from zbot.errors.suggestion import nearest, question
+from zbot.errors.suggestion import KnownNames, question
 from zbot.graph.filters import TF_TOPICS
 from zbot.names import ACTION_PART, fully_qualified
 from zbot.wire.tokens import EndpointToken, EntityKind
@@ -152,11 +152,11 @@ def _add_action_end(actions: dict[str, list[End]], token: EndpointToken, node: s
 def _with_problems(found: Mapping[str, list[End]], kind: BoxKind) -> Iterator[TopicView]:
     # The publishers offer a topic. The servers offer an action, and count as subscriptions here.
     offers = kind is BoxKind.TOPIC
-    offered = sorted(n for n, ends in found.items() if any(e.is_publisher is offers for e in ends))
-    known = set(offered)
+    offered = {n for n, ends in found.items() if any(e.is_publisher is offers for e in ends)}
+    known = KnownNames(offered)
     for name, ends in found.items():
         topic = TopicView(name, tuple(sorted(set(ends))), kind)
-        guess = None if name in known else nearest(name, offered)
+        guess = None if name in offered else known.nearest(name)
         problem = _clash(topic) if len(topic.types) > 1 else _typo(topic, guess)
         has_clash = len(topic.types) > 1
         yield replace(topic, has_clash=has_clash, guess=guess, problem=problem)

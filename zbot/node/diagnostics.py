@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 import zenoh
 
 from zbot.errors import NotInitializedError
-from zbot.errors.suggestion import did_you_mean, nearest, question
+from zbot.errors.suggestion import KnownNames, did_you_mean, nearest, question
 from zbot.graph.snapshot import Snapshot
 from zbot.log import get_logger
 from zbot.names import ROSOUT_TOPIC, SEND_GOAL, fully_qualified, is_hidden
@@ -112,6 +112,7 @@ class Diagnostics:
         self._checks: dict[float, deque[tuple[Deadline, object, Callable[[], None]]]] = {}
         self._planned: set[object] = set()  # what these checks are about
         self._known = Snapshot(())  # the graph during the present checks
+        self._names: dict[tuple[EntityKind, str, str], KnownNames] = {}  # its partners' names
         self._equal: Counter[tuple[object, ...]] = Counter()  # own endpoints by node, kind, name
         self._silent: dict[str, tuple[EndpointToken, str]] = {}  # own endpoints without a partner
         self._warned: set[tuple[str, ...]] = set()
@@ -230,13 +231,14 @@ class Diagnostics:
     def _make_checks(self) -> None:
         due = [checks for checks in list(self._checks.values()) if checks and checks[0][0].is_over]
         if due:
-            self._known = Snapshot(self._context.graph.known())
+            self._known, self._names = Snapshot(self._context.graph.known()), {}
         for checks in due:
             while checks and checks[0][0].is_over:
                 _, about, check = checks.popleft()
                 self._planned.discard(about)
                 check()
-        self._known = Snapshot(())  # it would keep the tokens of the whole graph
+        # They would keep the tokens of the whole graph.
+        self._known, self._names = Snapshot(()), {}
 
     def _compare(self, news: list[Token]) -> None:
         with self._lock:
@@ -357,13 +359,9 @@ class Diagnostics:
         if not self._is_silent(token):
             self._silent.pop(token.key, None)
             return
-        kind, verb, partner, most_edits = _PARTNERS[token.kind]
-        ending = _ending(token)
-        known = self._known.of_kind(kind)
-        partners = [end.name for end in known if end.type_name == token.type_name]
-        names = {name.removesuffix(ending) for name in partners if name.endswith(ending)}
-        name = token.name.removesuffix(ending)
-        guess = nearest(name, sorted(names), most_edits)
+        _, verb, partner, most_edits = _PARTNERS[token.kind]
+        name = token.name.removesuffix(_ending(token))
+        guess = self._partner_names(token).nearest(name, most_edits)
         if guess is not None:
             type_name = token.type_name.removesuffix("_SendGoal")
             self._warn(
@@ -372,6 +370,16 @@ class Diagnostics:
                 f"nobody {verb} {name}, but {guess} ({type_name}) has a {partner}: "
                 "is one of the names misspelt?",
             )
+
+    def _partner_names(self, token: EndpointToken) -> KnownNames:
+        """Return the names of all possible partners of an endpoint during the present checks."""
+        kind, type_name, ending = about = _PARTNERS[token.kind][0], token.type_name, _ending(token)
+        if about not in self._names:
+            ends = [end for end in self._known.of_kind(kind) if end.type_name == type_name]
+            self._names[about] = KnownNames(
+                {end.name.removesuffix(ending) for end in ends if end.name.endswith(ending)}
+            )
+        return self._names[about]
 
     def _check_parameters(self, given: GivenParameters, longest: Deadline) -> None:
         store = given.store

@@ -2,9 +2,21 @@
 
 from __future__ import annotations
 
-import pytest
+import re
+from functools import cache
 
-from zbot.errors.suggestion import did_you_mean, nearest, question, similar_names
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from zbot.errors import suggestion
+from zbot.errors.suggestion import (
+    KnownNames,
+    did_you_mean,
+    nearest,
+    question,
+    similar_names,
+)
 
 
 @pytest.mark.parametrize(
@@ -28,6 +40,47 @@ def test_nearest_finds_typos_and_nothing_else(
     name: str, candidates: list[str], expected: str | None
 ) -> None:
     assert nearest(name, candidates) == expected
+
+
+@given(st.text("ab1/", max_size=9), st.lists(st.text("ab1/", max_size=9), max_size=9))
+def test_nearest_is_the_known_name_with_the_fewest_edits(name: str, known: list[str]) -> None:
+    patterns = {text: re.sub(r"\d+", "0", text) for text in [name, *known]}
+    edits = {text: edits_between(name, text) for text in known if patterns[text] != patterns[name]}
+    near = [text for text in edits if edits[text] <= min(2, len(name.replace("/", "")) // 3)]
+    assert nearest(name, known) == min(near, key=lambda text: (edits[text], text), default=None)
+
+
+@cache
+def edits_between(a: str, b: str) -> int:
+    """Return the number of edits by the definition, which is slow."""
+    if not a or not b:
+        return len(a) + len(b)
+    fewest = [
+        edits_between(a[1:], b) + 1,
+        edits_between(a, b[1:]) + 1,
+        edits_between(a[1:], b[1:]) + (a[0] != b[0]),
+    ]
+    if a[:2] == b[1::-1] and len(a) > 1:
+        fewest.append(edits_between(a[2:], b[2:]) + 1)
+    return min(fewest)
+
+
+def test_few_names_of_many_robots_are_compared_letter_by_letter(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    compared: list[str] = []
+
+    def far(name: str, _other: str, limit: int) -> int:
+        compared.append(name)
+        return limit + 1
+
+    monkeypatch.setattr(suggestion, "_edit_distance", far)
+    parts = ("scan", "odom", "imu", "camera/info", "joint_states")
+    known = KnownNames(f"/robot{number}/{part}" for number in range(100) for part in parts)
+    for number in range(100):
+        for name in ("cmd_vel", "goal_pose", "camera/info"):
+            assert known.nearest(f"/robot{number}/{name}") is None
+    assert len(compared) < 300  # of 150,000 pairs
 
 
 @pytest.mark.parametrize(

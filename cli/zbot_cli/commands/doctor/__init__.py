@@ -23,7 +23,7 @@ import typer
 
 from zbot.errors import ZbotError
 from zbot.errors.installation import pip_install
-from zbot.errors.suggestion import nearest, question
+from zbot.errors.suggestion import KnownNames, question
 from zbot.graph.snapshot import Snapshot, full_names
 from zbot.names import fully_qualified, is_hidden
 from zbot.package.rclpy_choice import genuine_rclpy
@@ -393,10 +393,11 @@ def _type_clashes(graph: Snapshot) -> Iterator[Finding]:
 
 def _lonely_subscriptions(graph: Snapshot) -> Iterator[Finding]:
     published = {name for name, _ in graph.topics() if graph.publishers(name)}
+    known = KnownNames(published)
     for name, _ in graph.topics():
         if name in published or is_hidden(name):
             continue
-        guess = nearest(name, sorted(published))
+        guess = known.nearest(name)
         if guess is not None:
             advice = f"{question([guess])} It has a publisher"
             yield Finding("topic names", f"{name} has no publisher", advice)

@@ -7,7 +7,7 @@ import re
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from zbot.errors.suggestion import nearest
+from zbot.errors.suggestion import KnownNames
 from zbot.names import fully_qualified
 from zbot.wire.tokens import EntityKind
 
@@ -89,16 +89,17 @@ def topic_rows(graph: Snapshot, own_node: str) -> list[TopicRow]:
         if _node(end) != own_node:
             ends.setdefault(end.name, []).append(end)
     published = {name for name, of_name in ends.items() if any(map(_is_publisher, of_name))}
-    return [_row(name, ends[name], published) for name in sorted(ends, key=_natural)]
+    known = KnownNames(published)
+    return [_row(name, ends[name], published, known) for name in sorted(ends, key=_natural)]
 
 
-def _row(name: str, ends: list[EndpointToken], published: set[str]) -> TopicRow:
+def _row(name: str, ends: list[EndpointToken], published: set[str], known: KnownNames) -> TopicRow:
     return TopicRow(
         name,
         tuple(sorted({end.type_name for end in ends})),
         tuple(sorted(_node(end) for end in ends if _is_publisher(end))),
         tuple(sorted(_node(end) for end in ends if not _is_publisher(end))),
-        None if name in published else nearest(name, sorted(published)),
+        None if name in published else known.nearest(name),
     )
 
 
