@@ -25,6 +25,7 @@ from zbot.remote.parameters import RemoteParameters
 from zbot.remote.profiles import profile_to_show
 from zbot.remote.service_calls import ServiceCalls
 from zbot.remote.types import interface
+from zbot.wire.tokens import EndpointToken
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -151,13 +152,14 @@ class System:
 
         return undo
 
-    def _on_token(self, _token: Token, _appeared: bool) -> None:
+    def _on_token(self, token: Token, _appeared: bool) -> None:
         # This method must not acquire `_lock`. Another thread may hold `_lock` while it declares an
         # entity. When many tokens arrive together, that declaration waits for the end of this
         # method, so both threads would wait for ever.
         self.revision += 1
+        topic = token.name if isinstance(token, EndpointToken) else None
         for feed in list(self._feeds.values()):
-            if feed.is_wanted and feed.type_name is None:
+            if feed.topic == topic and feed.type_name is None and feed.is_wanted:
                 self._spinner.executor.create_task(self._subscribe, feed)
         for callback in list(self._callbacks):
             callback()

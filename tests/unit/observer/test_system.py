@@ -1,0 +1,50 @@
+"""Test of what a new node or endpoint lets the observer do."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+from typing import TYPE_CHECKING, Any
+
+from tests.unit.tokens import endpoint_token
+from zbot.observer.system import System
+from zbot.wire.tokens import NodeToken
+
+if TYPE_CHECKING:
+    from zbot.graph.snapshot import Token
+
+
+def nothing(_feed: Any) -> None:
+    """Do not subscribe."""
+
+
+class Feed:
+    """Topic that a page may watch. It counts the questions whether a page watches it."""
+
+    def __init__(self, topic: str, type_name: str | None) -> None:
+        self.topic, self.type_name = topic, type_name
+        self.questions = 0
+
+    @property
+    def is_wanted(self) -> bool:
+        self.questions += 1
+        return True
+
+
+def test_a_new_endpoint_concerns_only_watches_of_its_topic_that_lack_a_type() -> None:
+    feeds = {name: Feed(name, None) for name in ("/a", "/b")} | {"/c": Feed("/c", "a/msg/B")}
+    tasks: list[Any] = []
+    executor = SimpleNamespace(create_task=lambda _function, feed: tasks.append(feed))
+    system: Any = SimpleNamespace(
+        revision=0,
+        _feeds=feeds,
+        _callbacks=[],
+        _spinner=SimpleNamespace(executor=executor),
+        _subscribe=nothing,
+    )
+    node = NodeToken(domain=0, zid="a", nid=1, namespace="/", node="talker")
+    tokens: list[Token] = [*map(endpoint_token, ("/b", "/c", "/d")), node]
+    for token in tokens:
+        System._on_token(system, token, True)
+    assert tasks == [feeds["/b"]]
+    assert [feed.questions for feed in feeds.values()] == [0, 1, 0]
+    assert system.revision == 4
