@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import pytest
@@ -21,8 +22,6 @@ from std_msgs.msg import Bool
 from std_srvs.srv import SetBool
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
     from tests.conftest import Start
     from tests.nodes.conftest import Bench
     from zbot.log.record import Record
@@ -73,6 +72,20 @@ def test_a_video_and_a_folder_begin_again_at_their_end(video: str, pictures: str
         for _ in range(7):
             assert source.read().shape == (48, 64, 3)
         source.close()
+
+
+def test_pictures_are_read_from_any_folder_without_damaged_ones(
+    pictures: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, logged: list[Record]
+) -> None:
+    monkeypatch.setattr(cv2, "imread", lambda *_: None)  # it is so in such a folder on Windows
+    folder = Path(pictures).rename(tmp_path / "Jürgen")
+    for name, content in (("00.png", b""), ("01.jpg", b"no picture"), ("2.png", b"\x89PNG")):
+        (folder / name).write_bytes(content)
+    (folder / "3.png").mkdir()
+    source = FrameSource(str(folder), 640, 480, 30.0)
+    for _ in range(5):
+        assert source.read()[0, 0].tolist() == [BLUE, GREEN, RED]
+    assert len([record for record in logged if "is left out" in record.message]) == 4
 
 
 def test_a_webcam_that_gives_no_more_images_is_opened_again(
@@ -165,6 +178,7 @@ def test_what_is_no_video_is_named(tmp_path: Path) -> None:
     text.write_text("no video")
     empty = tmp_path / "empty"
     empty.mkdir()
+    (empty / "a.png").write_text("no picture")
     for device, told in (
         (str(text), "no video that OpenCV can read"),
         (str(empty), "it needs pictures such as .png"),

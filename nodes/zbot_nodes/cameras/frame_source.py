@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import zbot
 from zbot.errors import MissingPackageError
+from zbot.log import get_logger
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -56,7 +57,8 @@ class FrameSource:
         self._cv2 = opencv()
         self._device = device
         self._capture: Any = None
-        self._pictures: Iterator[Path] | None = None
+        self._pictures: Iterator[Any] | None = None
+        self._unreadable: set[Path] = set()
         path = Path(device).expanduser()
         if _NUMBER.match(device):
             self._open_webcam(device, width, height, rate_hz)
@@ -102,17 +104,35 @@ class FrameSource:
         if not self._capture.isOpened():
             raise CameraError(f"{path} is no video that OpenCV can read")
 
-    def _endless(self, folder: Path) -> Iterator[Path]:
-        while True:
+    def _endless(self, folder: Path) -> Iterator[Any]:
+        """Yield the pictures of a folder again and again, without those that cannot be read."""
+        has_any = True
+        while has_any:
+            has_any = False
             found = sorted(path for path in folder.iterdir() if path.suffix.lower() in _PICTURES)
-            if not found:
-                return
-            yield from found
+            for path in found:
+                picture = self._picture(path)
+                if picture is not None:
+                    has_any = True
+                    yield picture
+
+    def _picture(self, path: Path) -> Any:
+        import numpy as np  # noqa: PLC0415 - an extra
+
+        # On Windows, `imread` opens no path with letters such as ü.
+        try:
+            data = np.frombuffer(path.read_bytes(), np.uint8)
+        except OSError:
+            data = np.empty(0, np.uint8)
+        picture = self._cv2.imdecode(data, self._cv2.IMREAD_COLOR) if data.size else None
+        if picture is None and path not in self._unreadable:
+            self._unreadable.add(path)
+            get_logger("zbot.camera").warning(f"{path} is left out: OpenCV cannot read it")
+        return picture
 
     def _next(self) -> Any:
         if self._pictures is not None:
-            path = next(self._pictures, None)
-            return None if path is None else self._cv2.imread(str(path), self._cv2.IMREAD_COLOR)
+            return next(self._pictures, None)
         is_read, frame = self._capture.read()
         if not is_read and not _NUMBER.match(self._device):
             self._capture.set(self._cv2.CAP_PROP_POS_FRAMES, 0)
