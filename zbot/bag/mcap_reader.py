@@ -85,7 +85,7 @@ class McapReader:
         enough, because a recorder writes the messages in order.
 
         Raises:
-            BagReadError: A part in the middle of the file is damaged.
+            BagReadError: A part in the middle of the file is damaged, or the file was removed.
         """
         wanted = {
             number: channel.topic
@@ -99,6 +99,8 @@ class McapReader:
             for message in found:
                 if start_ns <= message.log_ns and (end_ns is None or message.log_ns <= end_ns):
                     yield message
+        except OSError as error:
+            raise BagReadError(self._path, error.strerror or str(error)) from error
         except self._errors as error:
             raise BagReadError(self._path, _reason(error)) from error
 

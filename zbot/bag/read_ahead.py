@@ -7,8 +7,6 @@ import queue
 import threading
 from typing import TYPE_CHECKING
 
-from zbot.errors import ZbotError
-
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
@@ -32,7 +30,7 @@ class ReadAhead:
     def __init__(self, messages: Iterator[BagMessage], size: int) -> None:
         self._messages = messages
         self._batch = max(min(_BATCH, size // 2), 1)
-        self._queue: queue.Queue[list[BagMessage] | ZbotError | None] = queue.Queue(
+        self._queue: queue.Queue[list[BagMessage] | Exception | None] = queue.Queue(
             max(size // self._batch, 1)
         )
         self.largest = 0  #: bytes of the largest message so far
@@ -46,9 +44,9 @@ class ReadAhead:
         self._is_filled.wait(timeout_s)
 
     def __iter__(self) -> Iterator[BagMessage]:
-        """Yield the messages. Raise the `ZbotError` that the iterator raised."""
+        """Yield the messages. Raise the exception that the iterator raised."""
         while (item := self._queue.get()) is not None:
-            if isinstance(item, ZbotError):
+            if isinstance(item, Exception):
                 raise item
             yield from item
 
@@ -59,7 +57,7 @@ class ReadAhead:
 
     def _read(self) -> None:
         batch: list[BagMessage] = []
-        last: list[ZbotError | None] = [None]
+        last: list[Exception | None] = [None]
         try:
             for message in self._messages:
                 self.largest = max(self.largest, len(message.data))
@@ -68,13 +66,13 @@ class ReadAhead:
                     if not self._put(batch):
                         return
                     batch = []
-        except ZbotError as error:
+        except Exception as error:  # noqa: BLE001 - `__iter__` raises it in the player's thread
             last = [error, None]
         for item in (batch, *last):
             self._put(item)
         self._is_filled.set()
 
-    def _put(self, item: list[BagMessage] | ZbotError | None) -> bool:
+    def _put(self, item: list[BagMessage] | Exception | None) -> bool:
         while not self._is_over.is_set():
             if self._queue.full():
                 self._is_filled.set()
