@@ -5,11 +5,14 @@ from __future__ import annotations
 import enum
 import queue
 import threading
+import traceback
 from collections import deque
 from typing import TYPE_CHECKING
 
+from zbot.bag.errors import BagWriteError
 from zbot.bag.message import BagMessage
 from zbot.errors import ZbotError
+from zbot.log import get_logger
 from zbot.threads.deadline import Deadline
 from zbot.time import S_TO_NS
 
@@ -90,15 +93,20 @@ class WriteQueue:
         self._thread.join()
         if lost:
             self._writer.set_custom_data(LOST_KEY, lost)
-        self._writer.close()
-        if self.error is not None:
-            raise self.error
+        try:
+            self._writer.close()
+        finally:
+            if self.error is not None:  # the first error is the reason, and `close` may fail too
+                raise self.error
 
     def _run(self) -> None:
         try:
             self._write_all()
         except ZbotError as error:
             self.error = error
+        except Exception as error:  # noqa: BLE001 - the recorder reads `error`
+            self.error = BagWriteError(self._writer.path, repr(error))
+            get_logger("zbot.bag").error("".join(traceback.format_exception(error)))
 
     def _write_all(self) -> None:
         due = Deadline(FLUSH_S)

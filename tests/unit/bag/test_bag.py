@@ -339,3 +339,21 @@ def test_a_full_queue_loses_messages_and_says_so(path: Path) -> None:
     assert 1 <= taken < 50
     with Reader(path) as bag:
         assert bag.metadata.message_count == taken
+
+
+def test_an_unexpected_error_ends_the_writing(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def fail(*_: object) -> None:
+        raise MemoryError("no room")
+
+    def close() -> None:
+        Writer.close(bag)
+        raise ValueError("a later error")
+
+    bag = Writer(path)
+    monkeypatch.setattr(bag, "create_topic", fail)
+    monkeypatch.setattr(bag, "close", close)
+    waiting = WriteQueue(bag, max_bytes=0)
+    waiting.add_topic(TopicMetadata("/a", "std_msgs/msg/String"), Definition("ros2msg", ""))
+    with pytest.raises(BagWriteError, match=r"cannot write the bag '.*': MemoryError\('no room'\)"):
+        waiting.close()
+    assert isinstance(waiting.error, BagWriteError)  # it ends a recording
