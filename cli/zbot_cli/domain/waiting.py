@@ -29,6 +29,7 @@ if TYPE_CHECKING:
 #: Seconds after which a command says that nobody is there for its topic, service or action.
 HINT_DELAY_S = 2.0
 _STEP_S = 0.5  # Ctrl-C cannot interrupt waiting for the graph, so the command waits in steps
+_MADE_UP_S = 0.1  # a delay that shortens the next sleeps, so that the mean rate is exact
 
 
 def wait_for_type(node: Node, kind: Kind, name: str) -> str:
@@ -188,3 +189,28 @@ class Sleep:
         """Wait until `time.monotonic()` reaches `time_s`, or the context ends."""
         while self._context.ok() and (left := time_s - time.monotonic()) > 0:
             self._end.wait(left)
+
+
+class PeriodicSleep(Sleep):
+    """Sleep until the next period begins. The first period begins now.
+
+    Periods that pass without a sleep are left out, e.g. while the program is suspended. Otherwise
+    the command would then do the work of all these periods at once.
+
+    Args:
+        context: The end of this context ends a sleep.
+        rate_hz: Number of periods per second.
+    """
+
+    def __init__(self, context: Context, rate_hz: float) -> None:
+        super().__init__(context)
+        self._period_s = 1 / rate_hz
+        self._next_s = time.monotonic()
+
+    def until_next(self) -> None:
+        """Wait until the next period begins, or the context ends."""
+        self._next_s += self._period_s
+        now_s = time.monotonic()
+        if now_s - self._next_s > max(self._period_s, _MADE_UP_S):
+            self._next_s = now_s
+        self.until(self._next_s)

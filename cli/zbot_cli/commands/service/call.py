@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import sys
-import time
 from typing import TYPE_CHECKING, Any
 
 from zbot.threads.deadline import Deadline
 from zbot_cli.domain.client import hidden_node
 from zbot_cli.domain.kinds import SERVICE
 from zbot_cli.domain.waiting import (
-    Sleep,
+    PeriodicSleep,
     print_hint_if_not_listed,
     wait_for_server,
 )
@@ -133,15 +132,12 @@ class ServiceCall:
 
     def _call(self, node: Node, client: Client[Any, Any], template: Template) -> None:
         now_ns = lambda: node.get_clock().now().nanoseconds  # noqa: E731 - one expression
-        sleep = Sleep(node.context)
-        started, count = time.monotonic(), 0
+        sleep = None if self._rate_hz is None else PeriodicSleep(node.context, self._rate_hz)
         while node.context.ok():
             self._call_once(client, template.make(now_ns))
-            count += 1
-            if self._rate_hz is None:
+            if sleep is None:
                 return
-            # The end of a sleep is counted from the first call, so that the mean rate is exact.
-            sleep.until(started + count / self._rate_hz)
+            sleep.until_next()
 
     def _call_once(self, client: Client[Any, Any], request: Any) -> None:
         if not self._as_json:

@@ -12,7 +12,7 @@ from zbot.threads.deadline import Deadline
 from zbot.wire.tokens import EntityKind
 from zbot_cli.domain.client import full_name, hidden_node, snapshot
 from zbot_cli.domain.kinds import TOPIC
-from zbot_cli.domain.waiting import HINT_DELAY_S, Sleep, print_missing
+from zbot_cli.domain.waiting import HINT_DELAY_S, PeriodicSleep, print_missing
 from zbot_cli.errors import CommandError
 
 if TYPE_CHECKING:
@@ -167,8 +167,7 @@ class Pub:
         messages = [template.make(now_ns) for template in templates]
         limit = len(templates) if self._yaml_file is not None else self._pace.times
         print("publisher: beginning loop", flush=True)
-        started, sent = time.monotonic(), 0
-        sleep = Sleep(node.context)
+        sleep, sent = PeriodicSleep(node.context, self._pace.rate_hz), 0
         while node.context.ok():
             index = sent % len(templates)
             if templates[index].is_stamped:
@@ -180,8 +179,7 @@ class Pub:
             if limit and sent >= limit:
                 sleep.until(time.monotonic() + self._pace.keep_alive_s)
                 return
-            # The end of a sleep is counted from the first message, so that the mean rate is exact.
-            sleep.until(started + sent / self._pace.rate_hz)
+            sleep.until_next()
 
 
 def read_values(path: str) -> str:
