@@ -224,6 +224,25 @@ def test_echo_accepts_wildcards() -> None:
     assert done.out.startswith("# /robot1/scan\nheader:\n")
 
 
+@pytest.mark.usefixtures("robot")
+@pytest.mark.parametrize(
+    ("words", "text"),
+    [
+        (["echo", "/*", "--field", "data"], "hello"),
+        (["echo", "/*", "--filter", "m.data == 'hello'"], "data: hello"),
+        (["hz", "--all", "--filter", "m.data == 'hello'"], "/chatter "),
+    ],
+)
+def test_a_topic_that_does_not_fit_is_left_out_if_it_is_not_named(
+    start: Start, words: list[str], text: str
+) -> None:
+    command = start("zbot", "topic", *words)
+    command.wait_for("cannot show /robot1/scan: ")
+    command.wait_for(text)
+    assert command.stop() == 130
+    assert command.output.count("/robot1/scan: ") == 1
+
+
 @pytest.mark.usefixtures("domain")
 def test_echo_without_a_message_in_time_fails() -> None:
     done = zbot("topic", "echo", "/nothing", "std_msgs/msg/String", "--timeout", "0.3")

@@ -11,6 +11,7 @@ from zbot.node.event_callbacks import SubscriptionEventCallbacks
 from zbot.terminal.text import write_styled
 from zbot.threads.deadline import Deadline
 from zbot.wire.tokens import EndpointToken, EntityKind
+from zbot_cli.commands.topic.problems import TopicProblems
 from zbot_cli.domain.client import full_name, hidden_node
 from zbot_cli.domain.kinds import TOPIC
 from zbot_cli.domain.waiting import hint_if_silent, print_waiting
@@ -62,6 +63,7 @@ class Echo:
         self._node_name = node_name
         self._use_sim_time = use_sim_time
         self._form = form
+        self._problems = TopicProblems(self._names)
         self._subscribed: set[str] = set()
         self._shown = 0
         self._done = False
@@ -71,10 +73,11 @@ class Echo:
         return len(self._names) > 1 or any(map(_is_pattern, self._names))
 
     def run(self) -> None:
-        """Print messages until the end.
+        """Print messages until the end. Leave out what only fits a pattern and cannot be printed.
 
         Raises:
-            CommandError: The time limit passed without a message.
+            CommandError: The time limit passed without a message, or a topic that the command line
+                names cannot be printed.
         """
         from zbot_cli.output.message_text import Formatter  # noqa: PLC0415 - only echo formats messages
 
@@ -118,12 +121,16 @@ class Echo:
             fnmatchcase(token.name, name.replace("**", "*")) for name in self._names
         ):
             self._node.executor.create_task(  # type: ignore[union-attr]
-                self._subscribe, self._node, token.name, token.type_name
+                self._subscribe_new, self._node, token.name, token.type_name
             )
 
+    def _subscribe_new(self, node: Node, name: str, type_name: str) -> None:
+        # Two publishers may have come at the same time.
+        if name not in self._subscribed and name not in self._problems.topics:
+            with self._problems.of(name):
+                self._subscribe(node, name, type_name)
+
     def _subscribe(self, node: Node, name: str, type_name: str) -> None:
-        if name in self._subscribed:
-            return  # two publishers have come at the same time
         message_type = TOPIC.class_of(type_name)
         self._format.check(message_type)
         if self._filter is not None:
@@ -145,9 +152,12 @@ class Echo:
             executor.spin_once(deadline.left_s)
 
     def _show(self, name: str, message: Any, info: MessageInfo) -> None:
-        if self._done or not self._is_wanted(message):
+        text = None
+        with self._problems.of(name):
+            if not self._done and self._is_wanted(message):
+                text = self._format.text(name, message, info)
+        if text is None:
             return
-        text = self._format.text(name, message, info)
         if self._form.clear:
             write_styled(sys.stdout, _CLEAR)
         sys.stdout.write(text)

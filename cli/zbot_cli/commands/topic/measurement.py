@@ -12,6 +12,7 @@ import time
 from functools import partial
 from typing import TYPE_CHECKING, Any, Final, Protocol
 
+from zbot_cli.commands.topic.problems import TopicProblems
 from zbot_cli.domain.client import full_name, hidden_node
 from zbot_cli.domain.kinds import TOPIC
 from zbot_cli.domain.waiting import hint_if_silent, wait_for_type
@@ -80,10 +81,11 @@ def measure(
     as_json: bool,
     use_sim_time: bool,
 ) -> None:
-    """Measure topics until Ctrl-C.
+    """Measure topics until Ctrl-C. With `all_topics`, leave out those that cannot be measured.
 
     Raises:
-        CommandError: `topics` is empty, and `all_topics` is false.
+        CommandError: `topics` is empty, and `all_topics` is false, or one of `topics` cannot be
+            measured.
     """
     import zbot  # noqa: PLC0415 - makes the message packages importable
 
@@ -96,6 +98,7 @@ def measure(
         if use_sim_time or measurement.compares_stamps:
             now_ns = partial(_now_ns, node)
         meters = {name: measurement.meter(now_ns) for name in names}
+        problems = TopicProblems([] if all_topics else names)
         for name, meter in meters.items():
             publishers = graph.publishers(name)
             if not as_json:
@@ -103,7 +106,8 @@ def measure(
                     measurement, name, known=bool(publishers), several=len(names) > 1
                 )
             if measurement.decodes:
-                _subscribe(node, name, meter, qos.to_subscribe(publishers))
+                with problems.of(name):
+                    _subscribe(node, name, meter, qos.to_subscribe(publishers), problems)
             else:
                 _subscribe_to_bytes(node, name, meter)
         report = _Report(measurement, meters, as_json=as_json)
@@ -124,10 +128,16 @@ def _print_subscription(measurement: Measurement, name: str, *, known: bool, sev
     sys.stdout.flush()
 
 
-def _subscribe(node: Node, name: str, meter: Meter, qos: QoSProfile) -> None:
+def _subscribe(
+    node: Node, name: str, meter: Meter, qos: QoSProfile, problems: TopicProblems
+) -> None:
+    def add(message: Any) -> None:
+        with problems.of(name):
+            meter.add(message)
+
     qos.depth = max(qos.depth, _DEPTH)
     message_type = TOPIC.class_of(wait_for_type(node, TOPIC, name))
-    node.create_subscription(message_type, name, meter.add, qos)
+    node.create_subscription(message_type, name, add, qos)
 
 
 def _subscribe_to_bytes(node: Node, name: str, meter: Meter) -> None:
