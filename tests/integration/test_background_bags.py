@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
+import zbot
 from tests.conftest import wait_until
 from zbot.bag import background
 from zbot.bag.background import BackgroundRecording
@@ -15,9 +16,16 @@ from zbot.bag.errors import BagError
 from zbot.bag.options import RecordOptions, StorageOptions
 from zbot.bag.reader import Reader
 from zbot.bag.recorder import Recorder
+from zbot.interfaces.parser import parse
+from zbot.remote import types
+from zbot.wire.tokens import EntityKind
+
+from std_msgs.msg import String
 
 if TYPE_CHECKING:
     from pathlib import Path
+
+    from tests.conftest import MakeContext
 
 EVERYTHING = RecordOptions(all_topics=True)
 
@@ -97,3 +105,30 @@ def test_a_recording_that_does_not_end_is_not_waited_for(
     assert recording.error == "zbot bag recording has not ended within 0.1 s"
     may_end.set()
     assert wait_until(lambda: not recording.is_running, 10)
+
+
+def test_a_type_whose_definition_comes_late_does_not_stop_the_recording(
+    domain: int, tmp_path: Path, make_context: MakeContext, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    name, asked, may_answer = "late_robot/msg/Text", [], threading.Event()
+
+    def answer_late(*arguments: Any, **_options: Any) -> list[Any]:
+        asked.append(arguments[-1])
+        assert may_answer.wait(60)
+        return [parse(name, "int32 number\n")]
+
+    monkeypatch.setattr(types, "request_definitions", answer_late)
+    node = zbot.Node("robot", context=make_context())
+    graph, profile = node.context.graph, zbot.QoSProfile(depth=1)
+    announcement = graph.announce(
+        node.handle.named_endpoint(EntityKind.PUBLISHER, "/text", (name, "RIHS01_0"), profile)
+    )
+    recording = BackgroundRecording(StorageOptions(str(tmp_path / "bag")), EVERYTHING, domain)
+    assert wait_until(lambda: asked == [name])
+    chatter = node.create_publisher(String, "chatter", 1)
+    assert wait_until(lambda: chatter.get_subscription_count() == 1)
+    may_answer.set()
+    assert wait_until(lambda: bool(graph.snapshot().subscriptions("/text")))
+    recording.stop()
+    announcement.undeclare()
+    assert asked == [name]

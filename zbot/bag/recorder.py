@@ -16,10 +16,11 @@ from zbot.bag.writer import writer_for
 from zbot.errors import ZbotError, counted
 from zbot.executor.clock import Clock
 from zbot.executor.task import Future
-from zbot.interfaces import has_sequences, type_hash
+from zbot.graph.snapshot import Snapshot
+from zbot.interfaces import get_interface, has_sequences, type_hash
 from zbot.names import is_hidden
 from zbot.remote.profiles import profile_to_record
-from zbot.remote.types import UnknownTypeError, interface
+from zbot.remote.types import TypeSearch, UnknownTypeError
 from zbot.time import ClockType
 
 if TYPE_CHECKING:
@@ -27,7 +28,6 @@ if TYPE_CHECKING:
 
     from zbot.bag.options import RecordOptions, StorageOptions
     from zbot.executor.executor import Executor
-    from zbot.graph.snapshot import Snapshot
     from zbot.node.message_info import MessageInfo
     from zbot.node.node import Node
     from zbot.node.subscription import Subscription
@@ -87,7 +87,11 @@ class Recorder:
             else None
         )
         self._subscriptions: dict[str, Subscription[Any]] = {}
-        self._known: Snapshot | None = None
+        self._known = Snapshot(())
+        node.context.graph.watch()
+        self._types = TypeSearch(node.context)
+        self._searched_types: set[str] = set()  # those that a thread searches at present
+        self._type_searched = node.create_guard_condition(self._subscribe_to_new)
         self._warned: set[str] = set()
         self._losses = Losses()
         self._next_report_ns = 0
@@ -160,7 +164,6 @@ class Recorder:
         self._done = Future(executor=executor)
         if self._is_ended:
             self._done.set_result(None)
-        self._node.context.graph.watch()
         self._log.info("Listening for topics...")
         self._discover()
         if self._is_paused:
@@ -223,9 +226,13 @@ class Recorder:
 
     def _discover(self) -> None:
         snapshot = self._node.context.graph.snapshot()
-        if snapshot is self._known:
-            return
-        self._known = snapshot
+        if snapshot is not self._known:
+            self._known = snapshot
+            self._subscribe_to_new()
+
+    def _subscribe_to_new(self) -> None:
+        """Subscribe to the wanted topics of the known graph that have no subscription yet."""
+        snapshot = self._known
         for topic, types in snapshot.topics():
             if topic not in self._subscriptions and self._is_wanted(snapshot, topic, types):
                 self._subscribe(snapshot, topic, types[0])
@@ -293,19 +300,38 @@ class Recorder:
         self._log.info(f"Subscribed to topic '{topic}'")
 
     def _class(self, topic: str, type_name: str) -> type[Any] | None:
-        """Return the class of a topic's type. Ask other nodes if the type is not known here."""
-        try:
-            return interface(self._node.context, type_name)
-        except UnknownTypeError:
+        """Return the class of a topic's type, or `None` if it is not known here, at least not yet.
+
+        Then a thread asks other nodes, because they may answer late.
+        """
+        failure = self._types.failure(type_name)
+        if failure is None:
+            try:
+                return get_interface(type_name)
+            except ZbotError:
+                self._search(type_name)
+                return None
+        reason = str(failure)
+        if isinstance(failure, UnknownTypeError):
             reason = "neither this machine nor a node has its definition"
-        except ZbotError as error:
-            reason = str(error)
         self._warn(
             topic,
             f"Topic '{topic}' has unknown type '{type_name}' . "
             f"Only topics with known type are supported. Reason: '{reason}'",
         )
         return None
+
+    def _search(self, type_name: str) -> None:
+        def search() -> None:
+            try:
+                self._types.search(type_name)
+            finally:
+                self._searched_types.discard(type_name)
+                self._type_searched.trigger()
+
+        if type_name not in self._searched_types:
+            self._searched_types.add(type_name)
+            self._node.context.start_thread(f"zbot type {type_name}", search)
 
     def _record(self, topic: str, data: bytes, info: MessageInfo) -> None:
         if self._is_paused:

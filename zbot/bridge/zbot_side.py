@@ -15,12 +15,10 @@ from zbot.bridge.zbot_entities import (
     RawServer,
     RawSubscription,
 )
-from zbot.errors import ZbotError
 from zbot.interfaces import get_interface, type_hash
-from zbot.interfaces.registry import is_loaded
 from zbot.names import fully_qualified, split_fully_qualified
 from zbot.qos import QoSProfile, qos_profile_services_default
-from zbot.remote.types import UnknownTypeError, interface, nodes_to_ask
+from zbot.remote.types import TypeSearch, UnknownTypeError
 from zbot.wire.rmw_zenoh import NO_HASH
 from zbot.wire.tokens import EndpointToken, EntityKind, NodeToken
 
@@ -60,9 +58,8 @@ class ZbotSide:
         self._changed: Callable[[], None] = lambda: None
         self._nodes: dict[str, tuple[NodeToken, Announcement]] = {}
         self._ends: dict[End, Announcement] = {}
-        self._known_types: set[str] = set()
-        self._lacks: dict[str, tuple[frozenset[str], str]] = {}  # asked nodes, and the reason
         self._context.graph.watch()
+        self._types = TypeSearch(node.context)
         self._context.graph.add_listener(self._on_change)
 
     def watch(self, changed: Callable[[], None]) -> None:
@@ -100,25 +97,10 @@ class ZbotSide:
         This method asks again when there are other nodes, or when zbot has learned the type from
         the other side.
         """
-        if type_name in self._known_types:
-            return ""
-        nodes = nodes_to_ask(self._context, type_name)
-        asked, reason = self._lacks.get(type_name, (None, ""))
-        if asked != nodes or is_loaded(type_name):
-            reason = self._look_up(type_name)
-            self._lacks[type_name] = nodes, reason
-        if not reason:
-            self._known_types.add(type_name)
-        return reason
-
-    def _look_up(self, type_name: str) -> str:
-        try:
-            interface(self._context, type_name)
-        except UnknownTypeError:
+        failure = self._types.search(type_name)
+        if isinstance(failure, UnknownTypeError):
             return f"{self.label} has no definition of {type_name}"
-        except ZbotError as error:
-            return str(error)
-        return ""
+        return "" if failure is None else str(failure)
 
     # -- entities --------------------------------------------------------------------------------
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 from zbot.errors import ZbotError
 from zbot.interfaces import get_interface, get_spec, register_spec
 from zbot.interfaces.errors import DefinitionLimitError
-from zbot.interfaces.registry import has_package
+from zbot.interfaces.registry import has_package, is_loaded
 from zbot.node.definition_request import ANSWER_TIMEOUT_S, Provider, request_definitions
 from zbot.node.service_types import DESCRIPTION_SERVICE
 from zbot.wire.tokens import EntityKind
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
     from zbot.context import Context
-    from zbot.graph.snapshot import Snapshot
+    from zbot.graph.snapshot import Snapshot, Token
     from zbot.interfaces import InterfaceSpec
     from zbot.wire.tokens import EndpointToken
 
@@ -92,11 +92,61 @@ def learn_type(
     return None
 
 
-def nodes_to_ask(context: Context, name: str) -> frozenset[str]:
-    """Return the tokens of the nodes that `learn_type` would ask now."""
-    return frozenset(
-        provider.service.key for provider in _providers(context.graph.snapshot(), name)
-    )
+class TypeSearch:
+    """Search for types. It remembers which nodes were asked in vain, and asks them once only.
+
+    A node that leaves and comes back is asked again, because it may have been suspended. Any thread
+    may call the methods.
+
+    Args:
+        context: The context whose session sends the requests. Its graph is watched.
+    """
+
+    def __init__(self, context: Context) -> None:
+        self._context = context
+        self._found: set[str] = set()
+        # For each type: whether a definition was here, the nodes that were asked, and the reason.
+        self._failures: dict[str, tuple[bool, frozenset[str], ZbotError]] = {}
+        context.graph.add_listener(self._on_change)
+
+    def search(self, name: str) -> ZbotError | None:
+        """Find the class of a type, as `interface` does. This may take seconds.
+
+        Returns:
+            Why the type cannot be used, or `None` if `get_interface` returns its class.
+        """
+        failure = self.failure(name)
+        if failure is None and name not in self._found:
+            sources = self._sources(name)
+            try:
+                interface(self._context, name)
+            except ZbotError as error:
+                if sources == self._sources(name):
+                    self._failures[name] = *sources, error
+                return error
+            self._found.add(name)
+        return failure
+
+    def failure(self, name: str) -> ZbotError | None:
+        """Return why the last `search` has failed. This asks no node.
+
+        Returns:
+            `None` if a new `search` may find the type: there are other nodes to ask now, or this
+            machine has learned the type in another way.
+        """
+        known = self._failures.get(name)
+        return known[-1] if known is not None and known[:-1] == self._sources(name) else None
+
+    def _sources(self, name: str) -> tuple[bool, frozenset[str]]:
+        """Return whether a definition is on this machine, and the nodes to ask for one."""
+        providers = _providers(self._context.graph.snapshot(), name)
+        return is_loaded(name), frozenset(provider.service.key for provider in providers)
+
+    def _on_change(self, token: Token, appeared: bool) -> None:
+        if not appeared:
+            for name, (_, asked, _) in list(self._failures.items()):
+                if token.key in asked:
+                    self._failures.pop(name, None)
 
 
 def _providers(graph: Snapshot, name: str) -> Iterator[Provider]:
