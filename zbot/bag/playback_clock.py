@@ -8,11 +8,15 @@ import time
 
 from zbot.time import S_TO_NS
 
+# A player that runs asks for the time twice a second. After a longer gap, it was suspended.
+_SUSPENDED_S = 2.0
+
 
 class PlaybackClock:
     """Clock that converts the time of this machine to the time of a recording.
 
-    Any thread may call its methods.
+    It stands still while the program is suspended, e.g. by Ctrl-Z. Otherwise, a player would
+    publish all messages of that time at once. Any thread may call its methods.
 
     Args:
         start_ns: First time, in nanoseconds since the epoch.
@@ -25,7 +29,7 @@ class PlaybackClock:
         self._rate = rate
         self._is_paused = is_paused
         self._anchor_ns = start_ns
-        self._set_at_s = time.perf_counter()
+        self._set_at_s = self._asked_at_s = time.perf_counter()
 
     @property
     def rate(self) -> float:
@@ -47,14 +51,12 @@ class PlaybackClock:
         with self._lock:
             if self._is_paused:
                 return math.inf
-            due_s = self._set_at_s + (time_ns - self._anchor_ns) / S_TO_NS / self._rate
-        return due_s - time.perf_counter()
+            return (time_ns - self._anchor_ns) / S_TO_NS / self._rate - self._passed_s()
 
     def set(self, time_ns: int) -> None:
         """Continue from another time."""
         with self._lock:
-            self._anchor_ns = time_ns
-            self._set_at_s = time.perf_counter()
+            self._begin_at(time_ns)
 
     def set_rate(self, rate: float) -> None:
         """Continue with another rate."""
@@ -75,11 +77,22 @@ class PlaybackClock:
             self._is_paused = False
 
     def _settle(self) -> None:
-        self._anchor_ns = self._now_ns()
-        self._set_at_s = time.perf_counter()
+        self._begin_at(self._now_ns())
+
+    def _begin_at(self, time_ns: int) -> None:
+        self._anchor_ns = time_ns
+        self._set_at_s = self._asked_at_s = time.perf_counter()
 
     def _now_ns(self) -> int:
         if self._is_paused:
             return self._anchor_ns
-        passed_s = time.perf_counter() - self._set_at_s
-        return self._anchor_ns + int(passed_s * self._rate * S_TO_NS)
+        return self._anchor_ns + int(self._passed_s() * self._rate * S_TO_NS)
+
+    def _passed_s(self) -> float:
+        """Return the seconds since `_begin_at` in which the program was not suspended."""
+        now_s = time.perf_counter()
+        gap_s = now_s - self._asked_at_s
+        if gap_s > _SUSPENDED_S:
+            self._set_at_s += gap_s
+        self._asked_at_s = now_s
+        return now_s - self._set_at_s
