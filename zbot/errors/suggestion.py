@@ -95,8 +95,15 @@ class KnownNames:
         pattern, lowered, letters = _pattern(name), name.lower(), _letters(name)
         pattern_letters = _letters(pattern)
         scored = [
-            # `Nod` means `Node` and not `node`, if both exist.
-            (distance, known, text[:1].isupper() != name[:1].isupper(), text)
+            # Of two names with as many edits, the one with the right first letter is meant. `Nod`
+            # means `Node` and not `node`, if both exist.
+            (
+                distance,
+                known[:1] != lowered[:1],
+                known,
+                text[:1].isupper() != name[:1].isupper(),
+                text,
+            )
             for other, alike in self._patterns.items()
             if other != pattern and _may_be_near(pattern_letters, alike.letters, edits)
             for text, known, known_letters in alike.names

@@ -30,6 +30,7 @@ from zbot.errors.suggestion import (
         ("/scan", ["/scam", "/scans"], "/scam"),
         ("/robot1/scan", ["/robot2/scan"], None),
         ("/a", ["/b"], None),
+        ("set_parameter", ["get_parameter", "set_parameters"], "set_parameters"),
         ("/Scan", ["/scan"], "/scan"),
         ("/scan", ["/scan"], None),
         ("/scan", ["/image_raw"], None),
