@@ -33,6 +33,8 @@ NAMES = frozenset({
     "slam_toolbox", "std_srvs", "tf2_geometry_msgs", "tf2_py", "tf2_ros", "tf2_sensor_msgs",
     "tf_transformations", "turtlesim",
 })  # fmt: skip
+#: Packages of ROS 1. The error for one of these says what to import in its place.
+_OF_ROS_1 = frozenset({"actionlib", "dynamic_reconfigure", "roslib", "rospkg", "rospy", "tf"})
 #: Ends of the names of packages with messages, also of students' own packages, and of wrong names.
 _SUFFIXES = ("_msgs", "_interfaces", "_srvs", "_msg", "_interface", "_srv")
 #: Modules that Python looks for at each start, the last one on Debian and Ubuntu. Few machines have
@@ -69,7 +71,9 @@ class _Finder:
         if installed is not None and installed.origin is not None and not _prefers_zbot():
             return installed
         import zbot.compat  # noqa: F401, PLC0415 - only for programs that use ROS 2's names
+        from zbot.process import error_advice  # noqa: PLC0415 - as above
 
+        error_advice.install()  # before `init()`: a class statement may be wrong
         remove()  # zbot's finders are asked now, and may themselves ask all finders
         return _spec_of_zbot(fullname, target)  # type: ignore[no-untyped-call]
 
@@ -102,8 +106,8 @@ def _spec_of_zbot(name, target):  # type: ignore[no-untyped-def]  # noqa: ANN001
 
 
 def is_known(name: str) -> bool:
-    """Return whether zbot may have a top-level package of this name."""
-    return name in NAMES or name.endswith(_SUFFIXES)
+    """Return whether zbot may have a top-level package of this name, or know what replaces it."""
+    return name in NAMES or name in _OF_ROS_1 or name.endswith(_SUFFIXES)
 
 
 def _prefers_zbot() -> bool:

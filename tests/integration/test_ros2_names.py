@@ -59,6 +59,11 @@ def test_every_name_that_zbot_has_is_found() -> None:
     assert names >= zbot_ros2_names.NAMES
 
 
+def test_a_package_of_ros_1_is_told_as_such() -> None:
+    assert "which is of ROS 1: write import rclpy\n" in python("import rospy").stderr
+    assert python("import importlib.util as u; print(u.find_spec('rospy'))").stdout == "None\n"
+
+
 def test_a_real_package_is_used_instead(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv("ZBOT_RCLPY", raising=False)
     (tmp_path / "rclpy.py").write_text("whose = 'real'\n")

@@ -12,6 +12,25 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
 _PACKAGES = Path(__file__).parent / "packages"
+#: What to write in place of the import of a package of ROS 1.
+_OF_ROS_1 = {
+    "actionlib": "import rclpy.action",
+    "dynamic_reconfigure": "self.declare_parameter('name', 1.0) in a node",
+    "roslib": "import rclpy",
+    "rospkg": "import ament_index_python",
+    "rospy": "import rclpy",
+    "tf": "import tf2_ros",
+}
+
+
+class OldPackageError(ZbotError, ModuleNotFoundError):
+    """A program imports a package of ROS 1."""
+
+    def __init__(self, package: str) -> None:
+        super().__init__(
+            f"No module named {package!r}, which is of ROS 1: write {_OF_ROS_1[package]}"
+        )
+        self.name = package
 
 
 class WrongImportError(ZbotError, ModuleNotFoundError):
@@ -23,8 +42,12 @@ class WrongImportError(ZbotError, ModuleNotFoundError):
         self.name = package
 
 
-def explain_missing_name(fullname: str, path: Sequence[str] | None) -> WrongImportError | None:
-    """Return the error for a module that does not exist in a package that zbot has."""
+def explain_missing_name(
+    fullname: str, path: Sequence[str] | None
+) -> OldPackageError | WrongImportError | None:
+    """Return the error for a module that does not exist in a package that zbot has, or in ROS 2."""
+    if path is None and fullname in _OF_ROS_1:
+        return OldPackageError(fullname)
     package, _, name = fullname.rpartition(".")
     if path is None or not any(str(folder).startswith(str(_PACKAGES)) for folder in path):
         return None

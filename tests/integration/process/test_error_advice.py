@@ -41,6 +41,20 @@ def test_the_error_that_ends_a_program_says_what_to_write(
     assert program.output.count("Traceback") == 1
 
 
+@pytest.mark.parametrize(
+    ("source", "advice"),
+    [
+        ("import rclpy\nclass Robot(rclpy.Node): ...\n", "write rclpy.node.Node"),
+        ("from rclpy import node\nclass Robot(node): ...\n", "write the class in the module, e.g."),
+        ("from std_msgs.msg import String\nString().text\n", "; it has data"),
+    ],
+)
+def test_an_error_before_init_says_what_to_write(start: Start, source: str, advice: str) -> None:
+    program = start(source=source)
+    assert program.wait() == 1
+    assert advice in program.lines[-1]
+
+
 def test_the_error_that_ends_a_thread_says_what_to_write(start: Start, tmp_path: Path) -> None:
     in_a_thread = "import threading\nthreading.Thread(target=Robot).start()\n"
     (tmp_path / "sheet.py").write_text(MISTAKE.removesuffix("Robot()\n") + in_a_thread)
