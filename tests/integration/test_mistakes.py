@@ -181,6 +181,7 @@ def raised(error: Exception) -> None:
         ),
         (lambda n: n.create_timer(zbot.Duration(seconds=2), n.tick), r"Duration\(.*\): write 2$"),
         (lambda n: n.create_rate(-1), "a rate's frequency must be a positive number of hertz, not"),
+        (lambda n: setattr(n, "executor", 5), "not int: 5; nodes use this name themselves: choose"),
         # what is not a node
         (lambda _: zbot.spin(Robot), r"spin needs a node, .* write Robot\(\) with parentheses"),  # type: ignore[arg-type]
         (lambda _: zbot.spin(None), "spin needs a node, .* but was given None"),  # type: ignore[arg-type]

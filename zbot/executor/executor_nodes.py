@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from types import FunctionType
 from typing import TYPE_CHECKING, cast
 
 from zbot.executor.entity_queue import EntityQueue
@@ -116,3 +117,10 @@ class ExecutorNodes(EntityQueue):
     def _node_of(self, entity: Entity) -> SpinnableNode | None:
         owners = (node for node in self._nodes if node.handle.ready_queue is entity.ready_queue)
         return next(owners, None)
+
+
+# Python's errors name the class of a method: `ExecutorNodes.add_node() missing ...`. Users know
+# Executor.
+for _member in vars(ExecutorNodes).values():
+    if isinstance(_member, FunctionType):
+        _member.__qualname__ = f"Executor.{_member.__name__}"

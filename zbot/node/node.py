@@ -7,6 +7,8 @@ from types import FunctionType
 from typing import TYPE_CHECKING, Any, cast
 
 from zbot.context import get_default_context
+from zbot.errors import described
+from zbot.executor.errors import WrongObjectError
 from zbot.executor.set_by_init import set_by_init
 from zbot.log import get_logger
 from zbot.names import (
@@ -164,6 +166,11 @@ class Node(GraphQueries, NodeEntities, NodeParameters):
         current = self._zbot_state.executor
         if current is new_executor:
             return
+        if new_executor is not None and not hasattr(new_executor, "add_node"):
+            raise WrongObjectError(
+                f"executor must be an executor, not {described(new_executor)}; nodes use this name "
+                "themselves: choose another, e.g. self.my_executor"
+            )
         if current is not None:
             current.remove_node(self)
         self._zbot_state.executor = None
