@@ -8,18 +8,35 @@ from __future__ import annotations
 
 import linecache
 import re
+import sys
+from pathlib import Path
 from types import FunctionType, ModuleType
 
+from zbot.errors import library_name
 from zbot.errors.suggestion import did_you_mean
 
 _NODE = "create_publisher"
-_WAIT = "rclpy.spin_until_future_complete(node, future) before it, because the future is not done"
+_PACKAGE = str(Path(__file__).parents[1])
+_WAIT = "{}.spin_until_future_complete(node, future) before it, because the future is not done"
+_IMPORT = re.compile(r"cannot import name '(\w+)' from '([\w.]+)'")
 # The second form is that of Python 3.10.
 _NO_SETTER = re.compile(
-    r"(?:can't set attribute|property) '(\w+)'(?: of '\w+' object has no setter)?$"
+    r"(?:can't set attribute|property) '(\w+)'(?: of '(\w+)' object has no setter)?$"
 )
 #: Names of a node that a program cannot set.
-_TAKEN = {"context", "default_callback_group", "handle", "name", "namespace"}
+_TAKEN = {"context", "default_callback_group", "handle", "name", "namespace", "waitables"}
+#: What to write in place of setting an attribute, by its class and its name.
+_INSTEAD_OF_SETTING = {
+    ("Duration", "nanoseconds"): "a new one, e.g. Duration(seconds=1.5)",
+    ("Parameter", "value"): "node.set_parameters([Parameter('speed', value=1.0)])",
+    ("Time", "nanoseconds"): "a new one, e.g. Time(seconds=1.5)",
+}
+#: Methods that a program expects of its class only if the class is a node.
+_ONLY_OF_NODE = {
+    "create_client", "create_publisher", "create_rate", "create_service", "create_subscription",
+    "create_timer", "declare_parameter", "declare_parameters", "get_clock", "get_logger",
+    "get_parameter", "get_parameters",
+}  # fmt: skip
 #: What to write in place of a name of `rclpy`.
 _OF_MODULE = {
     "Duration": "rclpy.duration.Duration",
@@ -64,9 +81,31 @@ def advise_of_attribute(error: BaseException) -> None:
     elif str(error).startswith("'property' object has no attribute"):
         # `message = Twist`, and then `message.linear.x = 1.0`
         error.args = (f"{error}: write parentheses after the class, e.g. message = Twist()",)
-    elif (taken := _NO_SETTER.match(str(error))) and taken[1] in _TAKEN:
-        advice = f"nodes use this name themselves; choose another, e.g. self.my_{taken[1]}"
-        error.args = (f"{error}: {advice}",)
+    elif fixed := _NO_SETTER.match(str(error)):
+        error.args = (f"{error}{_of_fixed(fixed[2], fixed[1])}",)
+
+
+def _of_fixed(owner: str | None, name: str) -> str:
+    """Return what to write in place of setting an attribute that cannot be set."""
+    if advice := _INSTEAD_OF_SETTING.get((owner or "", name)):
+        return f": write {advice}"
+    advice = f": nodes use this name themselves; choose another, e.g. self.my_{name}"
+    return advice if name in _TAKEN else ""
+
+
+def advise_of_import(error: BaseException) -> None:
+    """Add a similar name to an error about a name that one of zbot's modules does not have.
+
+    Python would take the similar name from the top-level package: `node` for `rclpy.node.nod`.
+    """
+    if not isinstance(error, ImportError):
+        return
+    match = _IMPORT.match(str(error))
+    module = sys.modules.get(match[2]) if match else None
+    if match and str(getattr(module, "__file__", "")).startswith(_PACKAGE):
+        names = [name for name in dir(module) if not name.startswith("_")]
+        error.msg = f"{error}{did_you_mean(match[1], names, before='; ')}"
+        error.name_from = None  # type: ignore[attr-defined,unused-ignore]  # since Python 3.12
 
 
 def suggest_public_name(error: BaseException) -> None:
@@ -91,18 +130,19 @@ def _of_result(error: AttributeError) -> str:
     trace = error.__traceback__
     while trace is not None and trace.tb_next is not None:
         trace = trace.tb_next
-    if trace is None or error.obj is not None:
+    if trace is None or not str(error).startswith("'NoneType'"):
         return ""
     line = linecache.getline(trace.tb_frame.f_code.co_filename, trace.tb_lineno)
     is_result = f".result().{error.name}" in line.replace(" ", "")
-    return _WAIT if is_result else ""
+    return _WAIT.format(library_name()) if is_result else ""
 
 
 def _advice(obj: object, name: object) -> str:
     if not isinstance(name, str) or name.startswith("_"):
         return ""
     if isinstance(obj, ModuleType):
-        return _OF_MODULE.get(name, "") if obj.__name__ == "rclpy" else ""
+        is_library = obj.__name__ in {"rclpy", "zbot"}
+        return _OF_MODULE.get(name, "").replace("rclpy.", f"{obj.__name__}.") if is_library else ""
     if isinstance(obj, FunctionType):  # also for a method, whose attributes are its function's
         is_ours = str(obj.__module__).startswith("zbot.")
         return f"{obj.__name__}().{name}, with parentheses" if is_ours else ""
@@ -110,6 +150,8 @@ def _advice(obj: object, name: object) -> str:
 
 
 def _advice_for_object(obj: object, name: str) -> str:
+    if name in _ONLY_OF_NODE and (advice := _of_no_node(type(obj))):
+        return advice
     if name in _SECONDS and hasattr(type(obj), "nanoseconds"):
         return "nanoseconds / 1e9"
     if name in {"sec", "nanosec"} and hasattr(type(obj), "to_msg"):
@@ -119,8 +161,17 @@ def _advice_for_object(obj: object, name: str) -> str:
     if hasattr(type(obj), _NODE):
         return _OF_NODE.get(name, "") or _getter(obj, name)
     if hasattr(type(obj), "add_done_callback") and name not in dir(obj):
-        return f"result().{name}, after rclpy.spin_until_future_complete(node, future)"
+        library = library_name()
+        return f"result().{name}, after {library}.spin_until_future_complete(node, future)"
     return _getter(obj, name)
+
+
+def _of_no_node(cls: type) -> str:
+    """Return what to write if a class without a base class is used as a node."""
+    if cls.__name__ == "InitContextManager":
+        return "node = Node('my_node') for a node, because init() returns none"
+    is_of_program = not cls.__module__.startswith(("builtins", "zbot."))
+    return f"class {cls.__name__}(Node):" if is_of_program and cls.__bases__ == (object,) else ""
 
 
 def _getter(obj: object, name: str) -> str:

@@ -16,7 +16,11 @@ from typing import Any
 from zbot.errors import ExternalShutdownException, SetupError
 from zbot.interfaces.unknown_field import add_advice
 from zbot.process import at_exit, signals
-from zbot.process.attribute_advice import advise_of_attribute, suggest_public_name
+from zbot.process.attribute_advice import (
+    advise_of_attribute,
+    advise_of_import,
+    suggest_public_name,
+)
 from zbot.process.call_advice import advise_of_call
 from zbot.terminal.typographic import advise_of_syntax
 
@@ -56,6 +60,7 @@ def advise(value: BaseException) -> None:
     """Add to the text of a typical mistake what to write."""
     advise_of_call(value)
     advise_of_attribute(value)
+    advise_of_import(value)
     add_advice(value)
     suggest_public_name(value)
     advise_of_syntax(value)

@@ -3,14 +3,20 @@
 from __future__ import annotations
 
 import importlib
+import sys
 import traceback
 from typing import TYPE_CHECKING, Any
 
 import pytest
 
 import zbot
-from zbot.process.attribute_advice import advise_of_attribute, suggest_public_name
-from zbot.time import Time
+from zbot.process.attribute_advice import (
+    advise_of_attribute,
+    advise_of_import,
+    suggest_public_name,
+)
+from zbot.runtime import InitContextManager
+from zbot.time import Duration, Time
 
 from example_interfaces.action import Fibonacci
 from geometry_msgs.msg import Pose
@@ -34,7 +40,13 @@ class ServerGoalHandle:
     def publish_feedback(self, feedback: Any) -> None: ...
 
 
+class NoNode:
+    timer: Any
+
+
 robot: Any = Robot()
+result: Any = zbot.Future()
+result.set_result(Time())
 library: Any = importlib.import_module("rclpy")
 
 
@@ -66,11 +78,30 @@ def text_of(call: Callable[[], Any]) -> str:
         ),
         (lambda: Time().nanosec, "write to_msg().nanosec"),  # type: ignore[attr-defined]
         (lambda: setattr(robot, "context", 5), "nodes use this name themselves; choose another"),
+        (lambda: setattr(robot, "waitables", []), "nodes use this name themselves; choose another"),
+        (lambda: NoNode().create_timer(1.0, print), "write class NoNode(Node):"),  # type: ignore[attr-defined]
+        (
+            lambda: InitContextManager(zbot.Context()).create_timer(1.0, print),  # type: ignore[attr-defined]
+            "write node = Node('my_node') for a node, because init() returns none",
+        ),
+        (lambda: zbot.init_node("x"), "write zbot.init(), and then zbot.create_node('name')"),
         (lambda: ServerGoalHandle().order, "write goal_handle.request.order"),  # type: ignore[attr-defined]
     ],
 )
 def test_a_typical_wrong_name_says_what_to_write(call: Callable[[], Any], advice: str) -> None:
     assert f": {advice}" in text_of(call)
+
+
+@pytest.mark.skipif(sys.version_info < (3, 11), reason="Python 3.10 does not name the class")
+@pytest.mark.parametrize(
+    ("owner", "name", "advice"),
+    [
+        (Duration(), "nanoseconds", "write a new one, e.g. Duration(seconds=1.5)"),
+        (zbot.Parameter("a", value=2.0), "value", "write node.set_parameters([Parameter('speed', "),
+    ],
+)
+def test_an_attribute_that_is_set_says_what_to_write(owner: Any, name: str, advice: str) -> None:
+    assert f": {advice}" in text_of(lambda: setattr(owner, name, 5))
 
 
 @pytest.mark.parametrize(
@@ -81,10 +112,20 @@ def test_a_typical_wrong_name_says_what_to_write(call: Callable[[], Any], advice
         lambda: robot.turn.count,
         lambda: pytest.sleep,  # type: ignore[attr-defined]
         lambda: [].subscribe,  # type: ignore[attr-defined]
+        lambda: [].get_logger,  # type: ignore[attr-defined]
+        lambda: NoNode().nonsense,  # type: ignore[attr-defined]
     ],
 )
 def test_other_names_keep_the_text_of_python(call: Callable[[], Any]) -> None:
     assert "write" not in text_of(call)
+
+
+def test_a_result_that_is_done_gets_no_advice_to_wait_for_it() -> None:
+    with pytest.raises(AttributeError) as caught:
+        result.result().nonsense  # noqa: B018
+    caught.value.obj = None  # as after the advice of `spin()` for messages
+    advise_of_attribute(caught.value)
+    assert "write" not in str(caught.value)
 
 
 def test_no_private_name_is_suggested() -> None:
@@ -93,6 +134,22 @@ def test_no_private_name_is_suggested() -> None:
     suggest_public_name(caught.value)
     assert str(caught.value) == "'Parameter' object has no attribute 'valeu'; did you mean 'value'?"
     assert "_value" not in "".join(traceback.format_exception(caught.value))
+
+
+@pytest.mark.parametrize(("name", "suggested"), [("node", "Node"), ("Nod", "Node")])
+def test_a_wrong_import_suggests_a_name_of_this_module(name: str, suggested: str) -> None:
+    with pytest.raises(ImportError) as caught:
+        exec(f"from rclpy.node import {name}", {})
+    advise_of_import(caught.value)
+    shown = "".join(traceback.format_exception(caught.value))
+    assert shown.endswith(f"; did you mean '{suggested}'?\n")
+
+
+def test_a_wrong_import_from_another_package_is_left_alone() -> None:
+    with pytest.raises(ImportError) as caught:
+        exec("from json import dump_s", {})
+    advise_of_import(caught.value)
+    assert "did you mean" not in str(caught.value)
 
 
 def test_other_errors_are_left_alone() -> None:
