@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import asyncio
+import sys
+import time
 from typing import TYPE_CHECKING, Any
 
 import pytest
@@ -11,7 +14,7 @@ from zbot.node.client import Client
 from zbot.node.publisher import Publisher
 from zbot.parameters.parameter import Parameter
 from zbot.process.call_advice import advise_of_call
-from zbot.tf2 import StaticTransformBroadcaster, TransformBroadcaster
+from zbot.tf2 import Buffer, StaticTransformBroadcaster, TransformBroadcaster
 from zbot.time import Duration, Time
 
 from std_msgs.msg import String
@@ -27,6 +30,14 @@ class Robot(zbot.Node):
             super().__init__(**options)
 
 
+class NoNode:
+    def __init__(self) -> None:
+        """Call the base class with a name, as a node does."""
+        super().__init__("robot")  # type: ignore[call-arg]
+
+    def tick() -> None: ...  # type: ignore[misc]
+
+
 robot: Any = Robot()
 log: Any = zbot.get_logger("robot").info
 broadcaster: Any = TransformBroadcaster.__new__(TransformBroadcaster)
@@ -36,6 +47,8 @@ module: Any = type(zbot)
 spin: Any = zbot.spin_until_future_complete
 publisher: Any = Publisher.__new__(Publisher)
 base: Any = super
+executor: Any = zbot.MultiThreadedExecutor
+made_executor: Any = executor.__new__(executor)
 five, now, parameter = (Duration(seconds=5), Time(), Parameter("speed", value=0.5))
 
 
@@ -58,9 +71,29 @@ five, now, parameter = (Duration(seconds=5), Time(), Parameter("speed", value=0.
         (zbot.create_node, "the node's name, e.g. create_node('my_node')"),
         (publisher.publish, "the message, e.g. publish(message)"),
         (lambda: module("Robot", (), {}), "the class in the module, e.g. rclpy.node.Node"),
+        (module("time"), "the class or function in the module, e.g. "),
         (lambda: base.__init__("robot"), "super().__init__(...), with parentheses after super"),
+        (lambda: zbot.Node(robot, "robot"), "only the name, e.g. super().__init__('my_node') wit"),  # type: ignore[call-arg,arg-type]
+        (lambda: robot.get_logger("robot"), "get_logger(), without arguments"),
+        (lambda: robot.declare_parameters([]), "the namespace first, e.g. declare_parameters('',"),
+        (lambda: Buffer.lookup_transform(robot, "map", "odom"), "the time, e.g. lookup_transform("),  # type: ignore[call-arg]
+        (lambda: executor.add_node(robot), "executor = SingleThreadedExecutor(), with parentheses"),
+        (executor.spin, "executor = SingleThreadedExecutor(), with parentheses, and executor.spin"),
+        (lambda: made_executor.add_node(robot, robot), "one add_node(node) for each node"),
+        (lambda: print(*robot), "a comma after a single argument, e.g. args=(node,)"),
+        (NoNode, "the base class after the name of the class, e.g. class Robot(Node):"),
+        (Robot.get_name, "parentheses after the class, e.g. Node(...).get_name()"),
+        (lambda: NoNode.__new__(NoNode).tick(), "self as the first parameter: def tick(self):"),  # type: ignore[misc]
+        (lambda: Duration(2), "Duration(seconds=1.5)"),  # type: ignore[call-arg]
+        (lambda: Time(sec=2), "Time(seconds=1.5)"),  # type: ignore[call-arg]
+        (lambda: time.sleep(five), "duration.nanoseconds / 1e9 for the seconds"),  # type: ignore[arg-type]
+        (lambda: range(parameter), "get_parameter('name').value"),  # type: ignore[call-overload]
         # operators
         (lambda: now - 5.0, "Duration(seconds=5.0) in place of a number"),  # type: ignore[operator]
+        (lambda: five + 5, "Duration(seconds=5.0) in place of a number"),  # type: ignore[operator]
+        (lambda: five / 2, "a product, e.g. duration * 0.5"),  # type: ignore[operator]
+        (lambda: five / five, "a.nanoseconds / b.nanoseconds"),  # type: ignore[operator]
+        (lambda: float(five), "duration.nanoseconds / 1e9 for the seconds"),  # type: ignore[arg-type]
         (lambda: five > 3, "duration.nanoseconds / 1e9 for the seconds"),  # type: ignore[operator]
         (lambda: now > 3, "time.nanoseconds / 1e9 for the seconds"),  # type: ignore[operator]
         (lambda: now - now.to_msg(), "Time.from_msg(message.header.stamp) for the time"),
@@ -89,6 +122,21 @@ def test_a_misspelt_init_is_named(name: str, monkeypatch: pytest.MonkeyPatch) ->
     misspelt: Any = type("Misspelt", (zbot.Node,), {name: lambda _: None})
     monkeypatch.setitem(globals(), "Misspelt", misspelt)
     assert f"the class Misspelt has `{name}`: write `__init__`" in text_of(lambda: misspelt())  # noqa: PLW0108 - as a program
+
+
+def test_asyncio_in_a_callback_is_told_of_timers() -> None:
+    with pytest.raises(RuntimeError) as caught:
+        asyncio.sleep(1).send(None)
+    advise_of_call(caught.value)
+    assert "write self.create_timer(1.0, self.tick) in place of asyncio" in str(caught.value)
+
+
+def test_the_advice_names_the_library_that_the_program_uses(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.delitem(sys.modules, "rclpy", raising=False)
+    assert text_of(lambda: zbot.spin()).endswith("e.g. zbot.spin(node)")  # type: ignore[call-arg]  # noqa: PLW0108 - as a program
+    assert text_of(module("zbot.node")).endswith("e.g. zbot.Node")
 
 
 def text_of(call: Callable[[], Any]) -> str:
