@@ -13,7 +13,15 @@ from typing import TYPE_CHECKING, Any, Protocol
 from zbot.executor.callback_check import check_callback
 from zbot.executor.clock import ROSClock
 from zbot.executor.set_by_init import set_by_init
-from zbot.log import get_logger
+from zbot.libraries.filter_arguments import (
+    callback_form,
+    check_list,
+    check_number,
+    check_size,
+    connected,
+    missing_argument_error,
+)
+from zbot.log import warn_once
 from zbot.node.argument_check import check_object, check_order, is_class, is_name, is_node
 from zbot.time import Duration, Time
 
@@ -37,6 +45,7 @@ class SimpleFilter:
     """Filter that calls all registered callbacks with its output."""
 
     callbacks: dict[int, tuple[Callable[..., Any], tuple[Any, ...]]] = set_by_init()
+    _width = 0  #: number of messages in an output, or 0 if it is unknown
 
     def __init__(self) -> None:
         self.callbacks = {}
@@ -46,8 +55,11 @@ class SimpleFilter:
 
         Raises:
             WrongTypeError: `cb` is not callable.
+            WrongStateError: `cb` does not take the messages of an output and `args`.
         """
-        check_callback("registerCallback", cb, argument="cb")
+        is_ours = type(self).__module__ == __name__  # a class of a program may output more
+        forms = [callback_form(self._width, len(args))] if self._width and is_ours else []
+        check_callback("registerCallback", cb, *forms, argument="cb")
         connection = max(self.callbacks, default=-1) + 1
         self.callbacks[connection] = (cb, args)
         return connection
@@ -67,12 +79,24 @@ class Subscriber(SimpleFilter):
         topic: Name of the topic.
         qos_profile: As in `create_subscription`. The default is 10.
         options: Other arguments of `create_subscription`.
+
+    Raises:
+        WrongTypeError: The node, the type or the topic is missing, or their order is wrong.
     """
 
+    _width = 1
+
     def __init__(
-        self, node: Node, msg_type: type[Any], topic: str, qos_profile: Any = 10, **options: Any
+        self,
+        node: Node,
+        msg_type: type[Any],
+        topic: str | None = None,
+        qos_profile: Any = 10,
+        **options: Any,
     ) -> None:
         super().__init__()
+        if topic is None or (is_class(node) and is_name(msg_type)):
+            raise missing_argument_error(node, msg_type)
         check_order("Subscriber", (node, is_node), (msg_type, is_class), (topic, is_name))
         check_object("node", node, "a node", "create_subscription")
         self.node = node
@@ -106,12 +130,19 @@ class Cache(SimpleFilter):
         f: The filter whose messages are kept. The cache also outputs these messages.
         cache_size: Number of messages to keep.
         allow_headerless: Use the present time for a message without a stamp.
+
+    Raises:
+        WrongObjectError: `f` is not a filter.
+        ArgumentTypeError: `cache_size` is not a number.
     """
+
+    _width = 1
 
     def __init__(
         self, f: Filter | None = None, cache_size: int = 1, allow_headerless: bool = False
     ) -> None:
         super().__init__()
+        check_size("cache_size", cache_size)
         self.cache_size = cache_size
         self.allow_headerless = allow_headerless
         self.cache_msgs: list[Any] = []
@@ -121,7 +152,7 @@ class Cache(SimpleFilter):
 
     def connectInput(self, f: Filter) -> None:  # noqa: N802 - ROS 2's
         """Connect the cache to the filter whose messages are kept."""
-        self.incoming_connection = f.registerCallback(self.add)
+        self.incoming_connection = connected("Cache", f, self.add)
 
     def add(self, msg: Any) -> None:
         """Add a message by its time, and drop the oldest message if there are too many."""
@@ -193,7 +224,7 @@ class Chain(SimpleFilter):
         """
         if self.incoming_connection is not None:
             raise RuntimeError("Already connected")
-        self.incoming_connection = message_filter.registerCallback(self.add)
+        self.incoming_connection = connected("Chain", message_filter, self.add)
 
     def add(self, message: Any) -> None:
         """Pass a message to the first filter."""
@@ -203,13 +234,18 @@ class Chain(SimpleFilter):
             self.signalMessage(message)
 
     def addFilter(self, message_filter: Any) -> None:  # noqa: N802 - ROS 2's
-        """Append a filter."""
+        """Append a filter.
+
+        Raises:
+            WrongObjectError: The object is not a filter.
+        """
+        connection = connected("Chain", message_filter, self.signalMessage)
         if self._filters:
             last = self._filters[-1]
             del last.callbacks[self._last_connection]
             last.registerCallback(message_filter.add)
         self._filters.append(message_filter)
-        self._last_connection = message_filter.registerCallback(self.signalMessage)
+        self._last_connection = connection
 
     def getFilter(self, index: int) -> Any:  # noqa: N802 - ROS 2's
         """Return a filter by its index.
@@ -228,20 +264,34 @@ class TimeSynchronizer(SimpleFilter):
     Args:
         fs: The filters.
         queue_size: Largest number of waiting messages per filter. Older messages are dropped.
+        others: Nothing. A call without a list, or with a slop, has more arguments.
+
+    Raises:
+        WrongObjectError: `fs` is not a list, one of its objects is not a filter, or there are
+            `others`.
+        ArgumentTypeError: `queue_size` is not a number.
     """
 
-    def __init__(self, fs: Sequence[Filter], queue_size: int) -> None:
+    def __init__(self, fs: Sequence[Filter], queue_size: int, *others: Any) -> None:
         super().__init__()
+        check_list(type(self).__name__, fs, *others)
+        check_size("queue_size", queue_size)
         self.queue_size = queue_size
         # The lock excludes other threads. It is reentrant, because a callback may add a message.
         self.lock = threading.RLock()
         self.connectInput(fs)
 
     def connectInput(self, fs: Sequence[Filter]) -> None:  # noqa: N802 - ROS 2's
-        """Replace the filters whose messages are synchronized."""
+        """Replace the filters whose messages are synchronized.
+
+        Raises:
+            WrongObjectError: An object is not a filter.
+        """
         self.queues: list[Queue] = [{} for _ in fs]
+        self._width = len(self.queues)
+        call = type(self).__name__
         self.input_connections = [
-            each.registerCallback(self.add, queue, index)
+            connected(call, each, self.add, queue, index)
             for index, (each, queue) in enumerate(zip(fs, self.queues, strict=True))
         ]
 
@@ -270,6 +320,10 @@ class ApproximateTimeSynchronizer(TimeSynchronizer):
         slop: Largest difference of the stamps in seconds.
         allow_headerless: Use the present time for a message without a stamp.
         sync_arrival_time: Use the times at which messages arrive instead of their stamps.
+
+    Raises:
+        WrongObjectError: `fs` is not a list, or one of its objects is not a filter.
+        ArgumentTypeError: `queue_size` or `slop` is not a number.
     """
 
     def __init__(
@@ -280,6 +334,7 @@ class ApproximateTimeSynchronizer(TimeSynchronizer):
         allow_headerless: bool = False,
         sync_arrival_time: bool = False,
     ) -> None:
+        check_number("slop", slop, "seconds, e.g. 0.1")
         self.slop = Duration(seconds=slop)
         self.allow_headerless = allow_headerless
         self.sync_arrival_time = sync_arrival_time
@@ -322,10 +377,9 @@ def stamp_of(msg: Any, allow_headerless: bool) -> Time | None:
         return stamp if hasattr(stamp, "nanoseconds") else Time.from_msg(stamp)
     if allow_headerless:
         return ROSClock().now()
-    get_logger("message_filters").warning(
-        f"A {type(msg).__name__} has no header.stamp and is dropped: filters compare the times of "
-        "messages. Send a type with a header, or say allow_headerless=True to use the time of "
-        "arrival.",
-        once=True,
+    warn_once(
+        f"messages of the type {type(msg).__name__} have no header.stamp and are dropped: filters "
+        "compare the times of messages. Send a type with a header. For the time of arrival, write "
+        "allow_headerless=True for a Cache or an ApproximateTimeSynchronizer."
     )
     return None

@@ -4,21 +4,27 @@ from __future__ import annotations
 
 import itertools
 import threading
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import pytest
 
+import zbot
 from zbot.libraries.message_filter import (
     ApproximateTimeSynchronizer,
     Cache,
     Chain,
     SimpleFilter,
+    Subscriber,
     TimeSynchronizer,
 )
-from zbot.time import Time
+from zbot.time import Duration, Time
 
 from geometry_msgs.msg import PointStamped
-from std_msgs.msg import Header, String
+from std_msgs.msg import Bool, Empty, Header, String
+
+if TYPE_CHECKING:
+    from tests.conftest import MakeContext
+    from zbot.log.record import Record
 
 
 def at(seconds: float) -> PointStamped:
@@ -179,3 +185,95 @@ def test_a_chain_passes_messages_through_its_filters() -> None:
         chain.getFilter(2)
     with pytest.raises(RuntimeError, match="connected"):
         chain.connectInput(source)
+
+
+def test_messages_without_header_are_told_once_for_each_type(logged: list[Record]) -> None:
+    left, right = pair()
+    synchronizers = [TimeSynchronizer([left, right], 5), Cache(left)]
+    for message in (Empty(), Empty(), Bool(), Empty()):
+        left.signalMessage(message)
+    assert [line.message.partition(" have")[0] for line in logged] == [
+        "messages of the type Empty",
+        "messages of the type Bool",
+    ]
+    assert len(synchronizers) == 2
+
+
+def test_a_subscriber_without_an_argument_says_which_one_is_missing() -> None:
+    for arguments, sentence in (
+        ((String, "a"), r"not given its node: write Subscriber\(self, String, 'a'\)"),
+        ((String, "a", 10), r"not given its node: write Subscriber\(self, String, 'a'\)"),
+        (("node", "a"), r"class of the messages: write Subscriber\(self, Image, 'node'\)"),
+        ((object(), String), r"its topic: write Subscriber\(self, String, 'camera'\)"),
+    ):
+        given: Any = arguments
+        with pytest.raises(TypeError, match=sentence):
+            Subscriber(*given)
+
+
+def test_what_is_not_a_filter_is_refused_as_an_input() -> None:
+    for connect in (Cache, Chain, Chain().addFilter, lambda f: TimeSynchronizer([f], 10)):
+        make: Any = connect
+        with pytest.raises(AttributeError, match="needs a filter, not str: 'camera': write"):
+            make("camera")
+        with pytest.raises(TypeError, match="needs a filter, not the class SimpleFilter"):
+            make(SimpleFilter)
+
+
+def test_a_plain_subscription_is_refused_with_the_subscriber_to_write(
+    make_context: MakeContext,
+) -> None:
+    node = zbot.Node("camera", context=make_context())
+    plain: Any = node.create_subscription(String, "image", print, 10)
+    with pytest.raises(AttributeError, match=r"Subscriber\(self, String, '/image'\)"):
+        TimeSynchronizer([SimpleFilter(), plain], 10)
+    node.destroy_node()
+
+
+def test_filters_that_are_not_in_a_list_are_refused() -> None:
+    exact: Any = TimeSynchronizer
+    close: Any = ApproximateTimeSynchronizer
+    for make, arguments in (
+        (exact, (*pair(), 10)),
+        (exact, (SimpleFilter(), 10)),
+        (close, (*pair(), 10, 0.1)),
+    ):
+        with pytest.raises(TypeError, match=r"TimeSynchronizer\(\[a, b\], \.\.\.\)"):
+            make(*arguments)
+    with pytest.raises(TypeError, match="no slop: write ApproximateTimeSynchronizer"):
+        exact(pair(), 10, 0.1)
+
+
+def test_a_callback_must_take_one_message_of_each_filter() -> None:
+    synchronizer = ApproximateTimeSynchronizer(pair(), 10, 0.1)
+    with pytest.raises(RuntimeError, match=r"takes \(message1, message2\), but the lambda"):
+        synchronizer.registerCallback(lambda _: None)
+    with pytest.raises(RuntimeError, match=r"takes \(message, argument\), but"):
+        Cache().registerCallback(lambda _: None, "name")
+    assert synchronizer.registerCallback(lambda *_: None) == 0
+
+
+def test_a_filter_of_a_program_may_output_what_it_likes() -> None:
+    class Counter(Cache):
+        def add(self, msg: Any) -> None:
+            self.signalMessage(msg, len(self.callbacks))
+
+    counter, seen = Counter(), list[Any]()
+    counter.registerCallback(lambda message, count: seen.append((message, count)))
+    counter.add("a")
+    assert seen == [("a", 1)]
+
+
+def test_numbers_of_filters_are_checked_by_their_names(logged: list[Record]) -> None:
+    wrong: Any = "0.1"
+    with pytest.raises(TypeError, match="slop must be a number of seconds"):
+        ApproximateTimeSynchronizer(pair(), 10, wrong)
+    with pytest.raises(TypeError, match="slop must be a number of seconds"):
+        ApproximateTimeSynchronizer(pair(), 10, Duration(seconds=1))  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match="queue_size must be a number of messages"):
+        TimeSynchronizer(pair(), wrong)
+    with pytest.raises(TypeError, match="cache_size must be a number of messages"):
+        Cache(cache_size=wrong)
+    swapped: Any = 0.1
+    ApproximateTimeSynchronizer(pair(), swapped, 10)
+    assert "queue_size is 0.1, so a filter keeps no message" in logged[0].message
