@@ -10,8 +10,10 @@ import sys
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import require_numpy
+from zbot.executor.errors import WrongObjectError
 from zbot.libraries.point_cloud import read_points
 from zbot.tf2 import conversion
+from zbot.tf2.errors import kind_of
 from zbot.tf2.rigid import normalized
 
 from sensor_msgs.msg import PointCloud2
@@ -41,9 +43,15 @@ def do_transform_cloud(cloud: Any, transform: Any) -> Any:
     """Return a `PointCloud2` in the transform's parent frame. Only x, y and z change.
 
     Raises:
+        WrongObjectError: `cloud` is not a point cloud.
         PointCloudError: The cloud has no x, y or z, or less data than its size needs.
     """
     require_numpy("tf2_sensor_msgs")
+    if not hasattr(cloud, "point_step"):
+        raise WrongObjectError(
+            f"do_transform_cloud needs a PointCloud2, not {kind_of(cloud)}: "
+            "write do_transform_cloud(cloud, transform)"
+        )
     from numpy.lib.recfunctions import structured_to_unstructured  # noqa: PLC0415 - part of an extra
 
     moved = transform_points(

@@ -7,12 +7,14 @@ import sys
 from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
-from zbot.tf2.errors import TypeException
+from zbot.executor.errors import WrongObjectError
+from zbot.tf2.errors import TypeException, kind_of
 from zbot.tf2.rigid import Quaternion, Rigid, multiply, normalized, rotate
 
 from geometry_msgs.msg import (
     PointStamped,
     PolygonStamped,
+    Pose,
     PoseStamped,
     PoseWithCovarianceStamped,
     Vector3Stamped,
@@ -61,8 +63,43 @@ def _rotation(q: Any) -> Quaternion:
     return normalized(parts) if sum(part * part for part in parts) >= _EPSILON else _NO_ROTATION
 
 
+def _check(function: Transformation, field: str, value: Any, transform: Any) -> None:
+    """Check that a function is given an object that has its field, and a transform.
+
+    Raises:
+        WrongObjectError: The object is of another function, or an argument is something else.
+    """
+    if _FUNCTIONS.get(type(value), function) is not function or not _has(value, field):
+        raise _wrong_object_error(function, field, value)
+    if _has(transform, "header"):
+        return
+    if function is not do_transform_pose or not _has(transform, "rotation"):
+        raise WrongObjectError(
+            f"{function.__name__} needs a TransformStamped, not {kind_of(transform)}: "
+            "write the result of lookup_transform()"
+        )
+
+
+def _has(value: object, field: str) -> bool:
+    return hasattr(value, field) and not isinstance(value, type)
+
+
+def _wrong_object_error(function: Transformation, field: str, value: Any) -> WrongObjectError:
+    name = function.__name__
+    kind = next(each.__name__ for each, known in _FUNCTIONS.items() if known is function)
+    right = {**_registered, **_FUNCTIONS}.get(type(value))
+    if right is not None:
+        advice = f"{getattr(right, '__name__', right)}()"
+    elif _has(value, "transform"):
+        advice = f"{name}({name.removeprefix('do_transform_')}, transform), in this order"
+    else:
+        advice = f"{kind}({field}=...)"
+    return WrongObjectError(f"{name} needs a {kind}, not {kind_of(value)}: write {advice}")
+
+
 def do_transform_point(point: Any, transform: Any) -> Any:
     """Return a `PointStamped` in the transform's parent frame."""
+    _check(do_transform_point, "point", point, transform)
     moved = PointStamped(header=copy.deepcopy(transform.header))
     place = point.point
     moved.point.x, moved.point.y, moved.point.z = rigid(transform).apply(
@@ -73,6 +110,7 @@ def do_transform_point(point: Any, transform: Any) -> Any:
 
 def do_transform_vector3(vector: Any, transform: Any) -> Any:
     """Return a `Vector3Stamped` that is rotated, but not translated."""
+    _check(do_transform_vector3, "vector", vector, transform)
     moved = Vector3Stamped(header=copy.deepcopy(transform.header))
     v = vector.vector
     turned = rotate(rigid(transform).rotation, (v.x, v.y, v.z))
@@ -82,6 +120,7 @@ def do_transform_vector3(vector: Any, transform: Any) -> Any:
 
 def do_transform_pose(pose: Any, transform: Any) -> Any:
     """Return a `Pose` in the transform's parent frame."""
+    _check(do_transform_pose, "position", pose, transform)
     moved = copy.deepcopy(pose)
     motion, p, q = rigid(transform), pose.position, pose.orientation
     moved.position.x, moved.position.y, moved.position.z = motion.apply((p.x, p.y, p.z))
@@ -95,6 +134,7 @@ def do_transform_pose(pose: Any, transform: Any) -> Any:
 
 def do_transform_pose_stamped(pose: Any, transform: Any) -> Any:
     """Return a `PoseStamped` in the transform's parent frame."""
+    _check(do_transform_pose_stamped, "pose", pose, transform)
     return PoseStamped(
         header=copy.deepcopy(transform.header), pose=do_transform_pose(pose.pose, transform)
     )
@@ -102,6 +142,7 @@ def do_transform_pose_stamped(pose: Any, transform: Any) -> Any:
 
 def do_transform_pose_with_covariance_stamped(pose: Any, transform: Any) -> Any:
     """Return a `PoseWithCovarianceStamped` in the transform's parent frame, covariance included."""
+    _check(do_transform_pose_with_covariance_stamped, "pose", pose, transform)
     moved = copy.deepcopy(pose)
     moved.header = copy.deepcopy(transform.header)
     moved.pose.pose = do_transform_pose(pose.pose.pose, transform)
@@ -128,6 +169,7 @@ def transform_covariance(covariance: Sequence[float], transform: Any) -> list[fl
 
 def do_transform_wrench(wrench: Any, transform: Any) -> Any:
     """Return a `WrenchStamped` with force and torque rotated into the parent frame."""
+    _check(do_transform_wrench, "wrench", wrench, transform)
     moved = WrenchStamped(header=copy.deepcopy(transform.header))
     rotation = rigid(transform).rotation
     for name in ("force", "torque"):
@@ -138,6 +180,7 @@ def do_transform_wrench(wrench: Any, transform: Any) -> Any:
 
 def do_transform_polygon_stamped(polygon: Any, transform: Any) -> Any:
     """Return a `PolygonStamped` in the transform's parent frame."""
+    _check(do_transform_polygon_stamped, "polygon", polygon, transform)
     moved, motion = copy.deepcopy(polygon), rigid(transform)
     moved.header = copy.deepcopy(transform.header)
     for point in moved.polygon.points:
@@ -145,9 +188,14 @@ def do_transform_polygon_stamped(polygon: Any, transform: Any) -> Any:
     return moved
 
 
-add(PointStamped, do_transform_point)
-add(Vector3Stamped, do_transform_vector3)
-add(PolygonStamped, do_transform_polygon_stamped)
-add(PoseStamped, do_transform_pose_stamped)
-add(PoseWithCovarianceStamped, do_transform_pose_with_covariance_stamped)
-add(WrenchStamped, do_transform_wrench)
+#: Functions of `tf2_geometry_msgs` by the class of their first argument.
+_FUNCTIONS: dict[type[Any], Transformation] = {
+    PointStamped: do_transform_point,
+    Vector3Stamped: do_transform_vector3,
+    PolygonStamped: do_transform_polygon_stamped,
+    Pose: do_transform_pose,
+    PoseStamped: do_transform_pose_stamped,
+    PoseWithCovarianceStamped: do_transform_pose_with_covariance_stamped,
+    WrenchStamped: do_transform_wrench,
+}
+_registered.update((kind, each) for kind, each in _FUNCTIONS.items() if kind is not Pose)

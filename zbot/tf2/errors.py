@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
-from zbot.errors import ZbotError
+from zbot.errors import ZbotError, described
+
+
+def kind_of(value: object) -> str:
+    """Return what an argument is, without its value, e.g. `PoseStamped` or `the class Pose`."""
+    return described(value).partition(":")[0]
 
 
 class TransformException(ZbotError):  # noqa: N818 - all names here are tf2's

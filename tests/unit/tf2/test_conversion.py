@@ -2,27 +2,42 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
 import pytest
 
+from zbot.tf2 import TransformRegistration
 from zbot.tf2 import transformations as tf
+from zbot.tf2.cloud_transform import do_transform_cloud
 from zbot.tf2.conversion import (
+    do_transform_point,
     do_transform_polygon_stamped,
     do_transform_pose,
+    do_transform_pose_stamped,
     do_transform_pose_with_covariance_stamped,
+    do_transform_vector3,
     do_transform_wrench,
 )
 
 from geometry_msgs.msg import (
+    Point,
     Point32,
+    PointStamped,
     PolygonStamped,
     Pose,
+    PoseStamped,
     PoseWithCovarianceStamped,
     Quaternion,
+    Transform,
     TransformStamped,
     Vector3,
     WrenchStamped,
 )
+from sensor_msgs.msg import LaserScan, PointCloud2
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
 
 ANGLES = (0.3, -0.4, 0.5)
 
@@ -98,3 +113,40 @@ def test_an_orientation_has_the_normal_form(
     transform.transform.rotation = _quaternion(*rotation)
     pose = Pose(orientation=_quaternion(*orientation))
     assert _parts(do_transform_pose(pose, transform).orientation) == pytest.approx(expected)
+
+
+@pytest.mark.parametrize(
+    ("function", "value", "sentence"),
+    [
+        (do_transform_pose, PoseStamped(), r"a Pose, not PoseStamped.*_pose_stamped\(\)"),
+        (do_transform_pose_stamped, Pose(), r"a PoseStamped, not Pose: write do_transform_pose\("),
+        (do_transform_pose_stamped, PoseWithCovarianceStamped(), r"pose_with_covariance_stamped\("),
+        (do_transform_pose_with_covariance_stamped, PoseStamped(), r"_pose_stamped\(\)"),
+        (do_transform_point, Point(), r"a PointStamped, not Point: write PointStamped\(point="),
+        (do_transform_point, PointStamped, "not the class PointStamped"),
+        (do_transform_vector3, PointCloud2(), r"do_transform_cloud\(\)"),
+        (do_transform_wrench, None, "a WrenchStamped, not None"),
+        (do_transform_polygon_stamped, TransformStamped(), r"\(polygon_stamped, transform\), in"),
+        (do_transform_cloud, LaserScan(), "a PointCloud2, not LaserScan"),
+    ],
+)
+def test_the_object_of_another_function_is_refused(
+    function: Callable[[Any, Any], Any], value: Any, sentence: str
+) -> None:
+    with pytest.raises(AttributeError, match=f"{function.__name__} needs .*{sentence}"):
+        function(value, moved())
+
+
+def test_what_is_not_a_transform_is_refused() -> None:
+    for transform in (None, Transform(), TransformStamped):
+        with pytest.raises(AttributeError, match=r"needs a TransformStamped, not .*lookup_tra"):
+            do_transform_point(PointStamped(), transform)
+    assert do_transform_pose(Pose(), moved().transform).position.x == 1.0
+
+
+def test_a_class_of_a_program_may_use_a_function_of_another_class() -> None:
+    class Corner:
+        point = Point(x=1.0)
+
+    TransformRegistration().add(Corner, do_transform_point)
+    assert do_transform_point(Corner(), moved(angles=(0.0, 0.0, 0.0))).point.x == 2.0
