@@ -5,15 +5,14 @@ from __future__ import annotations
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import ArgumentTypeError
 from zbot.executor.callback_stack import current_executor
 from zbot.executor.task import Future
+from zbot.node.argument_check import check_object
 from zbot.tf2.buffer_core import BufferCore
-from zbot.tf2.buffer_interface import NO_WAIT, BufferInterface
+from zbot.tf2.buffer_interface import NO_WAIT, BufferInterface, check_timeout
 from zbot.tf2.errors import TransformException
 from zbot.threads.deadline import Deadline
 from zbot.threads.wakeup import LONGEST_WAIT_S
-from zbot.time import Duration
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -21,6 +20,7 @@ if TYPE_CHECKING:
     from zbot.node.node import Node
     from zbot.node.service import Service
     from zbot.node.subscription import Subscription
+    from zbot.time import Duration
 
 # Seconds between two checks, while a callback waits for messages of its own executor.
 _LOOK_S = 0.005
@@ -32,12 +32,17 @@ class Buffer(BufferCore, BufferInterface):
     Args:
         cache_time: Time for which samples are kept. The default is 10 s.
         node: A node that gets the service `tf2_frames`. The service returns all frames as YAML.
+
+    Raises:
+        WrongTypeError: `cache_time` is not a `Duration`.
+        ArgumentTypeError: `node` is not a node.
     """
 
     def __init__(self, cache_time: Duration | None = None, node: Node | None = None) -> None:
         super().__init__(cache_time)
         self.node = node
         if node is not None:
+            check_object("node", node, "a node", "create_service")
             self.srv = self._frames_service(node)
         self.subscriptions: list[Subscription[Any]] = []  #: subscriptions of the buffer's listener
         self.is_fed: Callable[[], bool] = lambda: True  #: whether transforms can still arrive
@@ -125,8 +130,7 @@ class Buffer(BufferCore, BufferInterface):
         return self.can_transform_full_core(*ends)[0]
 
     def _wait(self, is_known: Callable[[], bool], timeout: Duration) -> None:
-        if not isinstance(timeout, Duration):
-            raise ArgumentTypeError("timeout", "a Duration", timeout)
+        check_timeout(timeout)
         deadline = Deadline(timeout.nanoseconds / 1e9)
         while not is_known() and self.is_fed():
             if deadline.is_over:

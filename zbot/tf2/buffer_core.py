@@ -2,22 +2,25 @@
 
 from __future__ import annotations
 
-import math
 import threading
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import ArgumentTypeError
+from zbot.errors import ArgumentTypeError, WrongTypeError, described
 from zbot.errors.suggestion import did_you_mean
+from zbot.executor.errors import WrongObjectError
 from zbot.log import get_logger
+from zbot.node.argument_check import is_node
 from zbot.tf2.errors import (
     ConnectivityException,
     ExtrapolationException,
     InvalidArgumentException,
     LookupException,
     TransformException,
+    kind_of,
 )
 from zbot.tf2.frame import Frame, Sample
 from zbot.tf2.rigid import Quaternion, Rigid, Vector, normalized
+from zbot.tf2.transform_check import transform_problem
 from zbot.time import ClockType, Duration, Time
 
 from geometry_msgs.msg import TransformStamped
@@ -26,7 +29,6 @@ if TYPE_CHECKING:
     from collections.abc import Container
 
 _CACHE_S = 10.0
-_QUATERNION_TOLERANCE = 1e-2  # largest difference of the squared length from 1, as in tf2
 
 
 class BufferCore:
@@ -34,17 +36,26 @@ class BufferCore:
 
     Args:
         cache_time: Time for which samples are kept. The default is 10 s.
+
+    Raises:
+        WrongTypeError: `cache_time` is not a `Duration`.
     """
 
     def __init__(self, cache_time: Duration | None = None) -> None:
         cache = Duration(seconds=_CACHE_S) if cache_time is None else cache_time
+        if not isinstance(cache, Duration):
+            raise _cache_time_error(cache)
         self._cache_ns = cache.nanoseconds
         self._frames: dict[str, Frame] = {}
         self._changed = threading.Condition()
         self._refused: set[str] = set()
 
     def set_transform(self, transform: Any, authority: str = "default_authority") -> None:
-        """Add a `TransformStamped`. An invalid or too old transform is ignored and logged once."""
+        """Add a `TransformStamped`. An invalid or too old transform is ignored and logged once.
+
+        Raises:
+            WrongObjectError: `transform` is not a `TransformStamped`.
+        """
         self._set(transform, authority, is_static=False)
 
     def set_transform_static(self, transform: Any, authority: str = "default_authority") -> None:
@@ -52,10 +63,13 @@ class BufferCore:
         self._set(transform, authority, is_static=True)
 
     def _set(self, transform: Any, authority: str, *, is_static: bool) -> None:
+        if isinstance(transform, type) or not hasattr(transform, "child_frame_id"):
+            raise WrongObjectError(
+                f"set_transform needs one TransformStamped, not {kind_of(transform)}"
+            )
         parent = transform.header.frame_id.removeprefix("/")
         child = transform.child_frame_id.removeprefix("/")
-        problem = _problem(parent, child, transform.transform)
-        if problem:
+        if problem := transform_problem(transform):
             self._log_once(f"a transform from {authority} is ignored: {problem}")
             return
         stamp = Time.from_msg(transform.header.stamp).nanoseconds
@@ -152,6 +166,8 @@ class BufferCore:
     def _is_possible(self, target: str, source: str, time: Any) -> bool:
         """Return whether a lookup would succeed. To save time, give no reason."""
         with self._changed:
+            for argument, name in (("target_frame", target), ("source_frame", source)):
+                _check_type(argument, name)
             if not (self._exists(target) and self._exists(source)):
                 return False
             try:
@@ -225,6 +241,7 @@ class BufferCore:
         return min((frame.latest_ns for frame in frames if not frame.is_static), default=0)
 
     def _check(self, argument: str, name: str) -> None:
+        _check_type(argument, name)
         if not name or name.startswith("/"):
             problem = f"cannot start with a '/' like: {name}" if name else "cannot be empty"
             raise InvalidArgumentException(
@@ -281,6 +298,13 @@ class BufferCore:
             return "".join(_yaml(frame) for frame in self._frames.values()) or "[]"
 
 
+def _cache_time_error(value: object) -> WrongTypeError:
+    given, advice = described(value), "Duration(seconds=10.0)"
+    if is_node(value):
+        given, advice = "a node", "Buffer(node=self)"
+    return WrongTypeError(f"cache_time must be a Duration, not {given}; write {advice}")
+
+
 def _yaml(frame: Frame) -> str:
     return (
         f"{frame.name}: \n"
@@ -293,18 +317,9 @@ def _yaml(frame: Frame) -> str:
     )
 
 
-def _problem(parent: str, child: str, transform: Any) -> str:
-    if not parent or not child:
-        return "frame_id and child_frame_id must not be empty"
-    if parent == child:
-        return f"{child!r} cannot be its own parent"
-    t, q = transform.translation, transform.rotation
-    numbers = (t.x, t.y, t.z, q.x, q.y, q.z, q.w)
-    if not all(map(math.isfinite, numbers)):
-        return f"a value in the transform of {child!r} is infinite or NaN"
-    if abs(sum(part * part for part in numbers[3:]) - 1) > _QUATERNION_TOLERANCE:
-        return f"the rotation of {child!r} is not a quaternion of length 1"
-    return ""
+def _check_type(argument: str, name: object) -> None:
+    if not isinstance(name, str):
+        raise ArgumentTypeError(argument, "the name of a frame, e.g. 'map'", name)
 
 
 def _rigid(transform: Any) -> Rigid:
@@ -324,10 +339,19 @@ def _stamped(pose: Rigid, stamp_ns: int, target: str, source: str) -> TransformS
     return message
 
 
+def check_time(time: object) -> None:
+    """Check that the time of a lookup is not a number or a class.
+
+    Raises:
+        ArgumentTypeError: It is one of them.
+    """
+    if isinstance(time, (int, float, type)):
+        raise ArgumentTypeError("time", "a Time, e.g. Time() for the newest transform", time)
+
+
 def _nanoseconds(time: Any) -> int:
     """Return a `Time` or a time message in nanoseconds."""
-    if isinstance(time, (int, float)):
-        raise ArgumentTypeError("time", "a Time, e.g. Time() for the newest transform", time)
+    check_time(time)
     return int(
         time.nanoseconds if hasattr(time, "nanoseconds") else Time.from_msg(time).nanoseconds
     )

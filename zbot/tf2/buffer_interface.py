@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from zbot.errors import ArgumentTypeError
 from zbot.tf2 import conversion
 from zbot.tf2.errors import NotImplementedException, TypeException
 from zbot.time import Duration, Time
@@ -13,6 +14,19 @@ if TYPE_CHECKING:
 
 NO_WAIT = Duration()
 _conversions: dict[tuple[type[Any], type[Any]], Callable[[Any], Any]] = {}
+
+
+def check_timeout(timeout: object) -> None:
+    """Check that a timeout is a `Duration`.
+
+    Raises:
+        ArgumentTypeError: It is something else, e.g. a number of seconds.
+    """
+    if not isinstance(timeout, Duration):
+        example = (
+            f", e.g. Duration(seconds={timeout!r})" if isinstance(timeout, (int, float)) else ""
+        )
+        raise ArgumentTypeError("timeout", f"a Duration{example}", timeout)
 
 
 class BufferInterface:

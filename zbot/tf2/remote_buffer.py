@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Any
 from zbot.action.client import ActionClient
 from zbot.action.server import ActionServer
 from zbot.executor.callback_group import ReentrantCallbackGroup
-from zbot.tf2.buffer_interface import NO_WAIT, BufferInterface
+from zbot.tf2.buffer_core import check_time
+from zbot.tf2.buffer_interface import NO_WAIT, BufferInterface, check_timeout
 from zbot.tf2.errors import (
     ConnectivityException,
     ExtrapolationException,
@@ -104,6 +105,7 @@ class BufferClient(BufferInterface):
 
     def wait_for_server(self, timeout: Duration = NO_WAIT) -> bool:
         """Wait for a server. Return whether it appeared within `timeout`."""
+        check_timeout(timeout)
         return self._client.wait_for_server(timeout.nanoseconds / 1e9)
 
     def lookup_transform(
@@ -174,6 +176,7 @@ class BufferClient(BufferInterface):
         return True
 
     def _ask(self, timeout: Duration, **question: Any) -> Any:
+        check_timeout(timeout)
         patience = (timeout + self._padding).nanoseconds / 1e9
         if not self._client.wait_for_goal_service(patience):
             raise TimeoutException(f"no node serves the action {self._name}")
@@ -190,4 +193,5 @@ class BufferClient(BufferInterface):
 
 
 def _stamp(time: Any) -> Any:
+    check_time(time)
     return time if isinstance(time, Stamp) else time.to_msg()

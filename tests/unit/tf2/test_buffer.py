@@ -7,6 +7,7 @@ import math
 import threading
 import time
 from typing import TYPE_CHECKING, Any
+from unittest.mock import Mock
 
 import pytest
 
@@ -24,8 +25,16 @@ from zbot.tf2 import (
     TypeException,
     buffer_core,
 )
+from zbot.tf2.remote_buffer import BufferClient
 
-from geometry_msgs.msg import PointStamped, PoseStamped, TransformStamped, Vector3Stamped
+from geometry_msgs.msg import (
+    PointStamped,
+    PoseStamped,
+    Transform,
+    TransformStamped,
+    Vector3Stamped,
+)
+from std_msgs.msg import Header
 
 if TYPE_CHECKING:
     from zbot.log.record import Record
@@ -247,8 +256,44 @@ def test_old_transforms_are_ignored_with_one_warning(logged: list[Record]) -> No
 
 def test_a_timeout_is_a_duration(robot: Buffer) -> None:
     seconds: Any = 1.0
-    with pytest.raises(ArgumentTypeError, match=r"timeout must be a Duration, not float: 1\.0"):
+    sentence = r"timeout must be a Duration, e\.g\. Duration\(seconds=1\.0\), not float: 1\.0"
+    with pytest.raises(ArgumentTypeError, match=sentence):
         robot.lookup_transform("map", "base", LATEST, seconds)
+    client = BufferClient.__new__(BufferClient)
+    with pytest.raises(ArgumentTypeError, match=sentence):
+        client.wait_for_server(seconds)
+    with pytest.raises(ArgumentTypeError, match=sentence):
+        client.lookup_transform("map", "base", LATEST, seconds)
+    with pytest.raises(ArgumentTypeError, match=r"time must be a Time, e\.g\. Time\(\)"):
+        client.lookup_transform("map", "base", seconds)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [
+        ({"cache_time": 10}, r"cache_time must be a Duration, not int: 10; write Duration\(sec"),
+        ({"cache_time": Mock()}, r"a Duration, not a node; write Buffer\(node=self\)"),
+        ({"node": "arm"}, "node must be a node, not str: 'arm'"),
+    ],
+)
+def test_a_buffer_checks_its_arguments(arguments: dict[str, Any], sentence: str) -> None:
+    with pytest.raises(TypeError, match=sentence):
+        Buffer(**arguments)
+
+
+def test_the_name_of_a_frame_is_a_text(robot: Buffer) -> None:
+    header: Any = Header(frame_id="base")
+    for ask in (robot.lookup_transform, robot.can_transform, robot.wait_for_transform_async):
+        with pytest.raises(TypeError, match="source_frame must be the name of a frame"):
+            ask("map", header, LATEST)
+    with pytest.raises(TypeError, match=r"time must be a Time, e\.g\. Time\(\)"):
+        robot.lookup_transform("map", "base", zbot.Time)
+
+
+def test_only_a_stamped_transform_can_be_set(robot: Buffer) -> None:
+    for wrong in (Transform(), TransformStamped, [TransformStamped()]):
+        with pytest.raises(AttributeError, match="needs one TransformStamped, not"):
+            robot.set_transform(wrong)
 
 
 class Tag:
