@@ -10,8 +10,9 @@ import re
 import sys
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import ZbotError, require_numpy
+from zbot.errors import ZbotError, described, require_numpy
 from zbot.errors.installation import pip_install
+from zbot.executor.errors import WrongObjectError
 
 from sensor_msgs.msg import CompressedImage, Image
 
@@ -42,11 +43,20 @@ _CV_TO_BGR = {
 _DEPTHS = {"8U": 0, "8S": 1, "16U": 2, "16S": 3, "32S": 4, "32F": 5, "64F": 6}
 # Weights of red, green and blue in grey, from ITU-R BT.601, as in OpenCV.
 _LUMA = (0.299, 0.587, 0.114)
+_USUAL_ENCODINGS = {"8UC1": "mono8", "8UC3": "bgr8", "8UC4": "bgra8", "16UC1": "mono16"}
+_READERS: dict[type[Any], str] = {
+    Image: "imgmsg_to_cv2",
+    CompressedImage: "compressed_imgmsg_to_cv2",
+}
 _FILE_NAMES = {"jpg": "jpeg", "jpe": "jpeg", "tif": "tiff"}
 
 
 class CvBridgeError(ZbotError, TypeError):
     """An image cannot be converted as requested."""
+
+
+class NotAnImageError(CvBridgeError, WrongObjectError):
+    """A function was given something else than an image (cv_bridge: AttributeError)."""
 
 
 class CvBridge:
@@ -67,8 +77,10 @@ class CvBridge:
             desired_encoding: For example `bgr8` or `mono8`. `passthrough` keeps the encoding.
 
         Raises:
+            NotAnImageError: `img_msg` is not an `Image`.
             CvBridgeError: The encoding or conversion does not exist, or the image lacks data.
         """
+        _check_message(self, Image, img_msg, "encoding")
         array = _pixels(img_msg)
         if desired_encoding in {"passthrough", img_msg.encoding}:
             return array
@@ -85,20 +97,18 @@ class CvBridge:
             header: Header of the image.
 
         Raises:
-            CvBridgeError: `cvim` is not an array, or its type does not fit the encoding.
+            NotAnImageError: `cvim` is not an array.
+            CvBridgeError: The shape or the type of the array does not fit the encoding.
         """
-        import numpy as np  # noqa: PLC0415 - part of an extra
-
-        if not isinstance(cvim, np.ndarray) or cvim.ndim not in {2, 3}:
-            raise CvBridgeError(f"give an image as a numpy array, not a {type(cvim).__name__}")
+        _check_array(self, cvim)
+        if cvim.ndim not in {2, 3}:
+            raise CvBridgeError(f"an image has 2 or 3 dimensions, not {cvim.ndim}")
         channels = cvim.shape[2] if cvim.ndim == 3 else 1
         actual = self.dtype_with_channels_to_cvtype2(cvim.dtype, channels)
         if encoding == "passthrough":
             encoding = actual
         elif self.encoding_to_cvtype2(encoding) != actual:
-            raise CvBridgeError(
-                f"encoding specified as {encoding}, but image has the type {actual}"
-            )
+            raise _wrong_encoding_error(encoding, actual, channels)
         order = cvim.dtype.byteorder
         image = Image(
             height=cvim.shape[0],
@@ -118,14 +128,19 @@ class CvBridge:
         """Return a compressed image as an array, as OpenCV reads it or in the requested encoding.
 
         Raises:
+            NotAnImageError: `cmprs_img_msg` is not a `CompressedImage`.
             CvBridgeError: OpenCV is not installed, or cannot read the image.
         """
         import numpy as np  # noqa: PLC0415 - part of an extra
 
+        _check_message(self, CompressedImage, cmprs_img_msg, "data")
         cv2 = _opencv("images that are compressed")
         octets = np.frombuffer(bytes(cmprs_img_msg.data), np.uint8)
-        array: NDArray[Any] | None = cv2.imdecode(octets, cv2.IMREAD_UNCHANGED)
+        array: NDArray[Any] | None = None
+        if octets.size:  # otherwise OpenCV raises an error of its own
+            array = cv2.imdecode(octets, cv2.IMREAD_UNCHANGED)
         if array is None:
+            _check_message(self, CompressedImage, cmprs_img_msg, "format")
             raise CvBridgeError(f"cannot read the image as {cmprs_img_msg.format or 'any format'}")
         if desired_encoding == "passthrough":
             return array
@@ -139,8 +154,10 @@ class CvBridge:
         """Return an array (grey or blue-green-red) as a compressed image, `jpg` or `png`.
 
         Raises:
+            NotAnImageError: `cvim` is not an array.
             CvBridgeError: OpenCV is not installed, or cannot write this format.
         """
+        _check_array(self, cvim)
         cv2 = _opencv("images that are compressed")
         is_written, octets = cv2.imencode(f".{dst_format}", cvim)
         if not is_written:
@@ -247,8 +264,47 @@ def getCvType(encoding: str) -> int:  # noqa: N802 - ROS 2's name
     return depth + 8 * (channels - 1)
 
 
+def _check_bridge(bridge: object) -> None:
+    if not isinstance(bridge, CvBridge):  # e.g. `CvBridge.imgmsg_to_cv2(message, "bgr8")`
+        raise NotAnImageError("CvBridge is a class: write CvBridge(), with parentheses")
+
+
+def _check_message(bridge: object, kind: type[Any], message: object, field: str) -> None:
+    """Check that a message has a field, whatever its class is."""
+    _check_bridge(bridge)
+    if hasattr(message, field) and not isinstance(message, type):
+        return
+    given, right = described(message).partition(":")[0], _READERS.get(type(message))
+    advice = f": write {right}()" if right else ""
+    raise NotAnImageError(
+        f"{_READERS[kind]} needs a message of the type {kind.__name__}, not {given}{advice}"
+    )
+
+
+def _check_array(bridge: object, array: object) -> None:
+    import numpy as np  # noqa: PLC0415 - part of an extra
+
+    _check_bridge(bridge)
+    if not isinstance(array, np.ndarray):
+        given = f"a {type(array).__name__}"
+        if array is None:
+            given = "None, which cv2.imread() and read() return if there is no image"
+        raise NotAnImageError(f"give an image as a numpy array, not {given}")
+
+
+def _wrong_encoding_error(encoding: str, actual: str, channels: int) -> CvBridgeError:
+    dtype, wanted = CvBridge().encoding_to_dtype_with_channels(encoding)
+    usual = _USUAL_ENCODINGS.get(actual, actual)
+    advice = f"image.astype(numpy.{dtype})" if wanted == channels else f"the encoding {usual!r}"
+    return CvBridgeError(
+        f"encoding specified as {encoding}, but image has the type {actual}: write {advice}"
+    )
+
+
 def _layout(encoding: str) -> tuple[str, int]:
     """Return numpy's code of a value and the number of channels, e.g. ('u1', 3) for `bgr8`."""
+    if not isinstance(encoding, str):
+        raise CvBridgeError(f"an encoding is a text, e.g. 'bgr8', not {described(encoding)}")
     if match := _GENERIC.match(encoding):
         bits, kind, channels = match.groups()
         return f"{_KINDS[kind]}{int(bits) // 8}", int(channels or 1)

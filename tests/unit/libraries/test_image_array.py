@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import pytest
 
@@ -10,6 +10,9 @@ from zbot.libraries.image_array import CvBridge, CvBridgeError, cvtColorForDispl
 
 from sensor_msgs.msg import CompressedImage, Image
 from std_msgs.msg import Header
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
 
 np = pytest.importorskip("numpy")
 BRIDGE = CvBridge()
@@ -91,6 +94,48 @@ def test_an_array_of_another_type_than_the_encoding_is_refused() -> None:
         BRIDGE.cv2_to_imgmsg(RGB, "mono8")
     with pytest.raises(TypeError, match="numpy array, not a list"):
         BRIDGE.cv2_to_imgmsg([[1]])  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    ("array", "encoding", "sentence"),
+    [
+        (np.zeros((4, 4, 3)), "bgr8", r"64FC3: write image\.astype\(numpy\.uint8\)"),
+        (np.zeros((4, 4), np.uint8), "bgr8", "8UC1: write the encoding 'mono8'"),
+        (np.zeros((4, 4, 4), np.uint8), "rgb8", "8UC4: write the encoding 'bgra8'"),
+        (np.zeros(4), "bgr8", "2 or 3 dimensions, not 1"),
+        (RGB, 1, r"an encoding is a text, e\.g\. 'bgr8', not int: 1"),
+    ],
+)
+def test_an_array_that_does_not_fit_is_told_with_what_to_write(
+    array: Any, encoding: Any, sentence: str
+) -> None:
+    with pytest.raises(CvBridgeError, match=sentence):
+        BRIDGE.cv2_to_imgmsg(array, encoding)
+
+
+@pytest.mark.parametrize(
+    ("convert", "sentence"),
+    [
+        (lambda b: b.imgmsg_to_cv2(CompressedImage()), r"write compressed_imgmsg_to_cv2\(\)"),
+        (lambda b: b.imgmsg_to_cv2(Image), "type Image, not the class Image"),
+        (lambda b: b.compressed_imgmsg_to_cv2(Image()), r"write imgmsg_to_cv2\(\)"),
+        (lambda b: b.compressed_imgmsg_to_cv2(None), "type CompressedImage, not None"),
+        (lambda b: b.cv2_to_imgmsg(None, "bgr8"), r"not None, which cv2\.imread\(\)"),
+        (lambda b: b.cv2_to_compressed_imgmsg(None), r"not None, which cv2\.imread\(\)"),
+        (lambda _: CvBridge.imgmsg_to_cv2(Image(), "bgr8"), r"write CvBridge\(\), with"),  # type: ignore[arg-type]
+        (lambda _: CvBridge.cv2_to_imgmsg(RGB, "bgr8"), r"write CvBridge\(\), with"),  # type: ignore[arg-type]
+    ],
+)
+def test_what_is_not_an_image_is_refused(convert: Callable[[Any], object], sentence: str) -> None:
+    with pytest.raises(CvBridgeError, match=sentence) as raised:
+        convert(BRIDGE)
+    assert isinstance(raised.value, AttributeError)
+
+
+def test_a_compressed_image_without_data_is_refused() -> None:
+    pytest.importorskip("cv2", reason="OpenCV is not installed")
+    with pytest.raises(CvBridgeError, match="cannot read the image as jpeg"):
+        BRIDGE.compressed_imgmsg_to_cv2(CompressedImage(format="jpeg"))
 
 
 def test_an_image_that_is_too_short_is_refused() -> None:
