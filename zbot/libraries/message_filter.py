@@ -317,7 +317,7 @@ class ApproximateTimeSynchronizer(TimeSynchronizer):
     Args:
         fs: The filters.
         queue_size: Largest number of waiting messages per filter. Older messages are dropped.
-        slop: Largest difference of the stamps in seconds.
+        slop: Seconds. The difference of the stamps is smaller. Equal stamps always fit.
         allow_headerless: Use the present time for a message without a stamp.
         sync_arrival_time: Use the times at which messages arrive instead of their stamps.
 
@@ -358,15 +358,20 @@ class ApproximateTimeSynchronizer(TimeSynchronizer):
             for queue in self.queues
         ]
         for stamps in itertools.product(*candidates):
-            if max(stamps) - min(stamps) <= slop_ns:
+            if _is_within(max(stamps) - min(stamps), slop_ns):
                 pairs = zip(self.queues, stamps, strict=True)
                 self.signalMessage(*[queue.pop(each) for queue, each in pairs])
                 return
 
 
+def _is_within(difference_ns: int, slop_ns: int) -> bool:
+    """Return whether stamps are together. As in ROS 2, a difference of exactly the slop is not."""
+    return difference_ns < slop_ns or difference_ns == 0
+
+
 def _within_slop(queue: Iterable[int], stamp_ns: int, slop_ns: int) -> list[int]:
     """Return the stamps that are within the slop. The closest stamp comes first."""
-    near = (each for each in queue if abs(each - stamp_ns) <= slop_ns)
+    near = (each for each in queue if _is_within(abs(each - stamp_ns), slop_ns))
     return sorted(near, key=lambda each: abs(each - stamp_ns))
 
 

@@ -91,7 +91,7 @@ def test_a_callback_may_feed_the_synchronizer_that_called_it() -> None:
 
 @pytest.mark.parametrize(
     ("times", "is_together"),
-    [((1.0, 1.05), True), ((1.0, 1.1), True), ((1.0, 1.2), False), ((2.0, 1.95), True)],
+    [((1.0, 1.05), True), ((1.0, 1.1), False), ((1.0, 1.2), False), ((2.0, 1.95), True)],
 )
 def test_stamps_within_the_slop_meet(times: tuple[float, float], is_together: bool) -> None:
     left, right = pair()
@@ -102,6 +102,17 @@ def test_stamps_within_the_slop_meet(times: tuple[float, float], is_together: bo
     left.signalMessage(at(times[0]))
     right.signalMessage(at(times[1]))
     assert bool(seen) is is_together
+
+
+def test_equal_stamps_meet_without_any_slop() -> None:
+    left, right = pair()
+    seen: list[Any] = []
+    ApproximateTimeSynchronizer([left, right], 5, 0.0).registerCallback(
+        lambda *both: seen.append(both)
+    )
+    left.signalMessage(at(1.0))
+    right.signalMessage(at(1.0))
+    assert len(seen) == 1
 
 
 def test_the_nearest_message_is_used_once() -> None:
