@@ -60,19 +60,19 @@ zbot differs from rclpy on purpose in these points:
 * `Executor.shutdown(timeout_sec=0)` returns `False` while another thread spins, also without a
   callback.
 * `Rate.sleep()` works even if no executor spins in another thread.
-* A publisher and a subscription always connect. In ROS 2, a best effort publisher sends nothing to a
-  reliable subscription, and both log a warning.
+* A publisher and a subscription always connect. In ROS 2, a best effort publisher sends nothing
+  to a reliable subscription, and both log a warning.
 * `call()` works in a callback. In rclpy, it waits for ever if the executor has one thread.
-* A parameter with a floating-point number takes an integer, as 1.0 for 1. In rclpy, `set_parameters`
-  refuses it.
-* Callbacks run in the order in which their messages, timers and requests came. In rclpy, timers run
-  first.
-* A server that rejects the cancellation of a goal answers `ERROR_REJECTED`, as in C++. In rclpy, the
-  code is `ERROR_NONE`.
-* A rule such as `chatter:=/chat` needs `--ros-args -r`. Without it, zbot logs what to write. In rclpy,
-  the rule works, and a warning says that this form is deprecated.
-* `Logger.info(3)`, a second `shutdown()`, and `copy.deepcopy` of a `Time` work. In rclpy, they raise an
-  error.
+* A parameter with a floating-point number takes an integer, as 1.0 for 1. In rclpy,
+  `set_parameters` refuses it.
+* Callbacks run in the order in which their messages, timers and requests came. In rclpy, timers
+  run first.
+* A server that rejects the cancellation of a goal answers `ERROR_REJECTED`, as in C++. In rclpy,
+  the code is `ERROR_NONE`.
+* A rule such as `chatter:=/chat` needs `--ros-args -r`. Without it, zbot logs what to write. In
+  rclpy, the rule works, and a warning says that this form is deprecated.
+* `Logger.info(3)`, a second `shutdown()`, and `copy.deepcopy` of a `Time` work. In rclpy, they
+  raise an error.
 * A `MultiThreadedExecutor` has at least two threads if the program does not give a number.
 * Messages check every value that a program assigns, also with `check_fields=False`. If the variable
   `ROS_PYTHON_CHECK_FIELDS` is 0, it is as in rclpy: a message checks values only if it is made
