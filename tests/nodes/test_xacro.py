@@ -74,6 +74,27 @@ def test_a_package_that_is_not_found_is_named(start: Start, tmp_path: Path, towe
     assert "package 'towr_description' not found" in program.output
 
 
+WRONG_PATH = """
+import xacro
+from launch import LaunchDescription
+from launch.actions import LogInfo
+from launch.substitutions import Command
+def generate_launch_description():
+    return LaunchDescription([LogInfo(msg=OUTPUT)])
+"""
+
+
+@pytest.mark.usefixtures("tower")
+@pytest.mark.parametrize("output", ["xacro.process('no.xacro')", "Command('xacro no.xacro')"])
+def test_a_wrong_path_is_named(start: Start, tmp_path: Path, output: str) -> None:
+    pytest.importorskip("xacro", reason="an extra: pip install 'zbot[robot]'")
+    (tmp_path / "a.launch.py").write_text(WRONG_PATH.replace("OUTPUT", output))
+    program = start("zbot", "launch", "a.launch.py")
+    assert program.wait() == 1
+    assert "No such file or directory: ./no.xacro" in program.output
+    assert "Traceback" not in program.output
+
+
 def test_without_the_extra_a_sentence_says_what_to_install(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path, start: Start
 ) -> None:

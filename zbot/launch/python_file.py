@@ -7,6 +7,7 @@ import inspect
 import io
 import re
 import traceback
+import xml.parsers.expat  # noqa: F401 - the package xacro uses it without importing it
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
@@ -139,7 +140,9 @@ def located(path: Path, error: Exception | SystemExit, line: int = 0) -> LaunchF
         return LaunchFileError(str(path), line, str(absent))
     reason = str(error) if isinstance(error, ZbotError) else describe(error)
     if isinstance(error, SystemExit) and not isinstance(error.code, str):
-        reason = f"the file ended the launch with exit({'' if error.code is None else error.code})"
+        cause = f" after {describe(error.__context__)}" if error.__context__ else ""
+        code = "" if error.code is None else error.code
+        reason = f"the file ended the launch with exit({code}){cause}"
     hint = getattr(error, "hint", "") or ""
     if isinstance(error, TypeError) and (old := _old_arguments(path, str(error))):
         reason = f"{_listed(old)} {'are names' if old[1:] else 'is a name'} of ROS 2 Foxy"

@@ -5,6 +5,7 @@ In launches: Command(["xacro ", path]), also where no program `xacro` is on the 
 """
 
 import sys
+import xml.parsers.expat  # noqa: F401 - xacro uses it without importing it
 
 from zbot.errors.installation import pip_install
 

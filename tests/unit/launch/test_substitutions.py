@@ -156,6 +156,8 @@ def test_a_failed_command_is_an_error_with_its_reason(context: LaunchContext) ->
         perform(context, Command(failing))
     with pytest.raises(SubstitutionError, match="cannot run command 'no-such-program'"):
         perform(context, Command("no-such-program"))
+    with pytest.raises(SubstitutionError, match=r"failed with 1: ValueError: no$"):
+        perform(context, Command([sys.executable, """ -c 'raise ValueError("no")'"""]))
     noisy = [sys.executable, " -c 'import sys; print(1, file=sys.stderr)'"]
     with pytest.raises(SubstitutionError, match="printed to stderr: 1"):
         perform(context, Command(noisy))

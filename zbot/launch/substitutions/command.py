@@ -55,7 +55,8 @@ class Command(Substitution):
             absent = _absent_file(line, output)
             if absent is not None:
                 raise absent
-            raise SubstitutionError(f"command '{line}' failed with {done.returncode}: {output}")
+            reason = _without_traceback(output)
+            raise SubstitutionError(f"command '{line}' failed with {done.returncode}: {reason}")
         if done.stderr and mode == "capture":
             return done.stdout + done.stderr
         if done.stderr and mode == "fail":
@@ -102,6 +103,15 @@ def _run_to_end(words: list[str], context: LaunchContext) -> subprocess.Complete
                 child.kill()
             raise
     return subprocess.CompletedProcess(words, child.returncode, output, errors)
+
+
+def _without_traceback(output: str) -> str:
+    """Return the output of a command. Of Python's traceback, return only the error at its end."""
+    begin = "Traceback (most recent call last):"
+    if begin not in output:
+        return output
+    lines = output.rpartition(begin)[2].splitlines()
+    return "\n".join(line for line in lines if line and not line.startswith(" "))
 
 
 def _absent_file(line: str, output: str) -> AbsentFileError | None:
