@@ -15,11 +15,13 @@ from pathlib import Path, PurePosixPath
 from typing import TYPE_CHECKING
 
 from zbot.errors import ZbotError
+from zbot.package.bundled_nodes import BUNDLED_PROGRAMS
 from zbot.package.cmake_file import Installation, read_cmake
 from zbot.package.finder import Origin
 from zbot.package.setup_file import data_files
 from zbot.package.user_folders import cache_folder, make_private
 from zbot.package.workspace import MANIFEST, SKIPPED
+from zbot.package.zbot_command import executable_wrapper
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -55,9 +57,13 @@ def share_folder(package: Package) -> Path:
 def prefix_folder(package: Package) -> Path:
     """Return the prefix of a package, the folder that has `share/<name>` and `lib/<name>`.
 
+    The prefix of a bundled package has a folder `bin` if ROS 2 has the package's program on the
+    PATH.
+
     Raises:
         SetupFileError: The package's setup.py cannot be read.
         SymlinkInstallError: The links cannot be written.
+        WrapperError: The program in `bin` cannot be written.
     """
     if package.prefix is not None:
         return package.prefix
@@ -70,11 +76,20 @@ def prefix_folder(package: Package) -> Path:
     if package.origin is Origin.WORKSPACE:
         programs = _cmake(package.folder).programs
         files.update({target: file for target, file in programs.items() if _is_below(target)})
+    if package.origin is Origin.BUNDLED:
+        files.update({f"bin/{file.name}": file for file in _programs(package.name)})
     try:
         _bring_up_to_date(prefix, files)
     except OSError as exc:
         raise SymlinkInstallError(package.name, prefix, exc) from exc
     return prefix
+
+
+def _programs(package: str) -> Iterator[Path]:
+    """Yield wrappers for the programs that a bundled package has on the PATH in ROS 2."""
+    for name, owner in BUNDLED_PROGRAMS.items():
+        if owner == package:
+            yield executable_wrapper(package, name)
 
 
 def moved_files(package: Package) -> dict[str, Path]:

@@ -130,6 +130,19 @@ def test_a_prefix_has_the_share_folder(write: Callable[..., Path]) -> None:
     assert (package_prefix("std_msgs") / "share" / "std_msgs" / "msg" / "String.msg").is_file()
 
 
+@pytest.mark.parametrize(
+    ("package", "program"),
+    [("xacro", "xacro"), ("rviz2", "rviz2"), ("rqt_gui", "rqt"), ("gazebo", "gzserver")],
+)
+def test_a_bundled_prefix_has_the_programs_that_ros2_has_on_the_path(
+    package: str, program: str
+) -> None:
+    path = shutil.which(package_prefix(package) / "bin" / program)
+    assert path is not None
+    assert f"run {package} {program}" in Path(path).read_text(encoding="utf-8")
+    assert not (package_prefix("turtlesim") / "bin").exists()
+
+
 def test_links_need_no_privileges_on_windows(
     write: Callable[..., Path], monkeypatch: pytest.MonkeyPatch
 ) -> None:
