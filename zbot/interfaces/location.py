@@ -10,13 +10,13 @@ last: a robot may use another version of such a package, so the user's version m
 from __future__ import annotations
 
 import functools
-import os
 import sys
 from importlib.machinery import PathFinder
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from zbot.names import KINDS
+from zbot.package.ros_variables import ament_prefixes
 from zbot.package.user_folders import definitions_folder
 from zbot.package.workspace import MANIFEST, Roots, nearest_first, package_name, search_roots, walk
 
@@ -108,8 +108,7 @@ def _scanned(roots: Roots) -> dict[str, list[Path]]:
 
 
 def _ament_shares() -> list[Path]:
-    prefixes = os.environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep)
-    return [Path(prefix) / "share" for prefix in prefixes if prefix]
+    return [prefix / "share" for prefix in ament_prefixes()]
 
 
 def _python_package_folders(package: str) -> Iterator[Path]:

@@ -8,6 +8,7 @@ import io
 import re
 import traceback
 import xml.parsers.expat  # noqa: F401 - the package xacro uses it without importing it
+from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
@@ -19,11 +20,11 @@ from zbot.launch.description import LaunchDescription
 from zbot.launch.errors import LaunchFileError, describe
 from zbot.launch.not_runnable import missing_file
 from zbot.package import python_finder
+from zbot.package.ros_variables import AMENT_PREFIX_PATH, set_ament_prefix_path
 from zbot.terminal.typographic import advise_of_syntax
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
-    from pathlib import Path
 
 #: Modules that launch files import, and the extra of zbot that installs each module.
 _EXTRAS = {"numpy": "numpy", "xacro": "robot"}
@@ -101,13 +102,17 @@ def load_module(path: str | Path) -> ModuleType:
 
     Raises:
         OSError: The file cannot be read.
+        SymlinkInstallError: The file uses AMENT_PREFIX_PATH, and the prefixes cannot be written.
         Exception: The error that the file raises.
     """
     module = ModuleType("launch_file")
     module.__file__ = str(path)
     python_finder.install(searches_always=True)
     with io.open_code(str(path)) as file:
-        code = compile(file.read(), str(path), "exec")
+        text = file.read()
+    if AMENT_PREFIX_PATH.encode() in text:
+        set_ament_prefix_path(Path(path))
+    code = compile(text, str(path), "exec")
     exec(code, module.__dict__)  # noqa: S102 - running the user's file is the purpose
     return module
 

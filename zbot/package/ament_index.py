@@ -15,6 +15,7 @@ from zbot.package import package_prefix, package_share
 from zbot.package.absent import absent_file, absent_prefix
 from zbot.package.errors import SetupFileError
 from zbot.package.finder import all_packages, find_package, prefixes
+from zbot.package.ros_variables import AMENT_PREFIX_PATH
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
 
 #: Folder below a prefix. It has a folder for each resource type, with a file for each resource.
 RESOURCE_INDEX_SUBFOLDER = "share/ament_index/resource_index"
-AMENT_PREFIX_PATH_ENV_VAR = "AMENT_PREFIX_PATH"
+AMENT_PREFIX_PATH_ENV_VAR = AMENT_PREFIX_PATH
 _PACKAGES = "packages"
 _INTERFACES = "rosidl_interfaces"
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import site
 import sys
 from dataclasses import dataclass
@@ -13,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from zbot.json_reader import JsonError, read_json_object
 from zbot.package.bundled_nodes import BUNDLED_NODES
+from zbot.package.ros_variables import ament_prefixes
 from zbot.package.user_folders import definitions_folder
 from zbot.package.workspace import MANIFEST, package_folders, package_name
 
@@ -119,9 +119,8 @@ def _bundled_package(folder: Path, share: Path) -> Package:
 
 def prefixes() -> list[Path]:
     """Return pip's prefixes, then the prefixes in AMENT_PREFIX_PATH."""
-    named = os.environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep)
     own = [sys.prefix, site.getuserbase()] if site.ENABLE_USER_SITE else [sys.prefix]
-    return [Path(entry) for entry in (*own, *named) if entry]
+    return [*(Path(entry) for entry in own if entry), *ament_prefixes()]
 
 
 def _in_prefixes() -> Iterator[Package]:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+from pathlib import Path
+from typing import TYPE_CHECKING
 
 from zbot.launch import LaunchContext
 from zbot.launch.actions import (
@@ -12,6 +14,11 @@ from zbot.launch.actions import (
     SetEnvironmentVariable,
     UnsetEnvironmentVariable,
 )
+from zbot.launch.python_file import load_module
+from zbot.package.finder import Origin, find_package
+
+if TYPE_CHECKING:
+    import pytest
 
 
 def test_the_end_of_a_launch_takes_back_only_its_own_changes() -> None:
@@ -41,3 +48,26 @@ def test_a_scope_and_a_reset_restore_the_environment() -> None:
     assert os.environ["COLOUR"] == "red"
     ResetEnvironment().visit(context)
     assert "COLOUR" not in os.environ
+
+
+def test_a_launch_file_that_uses_the_prefixes_finds_its_own_package_first(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name in ("arm", "wheels"):
+        folder = tmp_path / "src" / name
+        (folder / "launch").mkdir(parents=True)
+        (folder / "package.xml").write_text(f"<package><name>{name}</name></package>")
+        text = 'import os\nPREFIXES = os.getenv("AMENT_PREFIX_PATH").split(os.pathsep)\n'
+        (folder / "launch" / "a.launch.py").write_text(text)
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+    for first, second in (("arm", "wheels"), ("wheels", "arm")):
+        monkeypatch.delenv("AMENT_PREFIX_PATH", raising=False)
+        module = load_module(tmp_path / "src" / first / "launch" / "a.launch.py")
+        for prefix, name in zip(module.PREFIXES, (first, second), strict=True):
+            assert Path(prefix, "share", name, "package.xml").is_file()
+    found = find_package("arm")
+    assert found is not None
+    assert found.origin is Origin.WORKSPACE
+    monkeypatch.chdir("/")
+    assert find_package("arm") is None  # what zbot makes is no second place of a package
