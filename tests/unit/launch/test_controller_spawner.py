@@ -59,6 +59,10 @@ FILE: list[Any] = [LaunchConfiguration("files"), "/arm.yaml"]
             "a --controller-manager controller_manager --param-file /robot/arm.yaml",
         ),
         (
+            generate_load_controller_launch_description("a", controller_type="b/C"),
+            "a --controller-manager controller_manager --controller-type b/C",
+        ),
+        (
             generate_spawner_launch_description(
                 {
                     "a": {"param_file": ["x.yaml"], "inactive": True, "load_only": False},

@@ -81,11 +81,21 @@ def generate_load_controller_launch_description(
     controller_name: SomeSubstitutionsType,
     controller_params_file: SomeSubstitutionsType | None = None,
     extra_spawner_args: Words = (),
+    *,
+    controller_type: SomeSubstitutionsType | None = None,
 ) -> LaunchDescription:
-    """Return a description that spawns one controller."""
+    """Return a description that spawns one controller.
+
+    Args:
+        controller_name: The controller.
+        controller_params_file: A file with parameters of the controller.
+        extra_spawner_args: More words for the spawner.
+        controller_type: The type of the controller, as in ROS 2 Humble.
+    """
     files = None if controller_params_file is None else [controller_params_file]
+    kind = () if controller_type is None else ("--controller-type", controller_type)
     return generate_controllers_spawner_launch_description(
-        [controller_name], files, extra_spawner_args
+        [controller_name], files, [*kind, *extra_spawner_args]
     )
 
 
