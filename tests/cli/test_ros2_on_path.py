@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from typing import TYPE_CHECKING
 
 import pytest
@@ -78,3 +79,11 @@ def test_a_folder_that_cannot_be_written_is_no_error(
     monkeypatch.setattr(zbot_command, "cache_folder", lambda: tmp_path / "file")
     monkeypatch.setenv("PATH", str(tmp_path))
     set_ros_variables()
+
+
+def test_the_folders_of_gazebo_can_be_extended(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("GZ_SIM_RESOURCE_PATH", raising=False)
+    monkeypatch.setenv("GAZEBO_MODEL_PATH", "/models")
+    set_ros_variables()
+    assert os.environ["GZ_SIM_RESOURCE_PATH"] == ""
+    assert os.environ["GAZEBO_MODEL_PATH"] == "/models"

@@ -58,3 +58,9 @@ class Environment(MutableMapping[str, str]):
                 os.environ[name] = value
             else:
                 os.environ.pop(name, None)
+
+
+def how_to_set(name: str) -> str:
+    """Return what to type to set an environment variable that a launch file needs."""
+    line = f"$env:{name} = 'VALUE'" if os.name == "nt" else f"export {name}=VALUE"
+    return f"set the environment variable first: type `{line}`"

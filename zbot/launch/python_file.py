@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib
 import inspect
 import io
+import os
 import re
 import traceback
 import xml.parsers.expat  # noqa: F401 - the package xacro uses it without importing it
@@ -17,6 +18,7 @@ from zbot.errors.installation import pip_install
 from zbot.errors.suggestion import did_you_mean, question, similar_names
 from zbot.launch.argument_names import other_words
 from zbot.launch.description import LaunchDescription
+from zbot.launch.environment import how_to_set
 from zbot.launch.errors import LaunchFileError, describe
 from zbot.launch.not_runnable import missing_file
 from zbot.package import python_finder
@@ -29,6 +31,7 @@ if TYPE_CHECKING:
 #: Modules that launch files import, and the extra of zbot that installs each module.
 _EXTRAS = {"numpy": "numpy", "xacro": "robot"}
 FUNCTION = "generate_launch_description"
+_OS_FILES = {os.__file__, "<frozen os>"}
 #: Modules from which launch files import names, in the order of the search.
 _MODULES = (
     "launch",
@@ -51,9 +54,22 @@ _NO_NAME = re.compile(r"cannot import name '(\w+)' from '([\w.]+)'")
 _WRONG_CLASS = re.compile(r"cannot import '([A-Z]\w*)' from '([\w.]+)'")
 _UNDEFINED = re.compile(r"name '(\w+)' is not defined")
 _MISSING_ARGUMENT = re.compile(r"__init__\(\) missing \d+ required keyword-only argument: '(\w+)'")
-_TOO_MANY = re.compile(r"LaunchDescription\.__init__\(\) takes from 1 to 2 positional arguments")
-_UNNAMED = re.compile(r"Node\.__init__\(\) takes 1 positional argument but")
-_OF_RCLPY = re.compile(r"Node\.__init__\(\) got an unexpected keyword argument '(package|exec\w*)'")
+#: What is written in place of code that raises an error with such a text.
+_ADVICE = (
+    (
+        re.compile(r"LaunchDescription\.__init__\(\) takes from 1 to 2 positional arguments"),
+        "put the actions into a list: LaunchDescription([...])",
+    ),
+    (
+        re.compile(r"Node\.__init__\(\) takes 1 positional argument but"),
+        "name the arguments, e.g. Node(package='turtlesim', executable='turtlesim_node')",
+    ),
+    (
+        re.compile(r"Node\.__init__\(\) got an unexpected keyword argument '(package|exec\w*)'"),
+        "write: from launch_ros.actions import Node",
+    ),
+    (re.compile(rf"{FUNCTION}\(\) missing \d+ required positional"), f"write: def {FUNCTION}():"),
+)
 _QUOTED = re.compile(r"'(\w+)'")
 #: Arguments of nodes and components until ROS 2 Foxy, and their names today.
 _OLD_ARGUMENTS = {
@@ -67,7 +83,7 @@ _SUBSTITUTION = re.compile(
     r"(?:for \+: '|concatenate str \(not \"|, not '?)(\w*(?:LaunchConfiguration|Substitution)|"
     r"FindPackageShare|Command|EnvironmentVariable|ThisLaunchFileDir)\b"
 )
-_TAKES_ARGUMENTS = re.compile(rf"{FUNCTION}\(\) missing \d+ required positional")
+_READ_VARIABLE = re.compile(r"\b(?:getenv|environ\.get)\(\s*(['\"])(\w+)\1\s*\)")
 
 
 def load(path: Path) -> LaunchDescription:
@@ -186,6 +202,8 @@ def _listed(names: Iterable[str]) -> str:
 def advice(error: Exception | SystemExit) -> str:
     """Return what to write in place of the code that raised an error, or an empty string."""
     text = str(error)
+    if variable := _unset_variable(error):
+        return how_to_set(variable)
     if isinstance(error, TypeError) and (match := _SUBSTITUTION.search(text)):
         return _without_value(match[1], text)
     if isinstance(error, ModuleNotFoundError):
@@ -196,19 +214,24 @@ def advice(error: Exception | SystemExit) -> str:
     if match := _MISSING_ARGUMENT.search(text):
         words = " or ".join(other_words(match[1]))
         return f"write {match[1]}=...{f', not {words}' if words else ''}"
-    if _TOO_MANY.search(text):
-        return "put the actions into a list: LaunchDescription([...])"
-    if _UNNAMED.search(text):
-        return "name the arguments, e.g. Node(package='turtlesim', executable='turtlesim_node')"
-    if _OF_RCLPY.search(text):
-        return "write: from launch_ros.actions import Node"
-    if _TAKES_ARGUMENTS.search(text):
-        return f"write: def {FUNCTION}():"
+    if fitting := [advised for pattern, advised in _ADVICE if pattern.search(text)]:
+        return fitting[0]
     if isinstance(error, AttributeError) and error.name and error.obj is not None:
         is_module = isinstance(error.obj, ModuleType)
         imported = _import_of(error.name) if is_module else ""
         return imported or did_you_mean(error.name, _public(error.obj))
     return ""
+
+
+def _unset_variable(error: BaseException) -> str:
+    """Return the environment variable whose absence raised an error, or an empty string."""
+    frames = traceback.extract_tb(error.__traceback__)
+    if isinstance(error, KeyError) and frames and frames[-1].filename in _OS_FILES:
+        return str(error.args[0])
+    if "NoneType" not in str(error):
+        return ""
+    read = (match[2] for frame in frames for match in _READ_VARIABLE.finditer(frame.line or ""))
+    return next((name for name in read if name not in os.environ), "")
 
 
 def _without_value(name: str, text: str) -> str:

@@ -17,6 +17,11 @@ AMENT_PREFIX_PATH = "AMENT_PREFIX_PATH"
 #: The distribution of ROS 2 whose definitions and formats zbot has.
 DISTRO = "kilted"
 _VALUES = {"ROS_VERSION": "2", "ROS_PYTHON_VERSION": "3", "ROS_DISTRO": DISTRO}
+#: Launch files append folders to them. zbot finds the models of the workspace without them.
+_GAZEBO = (
+    *("GZ_SIM_RESOURCE_PATH", "IGN_GAZEBO_RESOURCE_PATH"),
+    *("GAZEBO_MODEL_PATH", "GAZEBO_RESOURCE_PATH"),
+)
 
 
 def ros_variable(name: str) -> str:
@@ -32,7 +37,7 @@ def set_ros_variables() -> None:
     from zbot.package.errors import WrapperError  # noqa: PLC0415 - not needed by readers
     from zbot.package.zbot_command import add_ros2_to_path  # noqa: PLC0415 - as above
 
-    for name, value in _VALUES.items():
+    for name, value in {**_VALUES, **dict.fromkeys(_GAZEBO, "")}.items():
         os.environ.setdefault(name, value)
     with contextlib.suppress(WrapperError, RuntimeError):  # RuntimeError: there is no home folder
         os.environ.update(add_ros2_to_path(os.environ))

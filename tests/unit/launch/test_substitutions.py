@@ -140,8 +140,9 @@ def test_a_default_may_be_a_substitution_or_a_number(context: LaunchContext) -> 
 
 
 def test_an_unset_environment_variable_is_an_error(context: LaunchContext) -> None:
-    with pytest.raises(SubstitutionError, match="'NOWHERE' does not exist"):
+    with pytest.raises(SubstitutionError, match="'NOWHERE' does not exist") as caught:
         perform(context, EnvironmentVariable("NOWHERE"))
+    assert caught.value.hint.startswith("set the environment variable first: type `")
 
 
 def test_a_failed_expression_is_an_error_with_its_reason(context: LaunchContext) -> None:

@@ -8,6 +8,7 @@ import socket
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors.suggestion import did_you_mean
+from zbot.launch.environment import how_to_set
 from zbot.launch.errors import SubstitutionError
 from zbot.launch.log import get_logger
 from zbot.launch.substitution import Substitution, describe, normalize, perform
@@ -95,7 +96,7 @@ class EnvironmentVariable(Substitution):
             return context.environment[name]
         if self.default_value is not None:
             return perform(context, self.default_value)
-        hint = did_you_mean(name, context.environment)
+        hint = did_you_mean(name, context.environment) or how_to_set(name)
         raise SubstitutionError(f"environment variable '{name}' does not exist", hint)
 
     def describe(self) -> str:
