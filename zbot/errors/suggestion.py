@@ -27,6 +27,12 @@ def did_you_mean(name: str, known: Iterable[str], *, before: str = "", count: in
     return question(similar_names(name, known, count), before)
 
 
+def correction(name: str, known: Iterable[str]) -> str:
+    """Return `did you mean 'a'?` if a name is a known name with a typo, or an empty string."""
+    near = nearest(name, known)
+    return question([near]) if near else ""
+
+
 def question(suggestions: Iterable[str], before: str = "") -> str:
     """Return `did you mean 'a' or 'b'?`, or an empty string if there are no suggestions."""
     text = " or ".join(f"'{suggestion}'" for suggestion in suggestions)

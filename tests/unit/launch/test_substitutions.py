@@ -131,6 +131,9 @@ def test_an_unset_configuration_is_an_error_with_a_hint(context: LaunchContext) 
     with pytest.raises(SubstitutionError, match="'robt' does not exist") as caught:
         perform(context, LaunchConfiguration("robt"))
     assert caught.value.hint == "did you mean 'robot'?"
+    with pytest.raises(SubstitutionError) as caught:
+        perform(context, LaunchConfiguration("robot_ip"))
+    assert caught.value.hint.startswith("give it a value: robot_ip:=VALUE, or declare it above: ")
 
 
 def test_a_default_may_be_a_substitution_or_a_number(context: LaunchContext) -> None:

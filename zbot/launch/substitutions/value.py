@@ -7,7 +7,7 @@ import secrets
 import socket
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors.suggestion import did_you_mean
+from zbot.errors.suggestion import correction
 from zbot.launch.environment import how_to_set
 from zbot.launch.errors import SubstitutionError
 from zbot.launch.log import get_logger
@@ -46,8 +46,9 @@ class LaunchConfiguration(Substitution):
             return str(context.launch_configurations[name])
         if self.default is not None:
             return perform(context, self.default)
-        hint = did_you_mean(name, context.launch_configurations)
-        hint = hint or f"declare it above: DeclareLaunchArgument('{name}', default_value=...)"
+        declared = f"DeclareLaunchArgument('{name}', default_value=...)"
+        hint = correction(name, context.launch_configurations)
+        hint = hint or f"give it a value: {name}:=VALUE, or declare it above: {declared}"
         raise SubstitutionError(f"launch configuration '{name}' does not exist", hint)
 
     def describe(self) -> str:
@@ -96,7 +97,7 @@ class EnvironmentVariable(Substitution):
             return context.environment[name]
         if self.default_value is not None:
             return perform(context, self.default_value)
-        hint = did_you_mean(name, context.environment) or how_to_set(name)
+        hint = correction(name, context.environment) or how_to_set(name)
         raise SubstitutionError(f"environment variable '{name}' does not exist", hint)
 
     def describe(self) -> str:
