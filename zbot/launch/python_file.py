@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
 from zbot.errors.installation import pip_install
-from zbot.errors.suggestion import did_you_mean, question, similar_names
+from zbot.errors.suggestion import correction, did_you_mean, question, similar_names
 from zbot.launch.argument_names import other_words
 from zbot.launch.description import LaunchDescription
 from zbot.launch.environment import how_to_set
@@ -207,7 +207,7 @@ def advice(error: Exception | SystemExit) -> str:
     if isinstance(error, TypeError) and (match := _SUBSTITUTION.search(text)):
         return _without_value(match[1], text)
     if isinstance(error, ModuleNotFoundError):
-        return did_you_mean(error.name or "", [*_MODULES, "launch_ros", "ament_index_python"])
+        return correction(error.name or "", [*_MODULES, "launch_ros", "ament_index_python"])
     if match := _NO_NAME.search(text) or _UNDEFINED.search(text):
         name, module = match[1], match[2] if match.re is _NO_NAME else ""
         return _import_of(name) or _similar_of(name, module)

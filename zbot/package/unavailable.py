@@ -299,6 +299,7 @@ _PACKAGES: Final = (
         open_manipulator_x_description open_manipulator_moveit_config
         open_manipulator_x_moveit_config tiago_description tiago_moveit_config pmb2_description
         pal_gripper_description husarion_components_description rosbot_description
+        ros_components_description
         kobuki_description turtlebot4_diagnostics turtlebot4_setup
         """,
     ),
@@ -339,7 +340,7 @@ _PACKAGES: Final = (
         teleop_tools teleop_twist_keyboard twist_stamper system_modes robot_upstart topic_monitor
         turtle_tf2_py rmf_demos rmf_demos_gz audio_capture audio_play audio_common sound_play
         smach_ros executive_smach clearpath_config clearpath_generator_common
-        picknik_ament_copyright
+        picknik_ament_copyright launch_pal srdfdom
         """,
     ),
 )

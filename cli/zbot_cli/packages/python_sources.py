@@ -24,6 +24,7 @@ _PYPI = {
 _REPOSITORIES = {
     "camera_info_manager_py": "ros-perception/image_pipeline",
     "joint_state_publisher": "ros/joint_state_publisher",
+    "launch_pal": "pal-robotics/launch_pal",
     "launch_param_builder": "PickNikRobotics/launch_param_builder",
     "moveit_configs_utils": "moveit/moveit2",
     "py_trees_ros": "splintered-reality/py_trees_ros",
@@ -35,6 +36,7 @@ _REPOSITORIES = {
     "rosbridge_library": "RobotWebTools/rosbridge_suite",
     "rqt_gui_py": "ros-visualization/rqt",
     "smach": "ros/executive_smach",
+    "srdfdom": "moveit/srdfdom",
     "teleop_twist_keyboard": "ros2/teleop_twist_keyboard",
     "turtlebot4_navigation": "turtlebot/turtlebot4",
     "urdf_parser_py": "ros/urdf_parser_py",
