@@ -213,7 +213,9 @@ def _width_split(made: Properties) -> Properties:
 _POSE_STYLES = Choice({"None": "none", "Axes": "axes", "Arrows": "arrow"})
 _NO_OFFSET = {"Offset/X": 0, "Offset/Y": 0, "Offset/Z": 0}
 _IMAGE = frozenset(("Max Value", "Median window", "Min Value", "Normalize Range"))
-_CAMERA = frozenset(("Image Rendering", "Overlay Alpha", "Visibility", "Zoom Factor", "Far Plane"))
+_CAMERA = frozenset(
+    ("Image Rendering", "Overlay Alpha", "Visibility", "Zoom Factor", "Far Plane Distance")
+)
 _NAMES = Entry("Namespaces", "hidden", Hidden())
 
 

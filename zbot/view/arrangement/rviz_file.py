@@ -31,7 +31,10 @@ _OWN_TOOLS = (
     *("FocusCamera", "GoalTool", "Interact", "Measure", "MoveCamera", "PublishPoint"),
     *("Select", "SetGoal", "SetInitialPose"),
 )
-_OWN_PANELS = ("Displays", "Selection", "Time", "Tool Properties", "Views", "Transformation")
+_OWN_PANELS = (
+    *("Displays", "Help", "Selection", "Time", "Tool Properties", "Views"),
+    "Transformation",
+)
 
 
 def read_rviz_file(path: Path) -> Arrangement:

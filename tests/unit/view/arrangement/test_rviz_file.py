@@ -96,6 +96,9 @@ def test_a_value_that_cannot_be_used_is_named_and_left_out() -> None:
 def test_usual_values_are_no_misfits() -> None:
     text = "Class: rviz/LaserScan, Topic: a, Decay Time: 0, Alpha: 1, Use rainbow: true"
     assert misfits(text) == ()
+    assert misfits("Class: rviz_default_plugins/Camera, Far Plane Distance: 100") == ()
+    panels = "Panels: [{Class: rviz_common/Help}, {Class: rviz_common/Displays}]"
+    assert read_rviz(f"Visualization Manager: {{}}\n{panels}").misfits == ()
 
 
 @pytest.mark.parametrize(
