@@ -9,10 +9,14 @@ OPTIONS = {
     "world": "world",
     "file": "file",
     "model_string": "string",
+    "xml_string": "string",
     "topic": "topic",
     "entity_name": "name",
     "allow_renaming": "allow_renaming",
     **{name: name for name in ("x", "y", "z", "R", "P", "Y")},
+    "roll": "R",
+    "pitch": "P",
+    "yaw": "Y",
 }
 
 

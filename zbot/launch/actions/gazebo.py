@@ -68,3 +68,13 @@ class GzServer(GazeboAction):
     place = ("ros_gz_sim", "gz_server.launch.py")
     names = ("world_sdf_file", "world_sdf_string")
     unused = ("initial_sim_time", "verbosity_level")
+
+
+class GzSpawnModel(GazeboAction):
+    """Adds a robot to the world that is simulated."""
+
+    place = ("ros_gz_sim", "gz_spawn_model.launch.py")
+    names = (
+        *("world", "file", "model_string", "xml_string", "topic", "entity_name"),
+        *("allow_renaming", "x", "y", "z", "roll", "pitch", "yaw"),
+    )

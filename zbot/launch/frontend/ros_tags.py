@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from zbot.errors import ZbotError
 from zbot.launch import actions
 from zbot.launch.actions.composable import ComposableNode
-from zbot.launch.actions.gazebo import GazeboAction, GzServer, RosGzBridge
+from zbot.launch.actions.gazebo import GazeboAction, GzServer, GzSpawnModel, RosGzBridge
 from zbot.launch.frontend.registry import action, expose_action
 from zbot.launch.frontend.tags import (
     add_plain_tags,
@@ -207,5 +207,6 @@ def _gazebo(kind: type[GazeboAction], entity: Entity, parser: Parser) -> Action:
     return kind(**given)
 
 
-for _tag, _kind in {"ros_gz_bridge": RosGzBridge, "gz_server": GzServer}.items():
+_GAZEBO = {"ros_gz_bridge": RosGzBridge, "gz_server": GzServer, "gz_spawn_model": GzSpawnModel}
+for _tag, _kind in _GAZEBO.items():
     action(_tag)(partial(_gazebo, _kind))

@@ -1,5 +1,5 @@
 # Written by python -m zbot.compat.generator; do not edit.
-"""ROS 2's module for all names of `ros_gz_sim.actions`."""
+"""ROS 2's module for `GzServer`."""
 
 from zbot.launch.actions.gazebo import GzServer
 
