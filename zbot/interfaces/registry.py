@@ -20,6 +20,7 @@ from zbot.interfaces.location import (
 from zbot.interfaces.message import rebuild
 from zbot.interfaces.spec import (
     ActionSpec,
+    Field,
     InterfaceSpec,
     MessageSpec,
     ServiceSpec,
@@ -274,10 +275,25 @@ def _nested_classes(spec: MessageSpec) -> dict[str, type[Any]]:
             try:
                 classes[field.name] = get_interface(field.type.base)
             except (UnknownPackageError, UnknownInterfaceError, _NestingError) as error:
-                source = f"{field.type.text} {field.name}"
-                file = _files[spec.name]
-                raise InterfaceSyntaxError(file, field.line, source, str(error)) from error
+                file, source = _files[spec.name], _source_line(spec, field)
+                raise InterfaceSyntaxError(
+                    file, field.line, source, _reason(error, field)
+                ) from error
     return classes
+
+
+def _source_line(spec: MessageSpec, field: Field) -> str:
+    """Return the line of the definition that declares a field."""
+    lines = (line for line in spec.text.splitlines() if line.split()[1:2] == [field.name])
+    return next(lines, f"{field.type.text} {field.name}")
+
+
+def _reason(error: Exception, field: Field) -> str:
+    """Return why a field's type cannot be used, and what to write if another package has it."""
+    from zbot.interfaces.missing_type import text_for_type  # noqa: PLC0415 - needs this module
+
+    is_unknown = isinstance(error, UnknownInterfaceError)
+    return (text_for_type(field.type.base) if is_unknown else "") or str(error)
 
 
 class _NestingError(Exception):

@@ -238,6 +238,23 @@ def test_an_unknown_type_inside_names_the_line(workspace: Path) -> None:
         get_message("lost_interfaces/msg/Num")
 
 
+@pytest.mark.parametrize(
+    ("number", "line", "advice"),
+    [
+        (1, "String name", "wrong1_interfaces has no message String: write string"),
+        (2, "Pose[] path", "wrong2_interfaces has no message Pose: write geometry_msgs/Pose"),
+        (3, "std_msgs/Pose pose", "std_msgs has no message Pose: write geometry_msgs/Pose"),
+    ],
+)
+def test_a_type_of_another_package_is_told_with_the_line_of_the_file(
+    workspace: Path, number: int, line: str, advice: str
+) -> None:
+    write(workspace / f"wrong{number}_interfaces", Num_msg=f"int64 a\n{line}  # comment")
+    with pytest.raises(InterfaceSyntaxError, match=rf"Num\.msg:2: {advice}") as told:
+        get_message(f"wrong{number}_interfaces/msg/Num")
+    assert str(told.value).endswith(f"\n  {line}  # comment")
+
+
 def test_messages_that_contain_themselves_are_refused(workspace: Path) -> None:
     write(workspace / "cyclic_interfaces", Me_msg="Me me", A_msg="int32 x\nB b", B_msg="A[] a")
     with pytest.raises(InterfaceSyntaxError, match=r"Me\.msg:1: a message cannot contain itself"):
