@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import weakref
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -27,12 +28,21 @@ from zbot.compat.rosbag2.storage import (
     to_own_topic,
     topic_metadata,
 )
+from zbot.errors import ArgumentTypeError
 from zbot.interfaces import type_hash
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from zbot.bag.message import BagMessage
+
+
+def _check_options(options: object) -> None:
+    """Raise `ArgumentTypeError` for other options, e.g. only the path of a bag."""
+    if not isinstance(options, StorageOptions):
+        uri = str(options) if isinstance(options, (str, Path)) else "my_bag"
+        expected = f"StorageOptions: write StorageOptions(uri={uri!r}, storage_id='mcap')"
+        raise ArgumentTypeError("storage_options", expected, options)
 
 
 class SequentialReader:
@@ -55,6 +65,7 @@ class SequentialReader:
             BagReadError: The path is not a bag, or the bag cannot be read.
         """
         del converter_options  # all messages are CDR
+        _check_options(storage_options)
         self._bag = Reader(storage_options.uri, storage_options.storage_id)
         self._end_ns = storage_options.end_time_ns if storage_options.end_time_ns >= 0 else None
         self.seek(max(storage_options.start_time_ns, 0))
@@ -154,11 +165,12 @@ class SequentialWriter:
             BagWriteError: The bag cannot be made, or there is no such storage.
         """
         del converter_options  # all messages are CDR
+        _check_options(storage_options)
         storage_id = storage_options.storage_id or "mcap"
         if storage_id not in STORAGES:
             reason = f"there is no storage {storage_id}: choose mcap or sqlite3"
             raise BagWriteError(storage_options.uri, reason)
-        self._bag = Writer(
+        bag = self._bag = Writer(
             storage_options.uri,
             compress_files=self._mode is CompressionMode.FILE,
             compress_messages=self._mode is CompressionMode.MESSAGE,
@@ -168,6 +180,8 @@ class SequentialWriter:
             preset=storage_options.storage_preset_profile or "zstd",
             custom_data=storage_options.custom_data,
         )
+        # At the end of the program, `__del__` comes too late: Python can then import no module.
+        weakref.finalize(self, bag.close)
 
     def create_topic(self, topic: TopicMetadata) -> None:
         """Add a topic. Its type must be known here. Raise the errors of `Writer`."""
@@ -176,7 +190,13 @@ class SequentialWriter:
     def write(
         self, topic_name: str, message: bytes, time_stamp: int, send_time_stamp: int | None = None
     ) -> None:
-        """Write a message in CDR. The times are nanoseconds. Raise the errors of `Writer`."""
+        """Write a message in CDR. The times are nanoseconds. Raise the errors of `Writer`.
+
+        Raises:
+            ArgumentTypeError: The message is not serialized.
+        """
+        if hasattr(message, "get_fields_and_field_types"):
+            raise ArgumentTypeError("message", "bytes: write serialize_message(message)", message)
         self._opened().write_serialized(topic_name, bytes(message), time_stamp, send_time_stamp)
 
     def remove_topic(self, topic: TopicMetadata) -> None:
@@ -195,9 +215,6 @@ class SequentialWriter:
         bag, self._bag = self._bag, None
         if bag is not None:
             bag.close()
-
-    def __del__(self) -> None:
-        self.close()
 
     def _opened(self) -> Writer:
         if self._bag is None:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import gc
+import subprocess
+import sys
 from typing import TYPE_CHECKING, Any
 
 import pytest
@@ -130,3 +132,26 @@ def test_what_is_not_open_is_one_error(rosbag2_py: Any, tmp_path: Path) -> None:
     options = rosbag2_py.StorageOptions(str(tmp_path / "new"), "rosbag_v2")
     with pytest.raises(BagError, match="choose mcap or sqlite3"):
         rosbag2_py.SequentialWriter().open(options)
+
+
+def test_what_is_not_options_or_bytes_is_told(rosbag2_py: Any, tmp_path: Path) -> None:
+    with pytest.raises(TypeError, match=r"write StorageOptions\(uri='my_bag', storage_id='mcap'\)"):
+        rosbag2_py.SequentialReader().open("my_bag")
+    with pytest.raises(TypeError, match="storage_options must be StorageOptions"):
+        rosbag2_py.SequentialWriter().open(None)
+    writer = rosbag2_py.SequentialWriter()
+    writer.open(rosbag2_py.StorageOptions(str(tmp_path / "new")))
+    with pytest.raises(TypeError, match=r"write serialize_message\(message\)"):
+        writer.write("/chatter", String(data="a"), 0)
+
+
+def test_the_end_of_a_program_completes_its_bag(tmp_path: Path) -> None:
+    program = (
+        "import rosbag2_py\n"
+        "writer = rosbag2_py.SequentialWriter()\n"
+        "writer.open(rosbag2_py.StorageOptions(uri='bag'), rosbag2_py.ConverterOptions('', ''))\n"
+    )
+    command = [sys.executable, "-c", program]
+    ended = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert (ended.returncode, ended.stderr) == (0, "")
+    assert (tmp_path / "bag" / "metadata.yaml").is_file()
