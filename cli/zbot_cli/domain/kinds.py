@@ -72,7 +72,10 @@ class Kind:
         return types
 
     def suggestion(self, graph: Snapshot, name: str, before: str = "") -> str:
-        """Return a question with the most similar name, or an empty string."""
+        """Return that e.g. a service has the name, or the most similar name, or an empty string."""
+        other = text_of_other_kind(graph, name, self.word)
+        if other:
+            return before + other
         return did_you_mean(name, [known for known, _ in self.listed(graph)], before=before)
 
     def only_type(self, graph: Snapshot, name: str) -> str | None:
@@ -171,6 +174,24 @@ class Kind:
 def visible(entries: NamesAndTypes, include_hidden: bool) -> NamesAndTypes:
     """Return the entries whose names are not hidden, or all entries."""
     return [entry for entry in entries if include_hidden or not is_hidden(entry[0])]
+
+
+def text_of_other_kind(graph: Snapshot, name: str, word: str) -> str:
+    """Return that a name is e.g. a service and not a topic, or an empty string.
+
+    Args:
+        graph: The graph.
+        name: The name.
+        word: The noun of the command, e.g. `topic`.
+    """
+    names = {each.word: [known for known, _ in each.listed(graph)] for each in KINDS.values()}
+    names["node"] = [fully_qualified(node.namespace, node.node) for node in graph.nodes]
+    for noun, known in names.items():
+        if noun != word and name in known:
+            article = "an" if noun == "action" else "a"
+            typed = as_typed(name)
+            return f"{typed} is {article} {noun} and no {word}: type zbot {noun} info {typed}"
+    return ""
 
 
 def nodes_of_action(graph: Snapshot, name: str, kind: EntityKind) -> dict[str, list[str]]:

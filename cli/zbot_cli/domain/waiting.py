@@ -14,7 +14,7 @@ from zbot.threads.deadline import Deadline
 from zbot.threads.wakeup import BinarySemaphore
 from zbot.wire.tokens import EntityKind
 from zbot_cli.domain.client import has_nobody, nobody_runs, print_stopped_programs
-from zbot_cli.domain.kinds import TOPIC
+from zbot_cli.domain.kinds import TOPIC, text_of_other_kind
 from zbot_cli.input.domain_names import as_typed, did_you_mean, where_to_look
 
 if TYPE_CHECKING:
@@ -91,10 +91,10 @@ def print_no_server(kind: Kind, graph: Snapshot, name: str) -> None:
 
 
 def print_waiting(kind: Kind, graph: Snapshot, name: str) -> bool:
-    """Print on stderr that the command waits for a name. Add the most similar name if any.
+    """Print on stderr that the command waits for a name, and which similar name there is.
 
     Returns:
-        Whether there is a similar name.
+        Whether there is a similar name, or e.g. a service of this name.
     """
     hint = kind.suggestion(graph, name, "; ")
     print(f"waiting for {as_typed(name)} to appear{hint}", file=sys.stderr, flush=True)
@@ -172,7 +172,8 @@ def print_missing(graph: Snapshot, name: str, kind: EntityKind) -> None:
         return
     known = [topic for topic, _ in graph.names_and_types(kind)]
     known = known if similar_names(name, known) else [topic for topic, _ in graph.topics()]
-    hint = did_you_mean(name, known) or where_to_look("topic")
+    other = text_of_other_kind(graph, name, TOPIC.word)
+    hint = other or did_you_mean(name, known) or where_to_look("topic")
     verb = "publishes" if kind is EntityKind.PUBLISHER else "subscribes to"
     print(f"nobody {verb} {as_typed(name)}; {hint}", file=sys.stderr, flush=True)
 

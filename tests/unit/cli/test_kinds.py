@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
 from tests.unit.tokens import endpoint_token
@@ -86,6 +88,20 @@ def test_an_unknown_name_is_an_error_with_a_similar_name(kind: Kind, name: str, 
     with pytest.raises(CommandError, match=f"^Unknown {kind.word} '{name}'$") as caught:
         kind.types_of(GRAPH, name)
     assert caught.value.hint == f"did you mean '{guess}'?"
+
+
+@pytest.mark.parametrize(
+    ("kind", "name", "told"),
+    [
+        (TOPIC, "/lamp", "/lamp is a service and no topic: type zbot service info /lamp"),
+        (TOPIC, "/talker", "/talker is a node and no topic: type zbot node info /talker"),
+        (SERVICE, "/fibonacci", "/fibonacci is an action and no service: type zbot action info .*"),
+    ],
+)
+def test_a_name_of_another_kind_is_told(kind: Kind, name: str, told: str) -> None:
+    with pytest.raises(CommandError, match="Unknown") as caught:
+        kind.types_of(GRAPH, name)
+    assert re.fullmatch(told, caught.value.hint)
 
 
 def test_several_types_are_an_error_that_says_what_to_type() -> None:
