@@ -130,6 +130,18 @@ def test_pub_once_names_a_similar_topic_with_a_subscription(
     command.wait_for("nobody subscribes to /chater; did you mean '/chatter'?")
 
 
+def test_pub_once_of_a_wrong_type_waits_and_names_the_right_one(
+    start: Start, make_context: MakeContext
+) -> None:
+    node = library.Node("listener", context=make_context())
+    node.create_subscription(String, "chatter", print, 10)
+    command = start("zbot", "topic", "pub", "--once", "/chatter", "std_msgs/msg/Int64")
+    command.wait_for("/chatter has two types")
+    command.stop()
+    assert command.output.count("Waiting for at least 1 matching subscription(s)...") < 10
+    assert "publishing #1" not in command.output
+
+
 @pytest.mark.usefixtures("robot")
 @pytest.mark.parametrize(
     ("words", "near"),

@@ -361,6 +361,13 @@ def test_the_graph_is_sorted_again_only_after_a_change(make_node: MakeNode) -> N
     assert publisher.get_subscription_count() == 0
 
 
+def test_an_endpoint_of_another_type_is_not_counted(make_node: MakeNode) -> None:
+    node = make_node("node")
+    publisher = node.create_publisher(String, "chatter", 10)
+    other = node.create_subscription(Float32, "chatter", print, 10)
+    assert (publisher.get_subscription_count(), other.get_publisher_count()) == (0, 0)
+
+
 # -- change ----------------------------------------------------------------------------------------
 
 

@@ -204,8 +204,9 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
             signals.raise_not_initialized("publish()")
 
     def get_subscription_count(self) -> int:
-        """Return how many subscriptions the topic has in the whole domain."""
-        return len(self._context.graph.snapshot().subscriptions(self.topic_name))
+        """Return how many subscriptions of the same type the topic has in the whole domain."""
+        subscriptions = self._context.graph.snapshot().subscriptions(self.topic_name)
+        return sum(token.type_name == self._token.type_name for token in subscriptions)
 
     def wait_for_all_acked(self, timeout: Duration | None = None) -> bool:  # noqa: ARG002
         """Return whether all messages are known to have reached the reliable subscriptions.

@@ -193,8 +193,9 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         return SubscriptionHandle(self)
 
     def get_publisher_count(self) -> int:
-        """Return how many publishers the topic has in the whole domain."""
-        return len(self._context.graph.snapshot().publishers(self.topic_name))
+        """Return how many publishers of the same type the topic has in the whole domain."""
+        publishers = self._context.graph.snapshot().publishers(self.topic_name)
+        return sum(token.type_name == self._token.type_name for token in publishers)
 
     @property
     def is_cft_enabled(self) -> bool:

@@ -149,10 +149,7 @@ class Pub:
                 is_hinted = True
             print(f"Waiting for at least {wanted} matching subscription(s)...", flush=True)
             node.context.graph.wait_for(
-                lambda graph: (
-                    len(graph.subscriptions(publisher.topic_name)) >= wanted
-                    or not node.context.ok()
-                ),
+                lambda _: publisher.get_subscription_count() >= wanted or not node.context.ok(),
                 min(deadline.left_s, 1.0),
             )
             found = publisher.get_subscription_count()
