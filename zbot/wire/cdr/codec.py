@@ -140,7 +140,7 @@ class CdrCodec(Generic[MessageT]):
 
     def _explain_encoding(self, message: Any, error: Exception) -> NoReturn:
         if isinstance(error, Fault):
-            raise CodecError("encode", self.type_name, error.path, error.reason) from error
+            raise CodecError("encode", self.type_name, error.path, error.reason) from None
         # The MessagePack codec checks each value. Its error contains the name of the wrong field.
         messagepack_codec_for(self._class).encode(message)
         raise CodecError("encode", self.type_name, "", str(error)) from error

@@ -97,7 +97,8 @@ class Walker(Generic[MessageT]):
         elif isinstance(error, UnicodeEncodeError):
             path = _path_of(error.object, _map_of(self._class, message))
             reason = f"{error.object!r:.40} cannot be written as UTF-8"
-        raise CodecError("encode", self._type_name, path, reason) from error
+        cause = None if isinstance(error, Fault) else error
+        raise CodecError("encode", self._type_name, path, reason) from cause
 
 
 _members: dict[type, tuple[ClassLayout, tuple[Field, ...]]] = {}

@@ -3,6 +3,7 @@ from __future__ import annotations
 import math
 import time
 from array import array
+from traceback import format_exception
 from typing import Any
 
 import msgpack  # type: ignore[import-untyped]
@@ -12,11 +13,12 @@ import zbot  # noqa: F401 - makes the messages importable
 from tests.unit.wire.messagepack.coded import decode, encode
 from zbot.interfaces import get_message, register_spec
 from zbot.interfaces.parser import parse_message
+from zbot.wire.cdr.codec import cdr_codec_for
 from zbot.wire.errors import CodecError
 from zbot.wire.messagepack.codec import messagepack_codec_for
 from zbot.wire.messagepack.packing import pack
 
-from geometry_msgs.msg import Twist
+from geometry_msgs.msg import Pose, Twist
 from nav_msgs.msg import Odometry, Path
 from sensor_msgs.msg import Image, JointState, LaserScan
 from std_msgs.msg import Bool, Byte, ByteMultiArray, Float32, Float64, String, UInt8
@@ -230,6 +232,15 @@ def test_an_invalid_message_is_not_sent(
     with pytest.raises(CodecError) as caught:
         encode(message)
     assert (caught.value.action, caught.value.field) == ("encode", field)
+
+
+@pytest.mark.parametrize("codec_for", [messagepack_codec_for, cdr_codec_for])
+def test_a_wrong_item_is_one_traceback(codec_for: Any) -> None:
+    message = Path()
+    message.poses.append(Pose())  # type: ignore[arg-type]
+    with pytest.raises(CodecError, match="expected a geometry_msgs/msg/PoseStamped") as caught:
+        codec_for(Path).encode(message)
+    assert "Fault" not in "".join(format_exception(caught.value))
 
 
 def test_an_object_of_another_class_is_not_sent() -> None:
