@@ -41,9 +41,11 @@ def callback_place(node: str, call: str, callback: Any) -> str:
     """
     if Program.takes_itself or is_hidden(node) or not is_program():
         return ""
-    # An action client also subscribes.
-    if (getattr(callback, "__module__", None) or "").startswith("zbot.action."):
+    module = getattr(callback, "__module__", None) or ""
+    if module.startswith("zbot.action."):  # an action client also subscribes
         return ""
+    if module.startswith("zbot.lifecycle."):  # the node itself creates its services
+        call = "LifecycleNode"
     line = calling_line()
     return line and f"{line}: {call}"
 

@@ -8,6 +8,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 from zbot.errors import ArgumentTypeError, ExternalShutdownException
+from zbot.executor.callback_check import check_callback
 from zbot.executor.set_by_init import set_by_init
 from zbot.lifecycle.errors import CallbackReturnError, NotAManagedEntityError, NotANodeError
 from zbot.lifecycle.managed_entity import LifecyclePublisher, ManagedEntity, SimpleManagedEntity
@@ -268,6 +269,7 @@ class LifecycleNodeMixin(ManagedEntity):
 
 def _call(entity: ManagedEntity, callback: str, state: LifecycleState) -> TransitionCallbackReturn:
     function: Callable[[LifecycleState], object] = getattr(entity, callback)
+    check_callback(callback, function, "(state)")
     outcome = function(state)
     if not isinstance(outcome, TransitionCallbackReturn):
         if isinstance(outcome, Coroutine):

@@ -124,6 +124,17 @@ def test_another_return_value_is_an_error(
     )
 
 
+def test_a_callback_without_a_state_is_told_what_to_write(
+    robot: Robot, logged: list[Record], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def on_configure(self: Robot) -> None:
+        """Take no state."""
+
+    monkeypatch.setattr(Robot, "on_configure", on_configure)
+    assert robot.trigger_configure() is Outcome.ERROR
+    assert "write def on_configure(self, state)" in logged[-1].message
+
+
 def test_an_impossible_transition_is_refused_and_logged(robot: Robot, logged: list[Record]) -> None:
     assert robot.trigger_activate() is Outcome.ERROR
     assert robot.calls == []

@@ -8,6 +8,7 @@ import pytest
 
 from zbot.executor import forgotten_spin
 from zbot.executor.forgotten_spin import Program, callback_place, note_callback, waiting_text
+from zbot.lifecycle.services import LifecycleServices
 from zbot.process import at_exit, signals
 
 WARNING = (
@@ -44,6 +45,11 @@ def test_the_first_callback_is_named(capsys: pytest.CaptureFixture[str]) -> None
     note_callback(callback_place("robot", "create_subscription", print))
     end()
     assert capsys.readouterr().err == WARNING.format("zbot")
+
+
+def test_the_services_of_a_lifecycle_node_are_not_named() -> None:
+    place = callback_place("robot", "create_service", LifecycleServices.publish_event)
+    assert place == "robot.py:6: LifecycleNode"
 
 
 def test_a_callback_that_waits_is_named_once(capsys: pytest.CaptureFixture[str]) -> None:
