@@ -136,6 +136,10 @@ def test_a_program_finds_its_package_from_any_folder(workspace: Path, tmp_path: 
         ("my_robot.nowhere:main", "there is no module my_robot.nowhere"),
         ("nobody.hello:main", "there is no module nobody"),
         ("my_robot.hello:mian", "my_robot.hello has no mian()"),
+        ("my_robot/hello:main", "write my_robot.hello:main in setup.py"),
+        ("my_robot.hello:main()", "write my_robot.hello:main in setup.py"),
+        ("my_robot.hello.py:main", "write my_robot.hello:main in setup.py"),
+        ("my_robot.hello", "write my_robot.hello:main in setup.py"),
     ],
 )
 def test_an_entry_point_to_nothing_is_refused(workspace: Path, target: str, reason: str) -> None:

@@ -68,7 +68,7 @@ def run_and_exit(executable: Executable, arguments: Sequence[str]) -> NoReturn:
 
 
 def _run(executable: Executable, arguments: Sequence[str]) -> NoReturn:
-    if is_file(executable.target):
+    if is_file(executable.target) and Path(executable.target).is_file():
         sys.argv = [executable.target, *arguments]
         _run_file(executable.target)
     sys.argv = [executable.name, *arguments]
@@ -125,6 +125,8 @@ def _function(executable: Executable) -> Any:
     if "=" in executable.target:
         raise EntryPointError(executable, "a comma is missing between two entry points in setup.py")
     module_name, _, attributes = (part.strip() for part in executable.target.partition(":"))
+    if right := _right_target(module_name, attributes):
+        raise EntryPointError(executable, f"write {right} in setup.py")
     try:
         found: Any = importlib.import_module(module_name)
     except ModuleNotFoundError as error:
@@ -136,6 +138,17 @@ def _function(executable: Executable) -> Any:
             raise EntryPointError(executable, f"{module_name} has no {name}()")
         found = getattr(found, name)
     return found
+
+
+def _right_target(module: str, function: str) -> str:
+    """Return what to write in place of `robot/talker:main`, `robot.talker:main()` or a module.
+
+    The result is empty if the entry point has the right form.
+    """
+    right = (
+        module.removesuffix(".py").replace("/", ".") + f":{function.removesuffix('()') or 'main'}"
+    )
+    return "" if right == f"{module}:{function}" else right
 
 
 def _leave_out_own_frames() -> None:
