@@ -19,6 +19,7 @@ from zbot.interfaces.location import (
 )
 from zbot.interfaces.message import rebuild
 from zbot.interfaces.spec import (
+    PRIMITIVES,
     ActionSpec,
     Field,
     InterfaceSpec,
@@ -289,11 +290,19 @@ def _source_line(spec: MessageSpec, field: Field) -> str:
 
 
 def _reason(error: Exception, field: Field) -> str:
-    """Return why a field's type cannot be used, and what to write if another package has it."""
-    from zbot.interfaces.missing_type import text_for_type  # noqa: PLC0415 - needs this module
+    """Return why a field's type cannot be used, and what to write if there is a type like it."""
+    package, _, short = field.type.base.split("/")
+    if not isinstance(error, UnknownInterfaceError):
+        return str(error)
+    if short.lower() in PRIMITIVES:
+        right = [short.lower()]
+    else:
+        right = [f"{other}/{short}" for other in packages() if _has_message(other, short)][:3]
+    return f"{package} has no message {short}: write {' or '.join(right)}" if right else str(error)
 
-    is_unknown = isinstance(error, UnknownInterfaceError)
-    return (text_for_type(field.type.base) if is_unknown else "") or str(error)
+
+def _has_message(package: str, short: str) -> bool:
+    return f"{package}/msg/{short}" in interface_names(package)
 
 
 class _NestingError(Exception):
