@@ -6,7 +6,7 @@ from pathlib import Path
 
 from zbot.errors.suggestion import question, similar_names
 from zbot.interfaces import registry
-from zbot.interfaces.location import has_other_versions
+from zbot.interfaces.location import has_other_versions, package_folder
 from zbot.names import KINDS
 
 _NOUNS = {"msg": "messages", "srv": "services", "action": "actions"}
@@ -43,7 +43,9 @@ def text_for_name(package: str, kind: str, name: str) -> str:
     text = f"cannot import name {name!r} from '{package}.{kind}'"
     near = similar_names(name, _names(package, kind))
     if near:
-        return text + question(near, "; ")
+        return _text_for_file_name(package, kind, near[0]) or text + question(near, "; ")
+    if misplaced := _misplaced_file(package, kind, name):
+        return f"{text}: move {misplaced} into the folder {package}/{kind}"
     for other in (package, *registry.packages()):
         right = _import_of(other, name)
         if right and (other, right[0]) != (package, kind):
@@ -54,8 +56,34 @@ def text_for_name(package: str, kind: str, name: str) -> str:
 
 
 def text_for_class(package: str, kind: str, name: str) -> str:
-    """Return what to write in place of `import package.kind.Name`."""
-    return f"{name} is a class and not a module: write from {package}.{kind} import {name}"
+    """Return what to write in place of `import package.kind.Name`, or of a wrong file name."""
+    wrong_name = _text_for_file_name(package, kind, name)
+    return (
+        wrong_name
+        or f"{name} is a class and not a module: write from {package}.{kind} import {name}"
+    )
+
+
+def _text_for_file_name(package: str, kind: str, name: str) -> str:
+    """Return how to rename a file such as `my_speed.msg`, or an empty string if its name is valid.
+
+    Its class can have no underscore, because underscores are in the names of its parts.
+    """
+    from zbot.interfaces.grammar import GrammarError, check_interface_name  # noqa: PLC0415 - only here
+
+    try:
+        check_interface_name(f"{package}/{kind}/{name}")
+    except GrammarError as error:
+        return f"rename the file {name}.{kind} of {package}: {error}"
+    return ""
+
+
+def _misplaced_file(package: str, kind: str, name: str) -> Path | None:
+    """Return a definition in a wrong folder of a package, e.g. `msg/Add.srv` or `msgs/Add.msg`."""
+    folder = package_folder(package)
+    places = (f"{name}.{kind}", f"*/{name}.{kind}")
+    found = (file for place in places for file in (folder.glob(place) if folder else ()))
+    return next(found, None)
 
 
 def _names(package: str, kind: str) -> list[str]:

@@ -143,6 +143,28 @@ def test_a_missing_name_is_an_import_error(statement: str, message: str) -> None
         exec(statement, {})
 
 
+@pytest.mark.parametrize(
+    ("statement", "message"),
+    [
+        ("from named_msgs.msg import my_speed", "rename the file my_speed.msg .*'MySpeed'$"),
+        ("from named_msgs.msg import MySpeed", "rename the file my_speed.msg .*'MySpeed'$"),
+        ("from named_msgs.srv import Add", "move .*Add.srv into the folder named_msgs/srv$"),
+        ("from named_msgs.msg import Pose2", "move .*Pose2.msg into the folder named_msgs/msg$"),
+    ],
+)
+def test_a_file_of_a_wrong_name_or_folder_is_told(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, statement: str, message: str
+) -> None:
+    for name in ("msg/my_speed.msg", "msg/Add.srv", "srv/Sub.srv", "msgs/Pose2.msg"):
+        file = tmp_path / "named_msgs" / name
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text("---\n" if name.endswith("srv") else "int32 x\n")
+    monkeypatch.syspath_prepend(tmp_path)
+    monkeypatch.delitem(sys.modules, "named_msgs", raising=False)
+    with pytest.raises(ImportError, match=message):
+        exec(statement, {})
+
+
 def test_a_missing_attribute_is_an_attribute_error() -> None:
     module = importlib.import_module("std_msgs.msg")
     assert not hasattr(module, "Strng")
