@@ -22,7 +22,7 @@ from zbot.launch.environment import how_to_set
 from zbot.launch.errors import LaunchFileError, describe
 from zbot.launch.not_runnable import missing_file
 from zbot.package import python_finder
-from zbot.package.ros_variables import AMENT_PREFIX_PATH, set_ament_prefix_path
+from zbot.package.ros_variables import AMENT_PREFIX_PATH
 from zbot.terminal.typographic import advise_of_syntax
 
 if TYPE_CHECKING:
@@ -127,6 +127,8 @@ def load_module(path: str | Path) -> ModuleType:
     with io.open_code(str(path)) as file:
         text = file.read()
     if AMENT_PREFIX_PATH.encode() in text:
+        from zbot.package.workspace_prefixes import set_ament_prefix_path  # noqa: PLC0415 - seldom used
+
         set_ament_prefix_path(Path(path))
     code = compile(text, str(path), "exec")
     exec(code, module.__dict__)  # noqa: S102 - running the user's file is the purpose

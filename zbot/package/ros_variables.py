@@ -5,12 +5,8 @@ from __future__ import annotations
 import contextlib
 import os
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from zbot.package.user_folders import cache_folder
-
-if TYPE_CHECKING:
-    from collections.abc import Iterator
 
 #: Environment variable with the prefixes of installed packages.
 AMENT_PREFIX_PATH = "AMENT_PREFIX_PATH"
@@ -48,29 +44,3 @@ def ament_prefixes() -> list[Path]:
     made = cache_folder() / "packages"
     named = map(Path, filter(None, os.environ.get(AMENT_PREFIX_PATH, "").split(os.pathsep)))
     return [prefix for prefix in named if prefix.parent != made]
-
-
-def set_ament_prefix_path(file: Path) -> None:
-    """Set AMENT_PREFIX_PATH, if it is not set, to the prefixes of the packages in the workspace.
-
-    Args:
-        file: A launch file. The prefix of its package comes first.
-
-    Raises:
-        SymlinkInstallError: The links of a prefix cannot be written.
-    """
-    if AMENT_PREFIX_PATH not in os.environ:
-        prefixes = list(_workspace_prefixes(file.resolve()))
-        if prefixes:
-            os.environ[AMENT_PREFIX_PATH] = os.pathsep.join(map(str, prefixes))
-
-
-def _workspace_prefixes(file: Path) -> Iterator[Path]:
-    from zbot.package.errors import SetupFileError  # noqa: PLC0415 - few launch files need it
-    from zbot.package.finder import Origin, all_packages  # noqa: PLC0415 - as above
-    from zbot.package.symlink_install import prefix_folder  # noqa: PLC0415 - as above
-
-    found = [one for one in all_packages().values() if one.origin is Origin.WORKSPACE]
-    for package in sorted(found, key=lambda one: one.folder.resolve() not in file.parents):
-        with contextlib.suppress(SetupFileError):  # only this package cannot be used
-            yield prefix_folder(package)
