@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import warnings
 from copy import copy
+from itertools import count, repeat
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ArgumentTypeError
@@ -113,8 +114,7 @@ class NodeParameters:
             InvalidParameterValueException: The range or a callback rejects the value.
             ParameterDeclarationError: The type is missing, or is given with dynamic typing.
         """
-        is_bare = value is None and descriptor is None
-        declaration = _declaration(name, value, descriptor, is_bare=is_bare)
+        declaration = _declaration(name, value, descriptor, depth=3)
         return self._zbot_parameters.declare([declaration], ignore_override=ignore_override)[0]
 
     def declare_parameters(
@@ -132,9 +132,8 @@ class NodeParameters:
             ParameterError: See `declare_parameter`. The parameters before the rejected parameter
                 stay declared.
         """
-        declarations = [
-            _declaration_of(namespace, index, item) for index, item in enumerate(parameters)
-        ]
+        # In contrast to a list comprehension, `map` has no frame: a warning counts the frames.
+        declarations = list(map(_declaration_of, repeat(namespace), count(), parameters))
         return self._zbot_parameters.declare(declarations, ignore_override=ignore_override)
 
     def undeclare_parameter(self, name: str) -> None:
@@ -352,9 +351,10 @@ def _remove(callbacks: list[Any], callback: Any) -> None:
     callbacks.remove(callback)
 
 
-def _declaration(name: str, value: Any, descriptor: Any, *, is_bare: bool) -> Declaration:
-    if is_bare:
-        warnings.warn(_NAME_ONLY.format(name=name), stacklevel=3)
+def _declaration(name: str, value: Any, descriptor: Any, *, depth: int) -> Declaration:
+    """Return a declaration. `depth` is the number of frames up to the program, for a warning."""
+    if value is None and descriptor is None:
+        warnings.warn(_NAME_ONLY.format(name=name), stacklevel=depth)
         return Declaration(name, None, Descriptor(dynamic_typing=True))
     if hasattr(value, "double_array_value"):
         value = parameter_value_to_python(value)
@@ -375,7 +375,7 @@ def _declaration_of(namespace: str, index: int, item: Any) -> Declaration:
     full = f"{namespace}.{name}" if namespace else name
     # Programs for ROS 2 Foxy declare (name, None) if a parameter file has the value. zbot treats
     # this as a declaration with only a name.
-    return _declaration(full, value, descriptor, is_bare=value is None and descriptor is None)
+    return _declaration(full, value, descriptor, depth=4)
 
 
 def _checked_names(names: Iterable[Any]) -> list[str]:

@@ -97,6 +97,12 @@ def test_declaring_by_name_alone_warns_as_rclpy_does(node: zbot.Node) -> None:
     assert node.set_parameters([Parameter("anything", value="x")])[0].successful
 
 
+def test_the_warning_about_several_names_is_at_the_programs_line(node: zbot.Node) -> None:
+    with pytest.warns(UserWarning, match="'other'") as told:
+        node.declare_parameters("", [("other",)])
+    assert told[0].filename == __file__
+
+
 @pytest.mark.filterwarnings("ignore:when declaring parameter named")
 def test_a_list_of_declarations_may_leave_values_to_a_file(make_context: MakeContext) -> None:
     arguments = ["--ros-args", "-p", "arm.speed:=2.5"]
