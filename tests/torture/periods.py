@@ -46,6 +46,7 @@ class Periods:
         self._testbed, self._within_s, self._report = testbed, within_s, report
         self._random = Random(seed)
         self._joined_s: list[float] = []
+        self._is_interrupted = False
         half = len(testbed.laptops) // 2
         self._groups = testbed.laptops[:half], testbed.laptops[half:]
         opened = self._run(testbed.teacher, "class", "start", "Robots", "--pin", "--json")
@@ -53,6 +54,14 @@ class Periods:
 
     def run(self, rounds: int) -> None:
         """Let the students change. The first group joins before the first round."""
+        try:
+            self._run_rounds(rounds)
+        except KeyboardInterrupt:
+            self._is_interrupted = True  # the end of the testbed kills the commands
+            raise
+        self._report.note(f"`zbot join`: {times(self._joined_s)}")
+
+    def _run_rounds(self, rounds: int) -> None:
         self._change((), self._groups[0])
         for number in range(1, rounds + 1):
             leaving, joining = self._groups[(number - 1) % 2], self._groups[number % 2]
@@ -60,7 +69,6 @@ class Periods:
             self._change(leaving, joining)
             self._check(joining)
             self._report.note(f"round {number}: {time.monotonic() - begin:.1f} s")
-        self._report.note(f"`zbot join`: {times(self._joined_s)}")
 
     def _change(self, leaving: Sequence[Machine], joining: Sequence[Machine]) -> None:
         work = [(laptop, "leave") for laptop in leaving] + [
@@ -83,6 +91,8 @@ class Periods:
 
     def _check_linked(self, machine: Machine) -> None:
         state = self._run(machine, "status", "--json")
+        if self._is_interrupted:
+            return
         if state.code or not json.loads(state.out)["linked"] or json.loads(state.out)["problem"]:
             self._report.violation(f"{machine.name} is not linked: {state.out}")
 
@@ -90,7 +100,7 @@ class Periods:
         done = machine.run("zbot", *words, env={"ZBOT_PIN": _PIN}, timeout_s=_TIMEOUT_S)
         if words[0] == "join":
             self._joined_s.append(done.took_s)
-        if done.code or "Traceback" in done.err:
+        if (done.code or "Traceback" in done.err) and not self._is_interrupted:
             text = f"{machine.name}: `zbot {' '.join(words)}` ended with {done.code}"
             self._report.violation(f"{text}: {done.err.strip()[-300:]}")
         return done
