@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import struct
 import sys
+import zlib
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -74,18 +76,30 @@ def test_a_video_and_a_folder_begin_again_at_their_end(video: str, pictures: str
         source.close()
 
 
+def huge_picture() -> bytes:
+    """Return a small file of a picture that would need 15 GB."""
+    size = struct.pack(">IIBBBBB", 70_000, 70_000, 8, 2, 0, 0, 0)
+    parts = ((b"IHDR", size), (b"IDAT", zlib.compress(b"")), (b"IEND", b""))
+    chunks = (
+        struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
+        for name, data in parts
+    )
+    return b"\x89PNG\r\n\x1a\n" + b"".join(chunks)
+
+
 def test_pictures_are_read_from_any_folder_without_damaged_ones(
     pictures: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, logged: list[Record]
 ) -> None:
     monkeypatch.setattr(cv2, "imread", lambda *_: None)  # it is so in such a folder on Windows
     folder = Path(pictures).rename(tmp_path / "Jürgen")
-    for name, content in (("00.png", b""), ("01.jpg", b"no picture"), ("2.png", b"\x89PNG")):
+    damaged = {"00.png": b"", "01.jpg": b"no picture", "2.png": b"\x89PNG", "4.png": huge_picture()}
+    for name, content in damaged.items():
         (folder / name).write_bytes(content)
     (folder / "3.png").mkdir()
     source = FrameSource(str(folder), 640, 480, 30.0)
     for _ in range(5):
         assert source.read()[0, 0].tolist() == [BLUE, GREEN, RED]
-    assert len([record for record in logged if "is left out" in record.message]) == 4
+    assert len([record for record in logged if "is left out" in record.message]) == 5
 
 
 def test_a_webcam_that_gives_no_more_images_is_opened_again(

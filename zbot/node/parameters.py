@@ -5,7 +5,7 @@ from __future__ import annotations
 import warnings
 from copy import copy
 from itertools import count, repeat
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from zbot.errors import ArgumentTypeError
 from zbot.executor.callback_check import check_callback
@@ -357,7 +357,7 @@ def _declaration(name: str, value: Any, descriptor: Any, *, depth: int) -> Decla
         warnings.warn(_NAME_ONLY.format(name=name), stacklevel=depth)
         return Declaration(name, None, Descriptor(dynamic_typing=True))
     if hasattr(value, "double_array_value"):
-        value = parameter_value_to_python(value)
+        value = parameter_value_to_python(cast("Any", value))
     if descriptor is not None and not hasattr(descriptor, "dynamic_typing"):
         raise ArgumentTypeError("descriptor", "a ParameterDescriptor", descriptor)
     rules = Descriptor() if descriptor is None else Descriptor.of(descriptor)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import errno
 import os
 import re
@@ -119,12 +120,12 @@ class FrameSource:
     def _picture(self, path: Path) -> Any:
         import numpy as np  # noqa: PLC0415 - an extra
 
-        # On Windows, `imread` opens no path with letters such as ü.
-        try:
+        # On Windows, `imread` opens no path with letters such as ü. `error` means that the file is
+        # empty, or that the picture is too large.
+        picture = None
+        with contextlib.suppress(OSError, self._cv2.error):
             data = np.frombuffer(path.read_bytes(), np.uint8)
-        except OSError:
-            data = np.empty(0, np.uint8)
-        picture = self._cv2.imdecode(data, self._cv2.IMREAD_COLOR) if data.size else None
+            picture = self._cv2.imdecode(data, self._cv2.IMREAD_COLOR)
         if picture is None and path not in self._unreadable:
             self._unreadable.add(path)
             get_logger("zbot.camera").warning(f"{path} is left out: OpenCV cannot read it")
