@@ -21,7 +21,7 @@ from zbot.executor.waitable import Waitable
 from zbot.libraries.message_filter import SimpleFilter, Subscriber
 from zbot.lifecycle import LifecycleNode
 from zbot.node.event_callbacks import PublisherEventCallbacks, SubscriptionEventCallbacks
-from zbot.qos import QoSPresetProfiles, QoSProfile
+from zbot.qos import QoSPresetProfiles, QoSProfile, ReliabilityPolicy
 from zbot.remote.wait_for_message import wait_for_message
 from zbot.tf2 import Buffer, TransformBroadcaster, TransformListener
 
@@ -278,3 +278,9 @@ def test_a_node_cannot_be_used_after_shutdown(use: Callable[[Any], Any]) -> None
     context.shutdown()
     with pytest.raises(NotInitializedError, match=r"\(and no shutdown\(\) after it\)"):
         use(late)
+
+
+def test_a_warning_of_a_wrong_policy_shows_the_line_of_the_program(robot: Any) -> None:
+    with pytest.warns(UserWarning, match="counts as the depth 2") as caught:
+        robot.create_publisher(String, "t", ReliabilityPolicy.BEST_EFFORT)
+    assert caught[0].filename == __file__
