@@ -201,14 +201,14 @@ class _Policy(Generic[_PolicyT]):
 
 
 def _warn_of_other_policy(
-    argument: str, value: QoSPolicyEnum, counts_as: str, *, depth: int = 4
+    argument: str, value: QoSPolicyEnum, counts_as: str, *, frames: int = 4
 ) -> None:
-    """Warn. `depth` is the number of frames up to the program, whose line the warning shows."""
+    """Warn. `frames` is their number up to the program, whose line the warning shows."""
     # rclpy takes the number of the member. So a program that runs there is not refused.
     given = f"{type(value).__name__}.{value.name}"
     keyword = type(value).__name__.removesuffix("Policy").lower()
-    advice = f"write {keyword}={given} in a QoSProfile"
-    warnings.warn(f"{argument} is {given}, which counts as {counts_as}: {advice}", stacklevel=depth)
+    text = f"{argument} is {given}, which counts as {counts_as}"
+    warnings.warn(f"{text}: write {keyword}={given} in a QoSProfile", stacklevel=frames)
 
 
 class _Value(Generic[_ValueT]):
@@ -372,10 +372,9 @@ def as_profile(qos_or_depth: QoSProfile | int) -> QoSProfile:
     if not isinstance(qos_or_depth, int) or isinstance(qos_or_depth, bool):
         raise qos_argument_error(qos_or_depth)
     if isinstance(qos_or_depth, QoSPolicyEnum):
-        depth = f"the depth {int(qos_or_depth)}"
-        _warn_of_other_policy(
-            "the QoS profile", qos_or_depth, depth, depth=5
-        )  # of create_publisher
+        counts_as = f"the depth {int(qos_or_depth)}"
+        # The frames are those of a call of create_publisher.
+        _warn_of_other_policy("the QoS profile", qos_or_depth, counts_as, frames=5)
     return QoSProfile(depth=qos_or_depth)
 
 

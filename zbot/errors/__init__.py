@@ -44,11 +44,9 @@ def counted(number: int, noun: str) -> str:
 
 def described(value: object) -> str:
     """Return the type and value of an argument, or what it is if it is a class or a function."""
-    if value is None:
-        return "None"
+    if value is None or isinstance(value, type):
+        return shortened(value)
     name = getattr(value, "__name__", "")
-    if name and isinstance(value, type):
-        return f"the class {name}"
     if name and callable(value):
         return f"the function {name}"
     return f"{type(value).__name__}: {shortened(value)}"

@@ -119,10 +119,7 @@ def _greatest_id() -> str:
 def _warn(text: str, *, once: bool = False) -> None:
     from zbot.log import get_logger, warn_once  # noqa: PLC0415 - seldom used
 
-    if once:
-        warn_once(text)
-    else:
-        get_logger("zbot").warning(text)
+    (warn_once if once else get_logger("zbot").warning)(text)
 
 
 def hub_endpoint() -> str:
