@@ -22,6 +22,8 @@ from std_msgs.msg import Header
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+CAMERA = CameraInfo()  # made here, because the first one imports numpy
+
 
 @pytest.mark.parametrize(
     ("call", "user"),
@@ -30,7 +32,7 @@ if TYPE_CHECKING:
         (lambda: list(read_points(PointCloud2())), "point_cloud2"),
         (lambda: create_cloud_xyz32(Header(), [(1.0, 2.0, 3.0)]), "point_cloud2"),
         (lambda: LaserProjection().projectLaser(LaserScan()), "laser_geometry"),
-        (lambda: PinholeCameraModel().from_camera_info(CameraInfo()), "image_geometry"),
+        (lambda: PinholeCameraModel().from_camera_info(CAMERA), "image_geometry"),
         (lambda: do_transform_cloud(PointCloud2(), TransformStamped()), "tf2_sensor_msgs"),
         (lambda: to_numpy("bag", "/chatter"), r"to_numpy\(\)"),
     ],
