@@ -6,7 +6,6 @@ import contextlib
 import enum
 import importlib
 import queue
-import sys
 import threading
 import time
 from dataclasses import dataclass
@@ -16,6 +15,7 @@ from zbot.errors import ArgumentTypeError, WrongValueError
 from zbot.executor.errors import clock_type_error
 from zbot.executor.sleepers import Sleepers
 from zbot.process import signals
+from zbot.threads.wakeup import LONGEST_WAIT_S, WakerSource, waking
 from zbot.time import ClockType, Duration, Time
 
 if TYPE_CHECKING:
@@ -33,25 +33,13 @@ __all__ = [
     "TimeJump",
 ]
 
-# A sleep consists of short waits, because Ctrl-C does not interrupt a wait on Windows. On other
-# systems, Ctrl-C does not interrupt a wait that begins just after the user presses it.
-_LONGEST_WAIT_S = 0.1 if sys.platform == "win32" else 0.5
 
-
-class SleepContext(Protocol):
-    """The part of a context that a sleep uses."""
+class SleepContext(WakerSource, Protocol):
+    """The part of a context that a sleep uses. It calls wakers when `is_running` may change."""
 
     @property
     def is_running(self) -> bool:
         """Whether the context is initialised and not shut down."""
-        ...
-
-    def add_waker(self, waker: Callable[[], None]) -> None:
-        """Call a function whenever `is_running` may have changed."""
-        ...
-
-    def remove_waker(self, waker: Callable[[], None]) -> None:
-        """Stop calling a function that was given to `add_waker`."""
         ...
 
 
@@ -310,9 +298,8 @@ class Clock:
             wakeups.put(None)
 
         source_changes = self._source_changes
-        context.add_waker(wake)
-        handle = self.on_time_change(wake)
-        try:
+        with waking(wake, context), contextlib.ExitStack() as at_end:
+            at_end.callback(self.on_time_change(wake).unregister)
             while context.is_running and self._source_changes == source_changes:
                 left_ns = until_ns - self._now_ns()
                 if left_ns <= 0:
@@ -320,12 +307,9 @@ class Clock:
                 with contextlib.suppress(queue.Empty):
                     wakeups.get(timeout=self._wait_s(left_ns))
             return False
-        finally:
-            handle.unregister()
-            context.remove_waker(wake)
 
     def _wait_s(self, left_ns: int) -> float:
-        return min(left_ns / 1e9, _LONGEST_WAIT_S)
+        return min(left_ns / 1e9, LONGEST_WAIT_S)
 
 
 class ROSClock(Clock):
@@ -403,7 +387,7 @@ class ROSClock(Clock):
 
     def _wait_s(self, left_ns: int) -> float:
         # Simulated time may be faster or slower than real time, so the real wait is not known.
-        return _LONGEST_WAIT_S if self._is_simulated else super()._wait_s(left_ns)
+        return LONGEST_WAIT_S if self._is_simulated else super()._wait_s(left_ns)
 
 
 def _check_callable(argument: str, callback: object) -> None:

@@ -24,7 +24,7 @@ from zbot.executor.set_by_init import set_by_init
 from zbot.executor.spin_arguments import check_future, deadline_ns_of, left_s
 from zbot.executor.task import Future, Task, TaskStep
 from zbot.process import signals
-from zbot.threads.wakeup import BinarySemaphore
+from zbot.threads.wakeup import BinarySemaphore, waking
 from zbot.time import TimeoutObject
 
 if TYPE_CHECKING:
@@ -117,9 +117,8 @@ class Executor(ExecutorNodes):
         running = [entity for _, entity in running_callbacks.stack]
         for node in list(self._nodes):
             for entity in node.handle.ready_queue.entities:
-                has_work = getattr(
-                    entity, "has_work", False
-                )  # a program's waitable does not say it
+                # A program's own waitable does not say whether it has work.
+                has_work = getattr(entity, "has_work", False)
                 if has_work and entity not in running and self.can_execute(entity):
                     self._queue(entity)
         return bool(self._ready)
@@ -355,14 +354,11 @@ class Executor(ExecutorNodes):
         if self._is_spun_by_other_thread():
             self._wait_for_future(future, deadline)
             return
-        future.add_waker(self._wakeup.set)
-        try:
+        with waking(self._wakeup.set, future):
             while not future.is_over and self._context.is_running and not self._is_shutdown:
                 self._spin_for(future, deadline)
                 if deadline is not None and time.monotonic_ns() >= deadline:
                     return
-        finally:
-            future.remove_waker(self._wakeup.set)
 
     def spin_once_until_future_complete(
         self, future: Future[Any], timeout_sec: float | None = None
@@ -372,11 +368,8 @@ class Executor(ExecutorNodes):
         if self._is_spun_by_other_thread():
             self._wait_for_future(future, deadline_ns_of(timeout_sec))
             return
-        future.add_waker(self._wakeup.set)
-        try:
+        with waking(self._wakeup.set, future):
             self._spin_once(deadline_ns_of(timeout_sec), lambda: future.is_over)
-        finally:
-            future.remove_waker(self._wakeup.set)
 
     def _spin_once(self, deadline_ns: int | None, stop: Callable[[], bool] | None = None) -> None:
         """Run one callback with the `spin_once` of a program's own executor."""
@@ -404,9 +397,7 @@ class Executor(ExecutorNodes):
     def _wait_for_future(self, future: Future[Any], deadline_ns: int | None) -> None:
         """Wait for a future while another thread runs the callbacks."""
         wake = BinarySemaphore()
-        future.add_waker(wake.set)
-        self._context.add_waker(wake.set)
-        try:
+        with waking(wake.set, future, self._context):
             while not future.is_over and self._context.is_running and not self._is_shutdown:
                 if deadline_ns is None:
                     wake.wait(threading.TIMEOUT_MAX)
@@ -414,9 +405,6 @@ class Executor(ExecutorNodes):
                     wake.wait(left / 1e9)
                 else:
                     return
-        finally:
-            future.remove_waker(wake.set)
-            self._context.remove_waker(wake.set)
 
     def _begin_spin(self) -> None:
         """Begin to spin.

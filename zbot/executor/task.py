@@ -5,6 +5,7 @@ A step of a coroutine ends at the next `await` that has to wait.
 
 from __future__ import annotations
 
+import contextlib
 import inspect
 import sys
 import threading
@@ -16,6 +17,7 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast
 from zbot.errors import ExternalShutdownException
 from zbot.executor.callback_check import check_callback
 from zbot.executor.callback_group import ReentrantCallbackGroup
+from zbot.threads.wakeup import waking
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine, Generator
@@ -80,11 +82,29 @@ class Future(Generic[T]):
         self._callbacks: list[Callable[[Any], Any]] = []
         self._wakers: list[Callable[[], object]] = []
 
-    def __await__(self) -> Generator[Future[T] | None, None, T | None]:
+    def __await__(self) -> Generator[Any, None, T | None]:
         while not self.is_over:
-            # If the step started an event loop, `None` makes that loop resume this coroutine soon.
-            yield self if _running_loop() is _current_step.loop else None
+            loop = _running_loop()
+            if loop is _current_step.loop:
+                yield self
+            else:  # a program without an executor has started the loop, or the present step has
+                yield from self._wait_in(loop)
         return self.result()
+
+    def _wait_in(self, loop: Any) -> Generator[Any, None, None]:
+        """Let an event loop of asyncio wait, which takes no computing time."""
+        wait = loop.create_future()
+
+        def end() -> None:
+            if not wait.done():  # a timeout of asyncio may have ended it
+                wait.set_result(None)
+
+        def wake() -> None:
+            with contextlib.suppress(RuntimeError):  # the loop was closed meanwhile
+                loop.call_soon_threadsafe(end)
+
+        with waking(wake, self):
+            yield from wait
 
     def cancel(self) -> None:
         """Cancel the future and run its done callbacks. Do nothing if the future is over."""

@@ -10,15 +10,16 @@ only in a flood of messages. All polling of a process costs at most a tenth of a
 
 from __future__ import annotations
 
+import contextlib
 import os
 import sys
 import threading
 import time
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterator
 
 # On Windows, Ctrl-C does not interrupt a lock's acquire(). On other systems, Ctrl-C does not
 # interrupt acquire() if it comes just before Python goes to sleep.
@@ -143,3 +144,27 @@ class BinarySemaphore:
         was_set = self._lock.acquire(timeout=min(timeout_s, LONGEST_WAIT_S))
         self._busy_wait.end(came=was_set)
         return was_set
+
+
+class WakerSource(Protocol):
+    """Calls functions when something has happened, e.g. a future, or a context that shuts down."""
+
+    def add_waker(self, waker: Callable[[], None]) -> None:
+        """Call a quick function from now on."""
+        ...
+
+    def remove_waker(self, waker: Callable[[], None]) -> None:
+        """Stop calling a function that was given to `add_waker`."""
+        ...
+
+
+@contextlib.contextmanager
+def waking(waker: Callable[[], None], *sources: WakerSource) -> Iterator[None]:
+    """Let sources call a quick function during a `with` block."""
+    for source in sources:
+        source.add_waker(waker)
+    try:
+        yield
+    finally:
+        for source in sources:
+            source.remove_waker(waker)

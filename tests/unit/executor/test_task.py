@@ -2,6 +2,7 @@ from __future__ import annotations
 
 import asyncio
 import threading
+import time
 import weakref
 from typing import TYPE_CHECKING, Any
 
@@ -259,6 +260,27 @@ def test_a_step_may_run_an_asyncio_loop() -> None:
     task = queue.create_task(lambda: asyncio.run(completed_meanwhile(Queue())))
     queue.run()
     assert task.result() == (7, 7)
+
+
+def test_a_loop_of_asyncio_waits_without_computing() -> None:
+    future: Future[int] = Future()
+    completing = threading.Timer(0.2, future.set_result, (7,))
+    begun_s = time.thread_time()
+    completing.start()
+    assert asyncio.run(waits_for(future)) == 7
+    assert time.thread_time() - begun_s < 0.1
+
+
+def test_a_timeout_of_asyncio_ends_the_wait_and_not_the_future() -> None:
+    future: Future[int] = Future()
+
+    async def times_out() -> None:
+        with pytest.raises(asyncio.TimeoutError):
+            await asyncio.wait_for(waits_for(future), 0.01)
+
+    asyncio.run(times_out())
+    future.set_result(7)
+    assert future.result() == 7
 
 
 def test_an_error_of_a_done_callback_does_not_reach_the_completing_thread() -> None:
