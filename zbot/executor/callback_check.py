@@ -8,9 +8,9 @@ from types import FunctionType, MethodType
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import WrongStateError, WrongTypeError
+from zbot.errors.call_source import argument_source
 from zbot.executor.errors import callback_signature_error, not_callable_error
 from zbot.log import get_logger
-from zbot.process.call_source import argument_source
 
 if TYPE_CHECKING:
     from collections.abc import Callable

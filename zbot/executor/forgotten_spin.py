@@ -12,10 +12,10 @@ import sys
 from typing import Any
 
 from zbot.errors import library_name
+from zbot.errors.call_source import called_target, calling_line
 from zbot.log import get_logger
 from zbot.names import is_hidden
 from zbot.process import at_exit, signals
-from zbot.process.call_source import called_target, calling_line
 from zbot.process.main_part import is_program
 
 

@@ -15,12 +15,12 @@ from typing import TYPE_CHECKING
 import zenoh
 
 from zbot.errors import NotInitializedError
+from zbot.errors.call_source import calling_line
 from zbot.errors.suggestion import KnownNames, did_you_mean, nearest, question
 from zbot.graph.snapshot import Snapshot
 from zbot.log import get_logger
 from zbot.names import ROSOUT_TOPIC, SEND_GOAL, fully_qualified, is_hidden
 from zbot.process import fork
-from zbot.process.call_source import calling_line
 from zbot.threads.deadline import Deadline
 from zbot.threads.on_demand_thread import OnDemandThread
 from zbot.threads.weak_set import WeakSet

@@ -6,6 +6,7 @@ import threading
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import InvalidHandleError
+from zbot.errors.call_source import called_function
 from zbot.errors.suggestion import nearest
 from zbot.executor.callback_group import CallbackGroup, MutuallyExclusiveCallbackGroup
 from zbot.executor.clock import ROSClock
@@ -24,7 +25,6 @@ from zbot.names import (
 from zbot.node.diagnostics import GivenParameters, diagnostics_of
 from zbot.parameters.store import ParameterStore
 from zbot.process import fork
-from zbot.process.call_source import called_function
 from zbot.process.main_part import is_program
 from zbot.wire.tokens import EndpointToken, NodeToken
 

@@ -9,6 +9,7 @@ from enum import IntEnum
 from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast, overload
 
 from zbot.errors import ArgumentTypeError, ParameterError, WrongStateError, ZbotError
+from zbot.errors.call_source import field_read_from
 from zbot.parameters.errors import ParameterValueError, advice_for_override
 from zbot.parameters.file import matches, parse_value, sections
 from zbot.yaml_reader import YamlError, read_yaml
@@ -207,14 +208,27 @@ class Parameter(Generic[ValueT_co]):
         return cast("ValueT_co", self._value)
 
     def get_parameter_value(self) -> ParameterValue:
-        """Return the value as a message, which has one field for each type."""
+        """Return the value as a message, which has one field for each type.
+
+        A warning tells of a program whose line reads the field of another type.
+        """
         from rcl_interfaces.msg import ParameterValue  # noqa: PLC0415 - the import makes the class
 
         message = ParameterValue(type=int(self._type_))
         if self._type_ is not Parameter.Type.NOT_SET:
             value = list(self._value) if self._type_.is_array else self._value
             setattr(message, _field(self._type_), value)
+            self._check_field(field_read_from("get_parameter_value"))
         return message
+
+    def _check_field(self, read: str) -> None:
+        field = _field(self._type_)
+        if read != field and read in _FIELDS:
+            warnings.warn(
+                f"the value of the parameter {self._name} is not in {read}, but in {field}, "
+                f"because it is {self._value!r}: write get_parameter({self._name!r}).value",
+                stacklevel=3,
+            )
 
     def to_parameter_msg(self) -> ParameterMsg:
         """Return the parameter as a message."""
@@ -291,6 +305,9 @@ def _widened(type_: Parameter.Type, value: Any) -> Any:
 
 def _field(type_: Parameter.Type) -> str:
     return f"{type_.name.lower()}_value"
+
+
+_FIELDS = frozenset(map(_field, Parameter.Type))
 
 
 def parameter_value_to_python(parameter_value: ParameterValue) -> AllowableParameterValue:

@@ -195,3 +195,15 @@ def test_a_parameter_in_place_of_its_value_is_a_mistake() -> None:
     assert parameter != Parameter("mode", value="fast")
     assert parameter != None  # noqa: E711 - a program may ask whether it has a parameter
     assert len({parameter, switch}) == 2
+
+
+def test_the_field_of_another_type_is_told() -> None:
+    speed = Parameter("speed", value=1.5)
+    place = r"speed is not in integer_value, but in double_value, because it is 1\.5: write get_par"
+    with pytest.warns(UserWarning, match=place):
+        assert speed.get_parameter_value().integer_value == 0
+    assert speed.get_parameter_value().double_value == 1.5
+    assert speed.get_parameter_value().type == Parameter.Type.DOUBLE
+    both = [speed.get_parameter_value().integer_value, speed.get_parameter_value().double_value]
+    assert both == [0, 1.5]  # a line with different fields is not told
+    assert Parameter("unset").get_parameter_value().string_value == ""

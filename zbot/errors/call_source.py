@@ -80,6 +80,19 @@ def called_target() -> str:
     return f"target={found[1]}" + (f", args=({found[2]},)" if found[2] else "")
 
 
+def field_read_from(function: str) -> str:
+    """Return the field that the program's line reads from a call, e.g. `x` for `position().x`.
+
+    The result is empty if the line reads no field, or different fields, from calls of the function.
+    """
+    frame, called = _calling_frame()
+    if frame is None or called != function:
+        return ""
+    line = linecache.getline(frame.f_code.co_filename, frame.f_lineno)
+    fields = set(re.findall(rf"\.{function}\(\)\.(\w+)", line))
+    return fields.pop() if len(fields) == 1 else ""
+
+
 def _calling_frame() -> tuple[FrameType | None, str]:
     """Return the frame of the program that called zbot, and the name of the called function."""
     frame: FrameType | None = sys._getframe(1)  # noqa: SLF001 - Python has no quick public way
