@@ -46,16 +46,14 @@ def _not_a_filter_error(call: str, value: Any) -> WrongObjectError:
     )
 
 
-def check_list(call: str, filters: Any, *others: Any) -> None:
-    """Check that a synchronizer gets its filters in a list, and no `others`.
+def check_list(call: str, filters: Any) -> None:
+    """Check that a synchronizer gets its filters in a list.
 
     Raises:
-        WrongObjectError: The filters are not in a list, or there are others.
+        WrongObjectError: The filters are not in a list.
     """
     if not isinstance(filters, Iterable):
         raise WrongObjectError(f"{call} needs its filters in a list: write {call}([a, b], ...)")
-    if others:
-        raise WrongObjectError(f"{call} has no slop: write ApproximateTimeSynchronizer(...)")
 
 
 def check_number(argument: str, value: Any, unit: str) -> None:

@@ -264,17 +264,15 @@ class TimeSynchronizer(SimpleFilter):
     Args:
         fs: The filters.
         queue_size: Largest number of waiting messages per filter. Older messages are dropped.
-        others: Nothing. A call without a list, or with a slop, has more arguments.
 
     Raises:
-        WrongObjectError: `fs` is not a list, one of its objects is not a filter, or there are
-            `others`.
+        WrongObjectError: `fs` is not a list, or one of its objects is not a filter.
         ArgumentTypeError: `queue_size` is not a number.
     """
 
-    def __init__(self, fs: Sequence[Filter], queue_size: int, *others: Any) -> None:
+    def __init__(self, fs: Sequence[Filter], queue_size: int) -> None:
         super().__init__()
-        check_list(type(self).__name__, fs, *others)
+        check_list(type(self).__name__, fs)
         check_size("queue_size", queue_size)
         self.queue_size = queue_size
         # The lock excludes other threads. It is reentrant, because a callback may add a message.

@@ -74,6 +74,10 @@ _SENTENCES = {
     r"(\w*TransformBroadcaster)\.sendTransform\(\) takes": (
         "sendTransform(transform), with one TransformStamped"
     ),
+    r"(?:Approximate)?TimeSynchronizer\.__init__\(\) (?:got|missing|takes)": (
+        "the filters in a list: TimeSynchronizer([a, b], 10) for equal stamps, or "
+        "ApproximateTimeSynchronizer([a, b], 10, 0.1) for stamps that differ by less than 0.1 s"
+    ),
     r"create_node\(\) missing": "the node's name, e.g. create_node('my_node')",
     r"spin_once\(\) takes 1 positional": "spin_once(node, timeout_sec=1.0)",
     r"(Duration|Time)\.__init__\(\) (?:takes 1 positional|got)": "{}(seconds=1.5)",

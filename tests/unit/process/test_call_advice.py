@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 import zbot
+from zbot.libraries.message_filter import TimeSynchronizer
 from zbot.node.client import Client
 from zbot.node.publisher import Publisher
 from zbot.parameters.parameter import Parameter
@@ -70,7 +71,7 @@ five, now, parameter = (Duration(seconds=5), Time(), Parameter("speed", value=0.
         (lambda: zbot.spin_once(robot, 1.0), "spin_once(node, timeout_sec=1.0)"),  # type: ignore[arg-type,call-arg]
         (zbot.create_node, "the node's name, e.g. create_node('my_node')"),
         (publisher.publish, "the message, e.g. publish(message)"),
-        (lambda: module("Robot", (), {}), "the class in the module, e.g. rclpy.node.Node"),
+        (lambda: module("Robot", (), {}), "the class in the module, e.g. "),
         (module("time"), "the class or function in the module, e.g. "),
         (lambda: base.__init__("robot"), "super().__init__(...), with parentheses after super"),
         (lambda: zbot.Node(robot, "robot"), "only the name, e.g. super().__init__('my_node') wit"),  # type: ignore[call-arg,arg-type]
@@ -87,6 +88,8 @@ five, now, parameter = (Duration(seconds=5), Time(), Parameter("speed", value=0.
         (lambda: Duration(2), "Duration(seconds=1.5)"),  # type: ignore[call-arg]
         (lambda: Time(sec=2), "Time(seconds=1.5)"),  # type: ignore[call-arg]
         (lambda: time.sleep(five), "duration.nanoseconds / 1e9 for the seconds"),  # type: ignore[arg-type]
+        (lambda: TimeSynchronizer(1, 2, 10), "the filters in a list: TimeSynchronizer([a, b], 10)"),  # type: ignore[arg-type,call-arg]
+        (lambda: TimeSynchronizer([], 10, slop=0.1), "the filters in a list: Time"),  # type: ignore[call-arg]
         (lambda: range(parameter), "get_parameter('name').value"),  # type: ignore[call-overload]
         # operators
         (lambda: now - 5.0, "Duration(seconds=5.0) in place of a number"),  # type: ignore[operator]
