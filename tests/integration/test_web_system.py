@@ -11,7 +11,7 @@ import zbot
 from tests.conftest import wait_until
 from zbot.node.errors import ServiceError
 from zbot.observer.errors import ViewerError
-from zbot.observer.system import System, await_future
+from zbot.observer.system import System
 from zbot.remote.types import UnknownTypeError
 
 from std_msgs.msg import Float64, String
@@ -208,7 +208,8 @@ def test_service_can_be_called_in_asyncio(
     with system.client("/switch", "std_srvs/srv/SetBool") as reference:
 
         async def call(data: bool) -> Any:
-            return await await_future(reference.entity.call_async(SetBool.Request(data=data)), 10)
+            future = reference.entity.call_async(SetBool.Request(data=data))
+            return await asyncio.wait_for(future, 10)
 
         assert asyncio.run(call(True)).message == "done"
         with pytest.raises(ServiceError, match="no"):

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import asyncio
 import os
 import threading
 import traceback
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any
 
 from zbot.action import ActionClient
 from zbot.context import Context
@@ -32,7 +31,6 @@ if TYPE_CHECKING:
 
     from typing_extensions import Self
 
-    from zbot.executor.task import Future
     from zbot.graph.snapshot import Snapshot, Token
     from zbot.node.client import Client
     from zbot.node.publisher import Publisher
@@ -40,7 +38,6 @@ if TYPE_CHECKING:
     from zbot.parameters.parameter import Parameter
     from zbot.tf2.diagnosis import TransformMonitor
 
-T = TypeVar("T")
 
 _PUBLISH_DEPTH = 10
 _END_S = 2.0  #: longest wait for a callback at the end
@@ -295,7 +292,7 @@ class System:
         return RepeatedPublishing(self.node, self.publisher(topic, type_name), make, rate_hz)
 
     def client(self, name: str, type_name: str) -> EntityReference[Client[Any, Any]]:
-        """Return a reference to a service's client. Await its futures with `await_future`.
+        """Return a reference to a service's client.
 
         Raises:
             ViewerError: The page is read-only.
@@ -342,7 +339,7 @@ class System:
     def action_client(
         self, name: str, type_name: str
     ) -> EntityReference[ActionClient[Any, Any, Any]]:
-        """Return a reference to an action's client. Await its futures with `await_future`.
+        """Return a reference to an action's client.
 
         Raises:
             ViewerError: The page is read-only.
@@ -364,23 +361,3 @@ class System:
 def _log_error(error: Exception) -> None:
     # A faulty callback must not stop all pages.
     get_logger("zbot.web").error("".join(traceback.format_exception(error)))
-
-
-async def await_future(future: Future[T], timeout_s: float | None = None) -> T:
-    """Wait in asyncio's loop for a future that another thread of zbot completes.
-
-    Args:
-        future: A future, e.g. of `Client.call_async`.
-        timeout_s: The longest wait, in seconds. None means no limit.
-
-    Raises:
-        asyncio.TimeoutError: The future was not complete in time.
-        Exception: The exception of the future, e.g. a ServiceError.
-    """
-    loop = asyncio.get_running_loop()
-    is_over = asyncio.Event()
-    future.add_waker(lambda: loop.call_soon_threadsafe(is_over.set))
-    await asyncio.wait_for(is_over.wait(), timeout_s)
-    if future.cancelled():
-        raise asyncio.CancelledError
-    return future.result()  # type: ignore[return-value] # the future is complete

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 from nicegui import run, ui
 
 from zbot.errors import ZbotError
-from zbot.observer.system import PATIENCE_S, await_future
+from zbot.observer.system import PATIENCE_S
 from zbot.remote.service_calls import NoAnswerError
 
 if TYPE_CHECKING:
@@ -50,7 +50,8 @@ async def call(
     reference = await run_in_thread(connect, name, type_name)
     with reference:
         try:
-            return await await_future(reference.entity.call_server_async(request), timeout_s)
+            future = reference.entity.call_server_async(request)
+            return await asyncio.wait_for(future, timeout_s)
         except asyncio.TimeoutError:
             raise NoAnswerError(name, timeout_s) from None
 

@@ -8,7 +8,6 @@ from nicegui import ui
 
 from zbot.action.goal_state import GoalState
 from zbot.errors import ZbotError
-from zbot.observer.system import await_future
 from zbot.web.forms.form_view import FormView
 from zbot.web.page.command_line import command_line
 from zbot.web.page.list_panel import ListPanel
@@ -132,13 +131,13 @@ class _ActionDetails(ServedDetails):
     async def run_goal(self, client: ActionClient[Any, Any, Any]) -> None:
         """Send a goal, wait for its result, and show the result."""
         self.send_button.set_enabled(False)
-        goal = await await_future(client.send_goal_async(self.form.message(), self.take))
+        goal: Any = await client.send_goal_async(self.form.message(), self.take)
         if not goal.accepted:
             self.say("refused", "zb-bad")
             return
         self.follow(goal)
         self.say("accepted")
-        outcome: Any = await await_future(goal.get_result_async())
+        outcome: Any = await goal.get_result_async()
         state = GoalState(outcome.status)
         self.update()
         self.say(state.name.lower(), _COLOURS.get(state, ""))
@@ -149,7 +148,7 @@ class _ActionDetails(ServedDetails):
         if goal is None:
             return
         self.cancel_button.set_enabled(False)
-        response: Any = await await_future(goal.cancel_goal_async())
+        response: Any = await goal.cancel_goal_async()
         if not response.goals_canceling:
             ui.notify("The server refused to cancel: the goal goes on.", type="warning")
 

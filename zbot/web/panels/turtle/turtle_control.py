@@ -10,7 +10,7 @@ from zbot.graph.snapshot import full_names
 from zbot.interfaces import get_action, get_message, get_service
 from zbot.names import fully_qualified
 from zbot.node.node import Node
-from zbot.observer.system import await_future, read_only_error
+from zbot.observer.system import read_only_error
 from zbot.parameters.parameter import Parameter
 from zbot.web.forms.form import Form
 from zbot.web.page.command_line import command_line
@@ -161,14 +161,14 @@ class TurtleControl:
         self.prepare(turtle)
         goal = get_action(_ROTATE).Goal(theta=theta)  # type: ignore[attr-defined] # each action has it
         self._goals[turtle] = self._clients[turtle].entity.send_goal_async(goal)
-        await await_future(self._goals[turtle])
+        await self._goals[turtle]
 
     async def cancel(self, turtle: str) -> None:
         """Stop a turtle's rotation."""
         sent = self._goals.pop(turtle, None)
         if sent is not None:
-            goal = await await_future(sent)
-            await await_future(goal.cancel_goal_async())
+            goal: Any = await sent
+            await goal.cancel_goal_async()
 
     async def call(self, relative: str, type_name: str, **values: Any) -> Any:
         """Call a service of the simulator. The keyword arguments are the fields of the request."""
