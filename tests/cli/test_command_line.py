@@ -8,6 +8,7 @@ import signal
 import subprocess
 import sys
 import time
+from importlib.util import find_spec
 from typing import TYPE_CHECKING
 
 import pytest
@@ -131,6 +132,36 @@ def test_ctrl_c_during_the_import_of_a_command_is_silent(module: str, words: lis
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert done.returncode in {-signal.SIGINT, Status.INTERRUPTED}
     assert (done.stdout, done.stderr) == ("", "")
+
+
+# A part of MuJoCo drops all exceptions while it is imported.
+DROPPING_IMPORT = INTERRUPTED_IMPORT.replace(
+    "        signal.raise_signal(signal.SIGINT)",
+    """
+        try:
+            signal.raise_signal(signal.SIGINT)
+        except KeyboardInterrupt:
+            pass
+    """,
+)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["sim", "--headless"],
+        ["run", "gazebo", "gzserver"],
+        ["run", "robot_base"],
+        ["class", "check", "/scan >= 1 Hz", "--sim", "maze", "--program", "."],
+    ],
+)
+def test_ctrl_c_during_an_import_that_drops_it_is_obeyed(words: list[str]) -> None:
+    if find_spec("mujoco") is None:
+        pytest.skip("the extra `sim` is not installed")
+    command = [sys.executable, "-c", DROPPING_IMPORT, "mujoco._functions", *words]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (-signal.SIGINT, "")
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")

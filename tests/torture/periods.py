@@ -30,6 +30,7 @@ if TYPE_CHECKING:
 
 _PIN = "4711"
 _TIMEOUT_S = 120.0
+_KEPT = "may keep number"  #: of `zbot leave`, if the class did not answer in time
 
 
 class Periods:
@@ -46,6 +47,7 @@ class Periods:
         self._testbed, self._within_s, self._report = testbed, within_s, report
         self._random = Random(seed)
         self._joined_s: list[float] = []
+        self._kept: set[str] = set()  # laptops whose number the class may keep, as they were told
         self._is_interrupted = False
         half = len(testbed.laptops) // 2
         self._groups = testbed.laptops[:half], testbed.laptops[half:]
@@ -85,9 +87,14 @@ class Periods:
             list(pool.map(self._check_linked, joined))
         listed = self._run(self._testbed.teacher, "class", "list", "--json")
         students = json.loads(listed.out)["students"] if listed.code == 0 else []
-        here = sorted(student["host"] for student in students if student["here"])
-        if here != sorted(laptop.name for laptop in joined) or len(students) != len(joined):
-            self._report.violation(f"the teacher sees {here}, and lists {len(students)} students")
+        names = {laptop.name for laptop in joined}
+        here = {student["host"] for student in students if student["here"]}
+        away = {student["host"] for student in students if not student["here"]}
+        if here != names or len(students) != len(here | away) or away - self._kept:
+            self._report.violation(
+                f"the teacher does not see {sorted(names - here)}, sees {sorted(here - names)}, "
+                f"and lists {len(students)} students, of which {sorted(away)} are away"
+            )
 
     def _check_linked(self, machine: Machine) -> None:
         state = self._run(machine, "status", "--json")
@@ -100,6 +107,10 @@ class Periods:
         done = machine.run("zbot", *words, env={"ZBOT_PIN": _PIN}, timeout_s=_TIMEOUT_S)
         if words[0] == "join":
             self._joined_s.append(done.took_s)
+            self._kept.discard(machine.name)
+        elif _KEPT in done.err:
+            self._report.count("laptops that were told that the class may keep their number")
+            self._kept.add(machine.name)
         if (done.code or "Traceback" in done.err) and not self._is_interrupted:
             text = f"{machine.name}: `zbot {' '.join(words)}` ended with {done.code}"
             self._report.violation(f"{text}: {done.err.strip()[-300:]}")

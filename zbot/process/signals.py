@@ -14,6 +14,7 @@ From Python 3.14 on, a `KeyboardInterrupt` is not taken as a `SystemExit`, so Ct
 from __future__ import annotations
 
 import atexit
+import contextlib
 import enum
 import os
 import signal
@@ -27,7 +28,7 @@ from zbot.threads.foreign_call import is_deferring_signals
 from zbot.threads.weak_set import WeakSet
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterator
     from types import FrameType, TracebackType
 
 #: A signal that cannot raise its exception now is sent again after this time. A callback of Zenoh
@@ -161,6 +162,25 @@ def install(
         _replace(signal.SIGINT, _on_sigint)
     if options in {SignalHandlerOptions.SIGTERM, SignalHandlerOptions.ALL}:
         _replace(signal.SIGTERM, _on_sigterm)
+
+
+@contextlib.contextmanager
+def ending_process() -> Iterator[None]:
+    """Let SIGINT and SIGTERM end the process immediately in a `with` block of imports.
+
+    Some libraries in C++, e.g. MuJoCo, drop the exceptions of signals while they are imported, and
+    the program would go on. Ignored signals stay ignored. In other threads, this does nothing.
+    """
+    previous = {}
+    if threading.current_thread() is threading.main_thread():
+        for number in (signal.SIGINT, signal.SIGTERM):
+            if signal.getsignal(number) not in {None, signal.SIG_IGN}:
+                previous[number] = signal.signal(number, signal.SIG_DFL)
+    try:
+        yield
+    finally:
+        for number, handler in previous.items():
+            signal.signal(number, handler)
 
 
 def add_context(context: SignalledContext) -> None:

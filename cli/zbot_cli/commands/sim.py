@@ -50,10 +50,13 @@ def sim(
 ) -> None:
     """Simulate robots in a world."""
     from zbot.errors import ExternalShutdownException  # noqa: PLC0415 - not needed by `--help`
+    from zbot.process.signals import ending_process  # noqa: PLC0415 - as above
     from zbot.simulation.engine import engine  # noqa: PLC0415 - as above
 
-    engine()  # the other modules need numpy, which the extra brings
-    from zbot.simulation.node.program import Options, simulate  # noqa: PLC0415 - not needed by `--help`
+    with ending_process():
+        engine()  # the other modules need numpy, which the extra brings
+        from zbot.simulation.node.program import Options, simulate  # noqa: PLC0415 - as above
+        from zbot.view.server.view_process import view_if_installed  # noqa: PLC0415 - as above
 
     options = Options(
         *(world, tuple(robot or ()), robots, _factor(rate), seed),
@@ -61,8 +64,6 @@ def sim(
         in_lockstep=lockstep,
         has_handles=not headless,
     )
-    from zbot.view.server.view_process import view_if_installed  # noqa: PLC0415 - not needed by `--help`
-
     try:
         simulate(options, contextlib.nullcontext if headless else view_if_installed)
     except ExternalShutdownException:

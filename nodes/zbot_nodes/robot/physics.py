@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from zbot.process.signals import ending_process
 from zbot.simulation.engine import STEP_S, engine
 from zbot.tf2.rigid import heading
 from zbot_nodes.robot.pose import Pose
@@ -70,14 +71,15 @@ class PhysicalMotion:
     """
 
     def __init__(self) -> None:
-        engine()
-        # These modules need numpy, which the extra brings.
-        from zbot.simulation.robots.equipment import Bumper  # noqa: PLC0415 - as above
-        from zbot.simulation.robots.model import read_robot  # noqa: PLC0415 - see above
-        from zbot.simulation.sensors.bumper import BumperSensor  # noqa: PLC0415 - as above
-        from zbot.simulation.world import World  # noqa: PLC0415 - as above
-        from zbot.simulation.worlds.catalog import room  # noqa: PLC0415 - as above
-        from zbot.tf2.rigid import Rigid  # noqa: PLC0415 - as above
+        with ending_process():
+            engine()
+            # These modules need numpy, which the extra brings.
+            from zbot.simulation.robots.equipment import Bumper  # noqa: PLC0415 - as above
+            from zbot.simulation.robots.model import read_robot  # noqa: PLC0415 - see above
+            from zbot.simulation.sensors.bumper import BumperSensor  # noqa: PLC0415 - as above
+            from zbot.simulation.world import World  # noqa: PLC0415 - as above
+            from zbot.simulation.worlds.catalog import room  # noqa: PLC0415 - as above
+            from zbot.tf2.rigid import Rigid  # noqa: PLC0415 - as above
 
         self._world = World(room().spec())
         (self._robot,) = self._world.add([("robot", read_robot(_description()), Rigid())])

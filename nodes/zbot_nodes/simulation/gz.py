@@ -86,12 +86,14 @@ def show() -> None:
 
 def simulate(options: Options) -> None:
     """Simulate a world until Ctrl-C."""
+    from zbot.process.signals import ending_process  # noqa: PLC0415 - as below
     from zbot.simulation.engine import engine  # noqa: PLC0415 - it needs an extra
 
-    engine()  # the other modules need numpy, which the extra brings
-    from zbot.simulation.node.gazebo_program import GazeboOptions, simulate_gazebo  # noqa: PLC0415
-    from zbot.view.server.view_process import view_if_installed  # noqa: PLC0415 - only in a run
-    from zbot_nodes.simulation.body_control import start_control  # noqa: PLC0415 - as above
+    with ending_process():
+        engine()  # the other modules need numpy, which the extra brings
+        from zbot.simulation.node.gazebo_program import GazeboOptions, simulate_gazebo  # noqa: PLC0415
+        from zbot.view.server.view_process import view_if_installed  # noqa: PLC0415 - only in a run
+        from zbot_nodes.simulation.body_control import start_control  # noqa: PLC0415 - as above
 
     simulate_gazebo(
         GazeboOptions(

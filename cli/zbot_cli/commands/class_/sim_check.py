@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from zbot.bag.packages import import_mcap
 from zbot.classroom.teacher.class_check import Verdict
+from zbot.process.signals import ending_process
 from zbot.simulation.engine import engine
 from zbot.testing.domain import reserved_domain
 from zbot_cli.errors import CommandError
@@ -54,11 +55,12 @@ def check_programs(
         NoBagExtraError: The extra `bag` is not installed.
         MissingPackageError: The extra `sim` is not installed.
     """
-    engine()  # the other modules need numpy, which the extra brings
-    import_mcap()
-    from zbot.simulation.marking.submissions import find_submissions  # noqa: PLC0415 - see above
-    from zbot.simulation.marking.trial import Course, check_course  # noqa: PLC0415 - as above
-    from zbot.simulation.node.program import Options  # noqa: PLC0415 - as above
+    with ending_process():
+        engine()  # the other modules need numpy, which the extra brings
+        import_mcap()
+        from zbot.simulation.marking.submissions import find_submissions  # noqa: PLC0415 - see above
+        from zbot.simulation.marking.trial import Course, check_course  # noqa: PLC0415 - as above
+        from zbot.simulation.node.program import Options  # noqa: PLC0415 - as above
 
     found = find_submissions(programs)
     folder = output or Path(f"{datetime.now():marks_%Y_%m_%d-%H_%M_%S}")
