@@ -203,11 +203,15 @@ def window(shared_browser: SharedBrowser) -> Visit:
 
 
 @pytest.fixture
-def domain(shared_browser: SharedBrowser, monkeypatch: pytest.MonkeyPatch) -> int:
+def domain(
+    shared_browser: SharedBrowser, request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch
+) -> int:
     """Return the shared domain, after the nodes of the previous test have left it."""
     monkeypatch.setenv("ZBOT_DOMAIN_ID", str(shared_browser.domain))
-    if shared_browser.has_servers:
-        assert wait_until(has_servers_only, 10), snapshot().nodes
+    if shared_browser.has_servers and not wait_until(has_servers_only, 10):
+        left = snapshot().nodes
+        _close_shared_browser(request.session)  # the next tests get other servers
+        pytest.fail(f"the test before this one has left nodes: {left}")
     return shared_browser.domain
 
 

@@ -117,6 +117,25 @@ def test_the_timeline_plays_pauses_steps_and_seeks(
     expect(page.get_by_text("/ 10.00 s")).to_contain_text("10.00")
 
 
+def test_a_slow_click_on_the_timeline_of_a_playback_goes_where_it_was(
+    server: Server, page: Page, bag: Path, heard: list[float]
+) -> None:
+    opened(server, page, bag.name)
+    page.get_by_label("Play", exact=True).click()
+    assert wait_until(lambda: len(heard) > 5)
+    box = page.locator(".zb-timeline").bounding_box()
+    assert box is not None
+    page.mouse.move(box["x"] + box["width"] * 0.8, box["y"] + box["height"] / 2)
+    page.mouse.down()
+    count = len(heard)
+    assert wait_until(lambda: len(heard) > count + 3)  # the player has moved the timeline meanwhile
+    page.mouse.up()
+    assert wait_until(lambda: heard[-1] > 7)
+    assert not [value for value in heard if 3 < value < 6]  # it did not play on until there
+    page.get_by_label("Stop playing").click()
+    expect(page.get_by_text("0.00 / 10.00 s")).to_be_visible()
+
+
 def test_the_plot_shows_the_whole_bag_at_once(
     server: Server, page: Page, bag: Path, heard: list[float]
 ) -> None:

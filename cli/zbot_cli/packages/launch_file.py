@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -9,7 +10,7 @@ from typing import TYPE_CHECKING
 from zbot.errors.suggestion import did_you_mean
 from zbot.launch.errors import LaunchFileNotFoundError
 from zbot.launch.source import AnyLaunchDescriptionSource, check_template
-from zbot.package import PackageNotFoundError, package_share, packages
+from zbot.package import PackageNameError, PackageNotFoundError, package_share, packages
 from zbot.package.symlink_install import files_below
 
 if TYPE_CHECKING:
@@ -77,17 +78,17 @@ def launch_files(package: str) -> list[Path]:
 
     Raises:
         PackageNotFoundError: There is no such package.
+        PackageNameError: The name is not valid for a package.
     """
     return sorted(path for path in files_below(package_share(package)) if _is_launch_file(path))
 
 
 def _command_for(name: str) -> str:
     """Return how to launch a file of a package that was named without its package."""
-    if any(path.name == name for path in launch_files(_BUNDLED)):
-        return f"type: zbot launch zbot_nodes {name}"
-    for package in packages():
-        if any(path.name == name for path in launch_files(package)):
-            return f"type: zbot launch {package} {name}"
+    for package in ("zbot_nodes", *packages()):
+        with contextlib.suppress(PackageNameError):  # a folder's name need not be valid, e.g. `c`
+            if any(path.name == name for path in launch_files(package)):
+                return f"type: zbot launch {package} {name}"
     return ""
 
 

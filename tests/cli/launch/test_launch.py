@@ -277,6 +277,17 @@ def test_a_wrong_command_line_is_refused(words: list[str], text: str) -> None:
     assert outcome.out == ""
 
 
+def test_a_folder_whose_name_no_package_can_have_does_not_hide_the_error(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = tmp_path / "c"
+    folder.mkdir()
+    (folder / "setup.py").write_text("from setuptools import setup\nsetup(name='c')\n")
+    monkeypatch.chdir(folder)
+    outcome = zbot("launch", "no.launch.py")
+    assert (outcome.code, outcome.err) == (1, "launch file 'no.launch.py' not found\n")
+
+
 def test_a_file_that_launches_nothing_is_named(tmp_path: Path) -> None:
     file = tmp_path / "a.launch.py"
     file.write_text(

@@ -39,7 +39,7 @@ class BagDetails:
     def __init__(self, section: Section, control: BagControl, name: str) -> None:
         self.section, self.control, self.name = section, control, name
         self.metadata: BagMetadata | None = None
-        self.is_dragged = False
+        self.chosen_s: float | None = None  #: where the user holds the timeline, in seconds
         self.body = ui.element("div").classes("zb-col")
         section.page.show_command(command_line("bag", "info", name))
         ui.timer(0.01, with_errors_shown(self.fill), once=True)
@@ -86,7 +86,9 @@ class BagDetails:
         longest = max(self.duration_s, _STEP_S)
         self.slider = ui.slider(min=0, max=longest, step=_STEP_S, value=0)
         self.slider.props('aria-label="Time" dense').classes("zb-timeline")
-        self.slider.on("pan", self.drag)
+        # The first event comes only when the user moves the slider, not when `update` does. The
+        # value of the second one may be that of an `update` while the user held the slider.
+        self.slider.on("update:model-value", self.choose, js_handler="(value) => emit(value)")
         self.slider.on("change", with_errors_shown(self.seek))
         for element in (self.play_button, step, stop, self.rate, self.slider):
             element.set_enabled(not self.section.page.read_only)
@@ -152,7 +154,7 @@ class BagDetails:
         player = self.player
         is_running = player is not None and not player.is_paused
         self.play_button.props(f"icon={'pause' if is_running else 'play_arrow'}")
-        if player is not None and not self.is_dragged:
+        if player is not None and self.chosen_s is None:
             seconds = (player.position_ns - player.bag_start_ns) / S_TO_NS
             self.slider.set_value(round(max(seconds, 0.0), 2))
         letter = player.status if player is not None else PlayerStatus.STOPPED
@@ -211,14 +213,15 @@ class BagDetails:
         if player is not None and not self.section.page.read_only:
             player.set_rate(float(event.value))
 
-    def drag(self, event: Any) -> None:
-        """Note whether the user drags the timeline. Meanwhile, `update` does not move it."""
-        self.is_dragged = event.args == "start"
+    def choose(self, event: Any) -> None:
+        """Note where the user holds the timeline. Meanwhile, `update` does not move it."""
+        self.chosen_s = float(event.args)
 
-    async def seek(self, event: Any) -> None:
-        """Move the playback to the time to which the user has dragged the timeline."""
-        self.is_dragged = False
-        self.control.seek(self.name, float(event.args))
+    async def seek(self, _event: object) -> None:
+        """Move the playback to the time that the user has chosen on the timeline."""
+        chosen_s, self.chosen_s = self.chosen_s, None
+        if chosen_s is not None:
+            self.control.seek(self.name, chosen_s)
 
     async def draw(self, event: Any) -> None:
         """Read the chosen curves from the bag, and draw them without a playback."""
