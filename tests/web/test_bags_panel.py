@@ -69,6 +69,13 @@ def opened(server: Server, page: Page, name: str) -> None:
     expect(page.get_by_label("Play", exact=True)).to_be_visible()
 
 
+def play(server: Server, page: Page, name: str, heard: list[float]) -> None:
+    """Open a bag, and play it until messages are heard."""
+    opened(server, page, name)
+    page.get_by_label("Play", exact=True).click()
+    assert wait_until(lambda: len(heard) > 5)
+
+
 def test_a_click_records_all_topics(
     server: Server, page: Page, folder: Path, make_context: MakeContext, spin: Spin
 ) -> None:
@@ -98,9 +105,7 @@ def test_a_click_records_all_topics(
 def test_the_timeline_plays_pauses_steps_and_seeks(
     server: Server, page: Page, bag: Path, heard: list[float]
 ) -> None:
-    opened(server, page, bag.name)
-    page.get_by_label("Play", exact=True).click()
-    assert wait_until(lambda: len(heard) > 5)
+    play(server, page, bag.name, heard)
     expect(page.locator(".zb-command")).to_have_text("zbot bag play lesson")
     page.get_by_label("Play", exact=True).click()
     expect(page.get_by_text("paused")).to_be_visible()
@@ -120,9 +125,7 @@ def test_the_timeline_plays_pauses_steps_and_seeks(
 def test_a_slow_click_on_the_timeline_of_a_playback_goes_where_it_was(
     server: Server, page: Page, bag: Path, heard: list[float]
 ) -> None:
-    opened(server, page, bag.name)
-    page.get_by_label("Play", exact=True).click()
-    assert wait_until(lambda: len(heard) > 5)
+    play(server, page, bag.name, heard)
     box = page.locator(".zb-timeline").bounding_box()
     assert box is not None
     page.mouse.move(box["x"] + box["width"] * 0.8, box["y"] + box["height"] / 2)

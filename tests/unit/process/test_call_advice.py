@@ -71,7 +71,7 @@ five, now, parameter = (Duration(seconds=5), Time(), Parameter("speed", value=0.
         (lambda: zbot.spin_once(robot, 1.0), "spin_once(node, timeout_sec=1.0)"),  # type: ignore[arg-type,call-arg]
         (zbot.create_node, "the node's name, e.g. create_node('my_node')"),
         (publisher.publish, "the message, e.g. publish(message)"),
-        (lambda: module("Robot", (), {}), "the class in the module, e.g. "),
+        (lambda: module("Robot", (), {}), "the class in the module, e.g. rclpy.node.Node"),
         (module("time"), "the class or function in the module, e.g. "),
         (lambda: base.__init__("robot"), "super().__init__(...), with parentheses after super"),
         (lambda: zbot.Node(robot, "robot"), "only the name, e.g. super().__init__('my_node') wit"),  # type: ignore[call-arg,arg-type]
@@ -103,7 +103,10 @@ five, now, parameter = (Duration(seconds=5), Time(), Parameter("speed", value=0.
         (lambda: 2 * parameter, "get_parameter('name').value"),  # type: ignore[operator]
     ],
 )
-def test_what_python_refuses_says_what_to_write(call: Callable[[], Any], advice: str) -> None:
+def test_what_python_refuses_says_what_to_write(
+    call: Callable[[], Any], advice: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "rclpy", zbot)  # as in a program that imports rclpy
     assert f": write {advice}" in text_of(call)
 
 
