@@ -14,10 +14,10 @@ from typing import TYPE_CHECKING, Any, Protocol, cast
 from zbot.executor.callback_stack import current_executor
 from zbot.process import signals
 from zbot.threads.deadline import Deadline
-from zbot.threads.wakeup import LONGEST_WAIT_S, BusyWait
+from zbot.threads.wakeup import LONGEST_WAIT_S, BusyWait, waking
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Callable
 
     import zenoh
 
@@ -72,7 +72,7 @@ def wait_for_reply(
     own = [] if executor is None else _servers_of(executor, client.service_name)
     serve = partial(_serve, executor, own)
     deadline = Deadline(timeout_sec)
-    with _waking(client, own, partial(arrivals.put, _WOKEN)):
+    with waking(partial(arrivals.put, _WOKEN), client.context, *own):
         attempt = 0
         while True:
             client.send(request, arrivals.put, partial(arrivals.put, attempt))
@@ -111,22 +111,6 @@ def _wait(
                 signals.raise_not_initialized("a service call")
         elif not isinstance(arrived, int):
             return cast("zenoh.Reply", arrived)
-
-
-@contextlib.contextmanager
-def _waking(
-    client: Caller, own: list[Service[Any, Any]], wake: Callable[[], None]
-) -> Iterator[None]:
-    context = client.context
-    context.add_waker(wake)
-    for service in own:
-        service.watchers.append(wake)
-    try:
-        yield
-    finally:
-        context.remove_waker(wake)
-        for service in own:
-            service.watchers.remove(wake)
 
 
 def _servers_of(executor: NodeExecutor, service_name: str) -> list[Service[Any, Any]]:

@@ -73,7 +73,7 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
         self.callback = callback
         self.callback_group = callback_group
         self.ready_queue = ready_queue
-        self.watchers: list[Callable[[], object]] = []  #: called in Zenoh's thread for each request
+        self._wakers: list[Callable[[], None]] = []
         self._context = context
         self._token = token
         self._logger_name = logger_name
@@ -138,9 +138,17 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
         self._queries.append((query, time.monotonic()))
         if self._is_destroyed:
             self._drop_queries()
-        for watcher in list(self.watchers):
-            watcher()
+        for waker in list(self._wakers):
+            waker()
         self.ready_queue.post(self)
+
+    def add_waker(self, waker: Callable[[], None]) -> None:
+        """Call a quick function for each request, in Zenoh's thread."""
+        self._wakers.append(waker)
+
+    def remove_waker(self, waker: Callable[[], None]) -> None:
+        """Stop calling a function that was given to `add_waker`."""
+        self._wakers.remove(waker)
 
     @property
     def has_work(self) -> bool:
