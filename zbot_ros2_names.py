@@ -43,7 +43,7 @@ _OF_SITE = ("sitecustomize", "usercustomize", "apport_python_hook")
 #: This finder imports it while Python searches for zbot.
 _OF_FINDER = "zbot_name_clash"
 #: The last slash makes these paths different from the path that `zbot.compat` searches.
-_TYPES = ("/zbot/stubs/", "/zbot/compat/packages/")
+_TYPES = ("/zbot/compat/stubs/", "/zbot/compat/packages/")
 
 
 class _Finder:
@@ -97,7 +97,7 @@ def _other_spec(name, target):  # type: ignore[no-untyped-def]  # noqa: ANN001, 
 
 def _spec_of_zbot(name, target):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202 - as above
     # From Python 3.14 on, an import does not ask the finders that were added while it searches.
-    # `zbot.import_finder` knows this function by its name, and raises its errors here.
+    # `zbot.package.import_finder` knows this function by its name, and raises its errors here.
     for finder in sys.meta_path:
         spec = finder.find_spec(name, None, target)
         if spec is not None:
@@ -111,7 +111,7 @@ def is_known(name: str) -> bool:
 
 
 def _prefers_zbot() -> bool:
-    """Return whether zbot's packages win over those of a real ROS 2. See `zbot.import_finder`."""
+    """Return whether zbot's packages win over those of a real ROS 2. See `import_finder`."""
     import os  # noqa: PLC0415 - Python has loaded it, except with -S
 
     return os.environ.get("ZBOT_RCLPY") == "zbot"

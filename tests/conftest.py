@@ -90,7 +90,7 @@ def clean_environment(
             monkeypatch.delenv(name)
     if _RCLPY:
         monkeypatch.setenv("ZBOT_RCLPY", _RCLPY)
-    monkeypatch.setattr("zbot.import_finder._prefers_zbot", _RCLPY == "zbot")
+    monkeypatch.setattr("zbot.package.import_finder._prefers_zbot", _RCLPY == "zbot")
     if pytestconfig.getoption("--rmw"):
         monkeypatch.setenv(RMW_VARIABLE, RMW_ZENOH)
     monkeypatch.setenv("ZBOT_NO_BROWSER", "1")  # open no pages on this desktop

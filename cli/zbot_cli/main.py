@@ -214,7 +214,7 @@ def _run_noun(words: list[str]) -> int | Callable[[], NoReturn]:
         _exit_with_usage_error(_ELSEWHERE[noun])
     if noun not in NOUNS and noun not in _HIDDEN:
         _exit_unknown_noun(words)
-    from zbot.import_finder import prefer_zbot  # noqa: PLC0415 - not needed by `zbot --help`
+    from zbot.package.import_finder import prefer_zbot  # noqa: PLC0415 - not needed by `zbot --help`
 
     prefer_zbot(noun not in _USES_ROS2)
     if noun in _RUNS_PROGRAMS:
@@ -256,7 +256,7 @@ def _report_usage(error: Any, words: list[str]) -> int:
         print(error.format_message())
         return Status.OK
     error.show(sys.stderr)
-    from zbot.terminal.typographic import advice_for_words  # noqa: PLC0415 - only for mistakes
+    from zbot.text.typographic import advice_for_words  # noqa: PLC0415 - only for mistakes
 
     hint = advice_for_words(sys.argv[1:]) or _advice_for_usage(error, words)
     if hint:

@@ -11,7 +11,7 @@ from typing import Any
 import zbot
 from zbot.action import ActionClient
 from zbot.executor.spin_thread import SpinThread
-from zbot.terminal.keys import pressed_keys
+from zbot.process.keys import pressed_keys
 
 from geometry_msgs.msg import Twist
 from turtlesim.action import RotateAbsolute

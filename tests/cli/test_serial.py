@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from zbot.devices.serial.port import PortInfo
+from zbot.bridge.devices.serial.port import PortInfo
 
 if TYPE_CHECKING:
     from tests.cli.conftest import Command
@@ -39,10 +39,10 @@ def test_ports_are_listed_with_their_names(
         PortInfo("/dev/ttyACM0", "Arduino Uno", is_usb=True),
         PortInfo("COM1", "x", is_usb=False),
     ]
-    monkeypatch.setattr("zbot.devices.serial.port.all_ports", lambda: ports)
+    monkeypatch.setattr("zbot.bridge.devices.serial.port.all_ports", lambda: ports)
     result = zbot_command("serial", "--list")
     assert result.out.splitlines() == ["/dev/ttyACM0  Arduino Uno", "COM1          x"]
-    monkeypatch.setattr("zbot.devices.serial.port.all_ports", list)
+    monkeypatch.setattr("zbot.bridge.devices.serial.port.all_ports", list)
     assert zbot_command("serial", "--list").err.startswith("no serial port is on this machine")
     assert "no board is on USB" in zbot_command("serial").err
 

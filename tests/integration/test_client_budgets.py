@@ -25,7 +25,7 @@ from websockets.sync.client import connect
 import zbot
 from tests.conftest import allowed, wait_until
 from tests.torture.client_attacks import CLIENTS
-from zbot.serving.client_budget import (
+from zbot.observer.serving.client_budget import (
     MAX_CLIENTS,
     MAX_MESSAGE_BYTES,
     MAX_PUBLISHED,

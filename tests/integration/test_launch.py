@@ -330,7 +330,7 @@ def test_installed_packages_are_imported_unless_zbots_are_preferred(
     (tmp_path / "launch_xml").mkdir()  # a folder of that name that is not a package
     monkeypatch.syspath_prepend(str(tmp_path))
     monkeypatch.setattr(zbot.compat, "_preferred", set())
-    monkeypatch.setattr("zbot.import_finder._prefers_zbot", False)
+    monkeypatch.setattr("zbot.package.import_finder._prefers_zbot", False)
     monkeypatch.delitem(sys.modules, "launch_yaml", raising=False)
     monkeypatch.delitem(sys.modules, "launch_xml", raising=False)
     zbot.compat.install_names()

@@ -19,8 +19,8 @@ import zbot
 from tests.conftest import allowed
 from zbot.classroom.hub.process import serve_session
 from zbot.executor.wait_set import WaitSet
+from zbot.observer.serving.until_signal import serve_until_signal
 from zbot.remote.wait_for_message import wait_for_message
-from zbot.serving.until_signal import serve_until_signal
 
 from std_msgs.msg import String
 from std_srvs.srv import Trigger

@@ -182,7 +182,7 @@ def test_editors_find_the_types_on_the_path() -> None:
 
 def test_types_of_another_copy_on_the_path_are_no_modules(tmp_path: Path) -> None:
     # pytest-xdist gives its workers the path of the process that started them.
-    stubs = tmp_path / "zbot" / "stubs"
+    stubs = tmp_path / "zbot" / "compat" / "stubs"
     (stubs / "nav2_msgs").mkdir(parents=True)
     source = (
         f"sys.path_importer_cache.clear(); sys.path.append('{stubs}/')\n"

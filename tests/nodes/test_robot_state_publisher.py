@@ -9,7 +9,7 @@ import pytest
 
 import zbot
 from tests.conftest import wait_until
-from zbot.description.xml_text import DescriptionError
+from zbot.libraries.robot_description.xml_text import DescriptionError
 from zbot.qos import DurabilityPolicy, QoSProfile
 from zbot_nodes.description.robot_state_publisher import RobotStatePublisher, read_robot
 

@@ -25,12 +25,12 @@ from zbot.classroom.teacher.laptops import Laptops
 from zbot.classroom.teacher.robots import driver_in
 from zbot.classroom.teacher.roster import read_roster
 from zbot.classroom.teacher.student_list import StudentList
-from zbot.json_reader import JsonError, read_json_object
 from zbot.log.teacher_notice import notice_text
 from zbot.security.certificate import facts
 from zbot.security.errors import SecurityError
 from zbot.security.pin import PinClient, PinError, PinServer
 from zbot.security.secret import Secret
+from zbot.text.json_reader import JsonError, read_json_object
 from zbot.transport import membership
 from zbot.transport.membership import Membership, MembershipError
 

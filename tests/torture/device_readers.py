@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import zbot  # noqa: F401 - makes the messages importable
 from tests.torture.reader import Reader, file_with, text_of
-from zbot.devices.errors import DeviceError, UnreadableError
-from zbot.devices.message_maker import MessageMaker
-from zbot.devices.mqtt.address import parse_address
-from zbot.devices.mqtt.payload import read_payload
-from zbot.devices.serial.line import LineReader
-from zbot.devices.serial.line_buffer import LineBuffer
-from zbot.devices.text_value import topic_name
-from zbot.devices.topic_subscriptions import Wanted
-from zbot.devices.topic_type import read_types, type_of_value
+from zbot.bridge.devices.errors import DeviceError, UnreadableError
+from zbot.bridge.devices.message_maker import MessageMaker
+from zbot.bridge.devices.mqtt.address import parse_address
+from zbot.bridge.devices.mqtt.payload import read_payload
+from zbot.bridge.devices.serial.line import LineReader
+from zbot.bridge.devices.serial.line_buffer import LineBuffer
+from zbot.bridge.devices.text_value import topic_name
+from zbot.bridge.devices.topic_subscriptions import Wanted
+from zbot.bridge.devices.topic_type import read_types, type_of_value
 from zbot.names import validate_topic_name
 
 from builtin_interfaces.msg import Time
@@ -42,14 +42,14 @@ def _payload(data: bytes) -> None:
 DEVICE_READERS = (
     Reader(
         "mqtt_payload",
-        ("zbot.devices.mqtt.payload",),
+        ("zbot.bridge.devices.mqtt.payload",),
         _payload,
         (UnreadableError,),
         (b"23.5 \xc2\xb0C", b"ON", b'{"ENERGY": {"Power": [1, 2]}}', b'"text"', b"[" * 5000),
     ),
     Reader(
         "mqtt_address",
-        ("zbot.devices.mqtt.address",),
+        ("zbot.bridge.devices.mqtt.address",),
         lambda data: parse_address(text_of(data)),
         (DeviceError,),
         (b"mqtts://ana:a%40b@broker:8883", b"[::1]:1883", b"broker"),
@@ -57,10 +57,10 @@ DEVICE_READERS = (
     Reader(
         "serial_line",
         (
-            "zbot.devices.serial.line",
-            "zbot.devices.serial.line_buffer",
-            "zbot.devices.text_value",
-            "zbot.devices.message_maker",
+            "zbot.bridge.devices.serial.line",
+            "zbot.bridge.devices.serial.line_buffer",
+            "zbot.bridge.devices.text_value",
+            "zbot.bridge.devices.message_maker",
         ),
         _lines,
         (UnreadableError,),
@@ -75,14 +75,14 @@ DEVICE_READERS = (
     ),
     Reader(
         "device_types",
-        ("zbot.devices.topic_type",),
+        ("zbot.bridge.devices.topic_type",),
         lambda data: read_types(file_with("types.yaml", data)),
         (DeviceError,),
         (b"temperature: Float64\n/home/*: std_msgs/msg/Bool\n", b"a: sensor_msgs/Range.range\n"),
     ),
     Reader(
         "device_topics",
-        ("zbot.devices.topic_subscriptions",),
+        ("zbot.bridge.devices.topic_subscriptions",),
         lambda data: Wanted.parse(text_of(data)),
         (DeviceError,),
         (b"/led:std_msgs/msg/Bool=cmnd/lamp/POWER", b"/robot/*"),

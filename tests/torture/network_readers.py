@@ -9,7 +9,6 @@ from typing import Any
 
 import zbot  # noqa: F401 - makes the messages importable
 from tests.torture.reader import Reader, json_bytes
-from zbot.embedded.micropython_module import micropython_module
 from zbot.errors import InvalidNameError, WrongValueError
 from zbot.graph.endpoint_info import TypeHash
 from zbot.graph.snapshot import Snapshot, full_names
@@ -22,7 +21,6 @@ from zbot.interfaces.errors import (
 )
 from zbot.interfaces.plain_value import json_value
 from zbot.interfaces.remote_definition import hash_among, specs_from, specs_from_sources
-from zbot.json_reader import JsonError, read_json, read_json_object
 from zbot.launch.control.control_server import read_request
 from zbot.launch.errors import LaunchControlError
 from zbot.libraries.image_array import CvBridge, CvBridgeError
@@ -32,12 +30,14 @@ from zbot.observer.image_encoder import ImageError, encode_jpeg, media_type
 from zbot.observer.value_text import brief
 from zbot.parameters.parameter import UnknownParameterTypeError
 from zbot.remote.parameters import RemoteParameters
+from zbot.text.json_reader import JsonError, read_json, read_json_object
 from zbot.transport.admin_query import process_of, router_facts
 from zbot.web.page.topic_picture import points_of, ring
 from zbot.web.panels.parameters.described_parameter import load
 from zbot.web.server.page_discovery import address_in
 from zbot.wire import attachment
 from zbot.wire.cdr.codec import cdr_codec_for
+from zbot.wire.embedded.micropython_module import micropython_module
 from zbot.wire.error_reply import unpack_error
 from zbot.wire.errors import CodecError, TokenError
 from zbot.wire.keys import encoded_type, parse_key
@@ -253,7 +253,7 @@ NETWORK_READERS = (
     ),
     Reader(
         "json",
-        ("zbot.json_reader",),
+        ("zbot.text.json_reader",),
         read_json,
         (JsonError,),
         (
@@ -339,7 +339,7 @@ NETWORK_READERS = (
     ),
     Reader(
         "cdr_on_a_board",
-        ("zbot.embedded.cdr_module",),
+        ("zbot.wire.embedded.cdr_module",),
         _on_board,
         (CodecError,),
         _typed_seeds(cdr_codec_for),

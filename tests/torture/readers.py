@@ -47,7 +47,7 @@ EXCEPTIONS = {
     "zbot.web.rosbridge.frame": "it makes a picture of the text that this process has written",
     "zbot.process.main_part": "it reads the program that the user runs anyway",
     "zbot.launch.python_file": "it reads the launch file that the user runs anyway",
-    "zbot.devices.serial.lost_bytes": "it reads the counts of the kernel",
+    "zbot.bridge.devices.serial.lost_bytes": "it reads the counts of the kernel",
     "zbot_cli.commands.test": "it reads the tests that the user runs anyway",
     "zbot_cli.packages.known_workspaces": "it reads the list that this user's zbot writes",
     "zbot_nodes.cameras.frame_source": "OpenCV decodes the pictures that the user names",

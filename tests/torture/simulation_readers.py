@@ -8,8 +8,8 @@ from importlib.util import find_spec
 import zbot  # noqa: F401 - makes the messages importable
 from tests.torture.reader import Reader, file_with, text_of
 from zbot.classroom.errors import ClassValueError
-from zbot.description.inertia import read_inertia
-from zbot.description.xml_text import DescriptionError
+from zbot.libraries.robot_description.inertia import read_inertia
+from zbot.libraries.robot_description.xml_text import DescriptionError
 from zbot.simulation.errors import SimulationError
 from zbot.simulation.gazebo.equipment import read_equipment, urdf_tags
 from zbot.simulation.gazebo.names import PlainNames
@@ -120,7 +120,7 @@ def _sdf_world(data: bytes) -> None:
 _WITHOUT_EXTRA = (
     Reader(
         "robot_inertia",
-        ("zbot.description.inertia",),
+        ("zbot.libraries.robot_description.inertia",),
         lambda data: read_inertia(text_of(data)),
         (DescriptionError,),
         (_ROBOT,),

@@ -14,9 +14,6 @@ from typing import Any
 import zbot  # noqa: F401 - makes the messages importable
 from tests.torture.package_readers import MANIFEST
 from tests.torture.reader import Reader, file_with, text_of
-from zbot.description.appearance import read_appearance
-from zbot.description.urdf import read_urdf
-from zbot.description.xml_text import DescriptionError
 from zbot.errors import WrongValueError
 from zbot.interfaces.collection import DefinitionSourceError, collect
 from zbot.interfaces.content_filter import ContentFilter, ContentFilterError
@@ -45,11 +42,14 @@ from zbot.launch.typed_value import coerce_to_type
 from zbot.libraries.camera_calibration import CameraInfoError, read_calibration
 from zbot.libraries.navigation.map_file import MapFileError, read_settings
 from zbot.libraries.navigation.map_image import MapImageError, read_image
+from zbot.libraries.robot_description.appearance import read_appearance
+from zbot.libraries.robot_description.urdf import read_urdf
+from zbot.libraries.robot_description.xml_text import DescriptionError
 from zbot.parameters.errors import ArgumentsError, ParametersFileError, ParameterValueError
 from zbot.parameters.file import parse_value, sections
 from zbot.parameters.ros_args import Arguments
+from zbot.text.yaml_reader import YamlError, compose_yaml, construct_yaml, read_yaml
 from zbot.web.forms.form_value import DURATION, read
-from zbot.yaml_reader import YamlError, compose_yaml, construct_yaml, read_yaml
 from zbot_cli.errors import CommandError
 from zbot_cli.input.filter import Filter
 from zbot_cli.input.message_values import PopulateError, Template, ValuesError
@@ -188,11 +188,15 @@ _VALUE_ERRORS = (ValuesError, PopulateError, FieldTypeError, FieldValueError)
 
 TEXT_READERS = (
     Reader(
-        "yaml", ("zbot.yaml_reader",), lambda data: read_yaml(text_of(data)), (YamlError,), _YAML
+        "yaml",
+        ("zbot.text.yaml_reader",),
+        lambda data: read_yaml(text_of(data)),
+        (YamlError,),
+        _YAML,
     ),
     Reader(
         "yaml_nodes",
-        ("zbot.yaml_reader", "zbot.interfaces.yaml_text"),
+        ("zbot.text.yaml_reader", "zbot.interfaces.yaml_text"),
         _compose,
         (YamlError,),
         _YAML,
@@ -358,14 +362,14 @@ TEXT_READERS = (
     ),
     Reader(
         "robot_description",
-        ("zbot.description.xml_text", "zbot.description.urdf"),
+        ("zbot.libraries.robot_description.xml_text", "zbot.libraries.robot_description.urdf"),
         lambda data: read_urdf(text_of(data)),
         (DescriptionError,),
         (_URDF, b"<a>" * 200, b'<!DOCTYPE a [<!ENTITY b "c">]><robot>&b;</robot>'),
     ),
     Reader(
         "robot_appearance",
-        ("zbot.description.appearance",),
+        ("zbot.libraries.robot_description.appearance",),
         lambda data: read_appearance(text_of(data)),
         (DescriptionError,),
         (_APPEARANCE, _URDF),

@@ -7,9 +7,9 @@ from typing import Any
 
 from tests.torture.reader import Reader
 from tests.unit.view.messages import MESSAGES
-from zbot.description.mesh_address import path_of
-from zbot.description.xml_text import DescriptionError
-from zbot.serving.request import RequestError, parsed
+from zbot.libraries.robot_description.mesh_address import path_of
+from zbot.libraries.robot_description.xml_text import DescriptionError
+from zbot.observer.serving.request import RequestError, parsed
 from zbot.view.arrangement.errors import ArrangementError
 from zbot.view.arrangement.link import link_text, read_link
 from zbot.view.arrangement.rviz_file import read_rviz
@@ -87,14 +87,14 @@ VIEW_READERS = (
     ),
     Reader(
         "mesh_address",
-        ("zbot.description.mesh_address",),
+        ("zbot.libraries.robot_description.mesh_address",),
         lambda data: path_of(data.decode(errors="replace")),
         (DescriptionError,),
         (b"package://zbot_nodes/meshes/a%20b.stl", b"file:///a.stl", b"a/b.stl"),
     ),
     Reader(
         "view_request",
-        ("zbot.serving.request", "zbot.view.server.guard"),
+        ("zbot.observer.serving.request", "zbot.view.server.guard"),
         _view_request,
         (RequestError,),
         (b"GET /?token=a HTTP/1.1\r\nHost: a:1\r\nUpgrade: websocket\r\nCookie: b=c\r\n\r\n",),

@@ -13,8 +13,8 @@ from zbot.errors import ZbotError
 from zbot.interfaces import get_message
 from zbot.interfaces.plain_value import json_value
 from zbot.observer.errors import ViewerError
-from zbot.serving.address import origin_of
-from zbot.serving.client_budget import OverBudgetError
+from zbot.observer.serving.address import origin_of
+from zbot.observer.serving.client_budget import OverBudgetError
 from zbot.web.foxglove.connection import Connection, Streams
 from zbot.web.foxglove.frame import read_frame, text_frame
 from zbot.web.foxglove.guard import Guard
@@ -243,7 +243,7 @@ WEB_READERS = (
     ),
     Reader(
         "web_origin",
-        ("zbot.serving.address",),
+        ("zbot.observer.serving.address",),
         lambda data: origin_of(_text(data)),
         (ViewerError,),
         (b"http://localhost:8000", b"https://[::1]:443/a", b"http://a:99999"),

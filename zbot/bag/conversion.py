@@ -12,7 +12,7 @@ from zbot.bag.options import RecordOptions, StorageOptions
 from zbot.bag.reader import Reader, merge
 from zbot.bag.writer import STORAGES, writer_for
 from zbot.errors import ZbotError
-from zbot.yaml_reader import read_yaml
+from zbot.text.yaml_reader import read_yaml
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

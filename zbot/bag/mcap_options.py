@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.bag.errors import BagValueError
 from zbot.errors import ZbotError
-from zbot.yaml_reader import read_yaml
+from zbot.text.yaml_reader import read_yaml
 
 if TYPE_CHECKING:
     from pathlib import Path

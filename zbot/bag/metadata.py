@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.bag.errors import BagReadError
 from zbot.bag.qos_profiles import profile_values, read_profiles
-from zbot.yaml_reader import YamlError, read_yaml
+from zbot.text.yaml_reader import YamlError, read_yaml
 
 if TYPE_CHECKING:
     from collections.abc import Iterable

@@ -14,8 +14,8 @@ from zbot.qos import (
     QoSProfile,
     ReliabilityPolicy,
 )
+from zbot.text.yaml_reader import YamlError, read_yaml
 from zbot.time import S_TO_NS, Duration, Infinite
-from zbot.yaml_reader import YamlError, read_yaml
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

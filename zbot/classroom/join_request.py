@@ -6,7 +6,7 @@ import hmac
 from dataclasses import dataclass
 from typing import Any
 
-from zbot.terminal.text import single_line
+from zbot.text.terminal import single_line
 
 _MACHINE_LENGTH = 64
 

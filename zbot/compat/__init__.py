@@ -17,9 +17,8 @@ from importlib.machinery import ModuleSpec, PathFinder
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from zbot import import_finder
 from zbot.compat.missing_name import explain_missing_name
-from zbot.package import python_finder
+from zbot.package import import_finder, python_finder
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence

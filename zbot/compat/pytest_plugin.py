@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import pytest
 
-from zbot import import_finder
+from zbot.package import import_finder
 
 if TYPE_CHECKING:
     from collections.abc import Iterable

@@ -19,8 +19,8 @@ from zbot.wire.tokens import EntityKind
 if TYPE_CHECKING:
     from zbot.context import Context
     from zbot.executor.clock import Clock
-    from zbot.handle import Handle
     from zbot.node.state import NodeState
+    from zbot.threads.handle import Handle
 
 
 class _Own:

@@ -27,7 +27,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from zbot.yaml_reader import read_yaml
+from zbot.text.yaml_reader import read_yaml
 
 _FOLDER = Path(__file__).parent / "names"
 _OTHER_KEYS = {"doc", "is", "later", "like", "modules"}

@@ -9,12 +9,12 @@ from zbot.context.domain_session import DomainSession
 from zbot.context.session_threads import SessionThreads
 from zbot.context.state import ContextState
 from zbot.graph.snapshot import Graph
-from zbot.handle import Handle
 from zbot.log import get_logger
 from zbot.parameters.lost_arguments import warning_about
 from zbot.parameters.ros_args import Arguments, configure_logging
 from zbot.process import at_exit, blocked_put, fork, signals
 from zbot.threads.foreign_call import defers_signals
+from zbot.threads.handle import Handle
 from zbot.threads.weak_set import WeakSet
 from zbot.transport import shared_memory
 

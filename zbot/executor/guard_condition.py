@@ -8,8 +8,8 @@ from zbot.context import get_default_context
 from zbot.errors import InvalidHandleError, NotInitializedError
 from zbot.executor.callback_group import ReentrantCallbackGroup
 from zbot.executor.ready_queue import ReadyQueue
-from zbot.handle import Handle
 from zbot.process import signals
+from zbot.threads.handle import Handle
 
 if TYPE_CHECKING:
     from collections.abc import Callable

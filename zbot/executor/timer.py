@@ -11,9 +11,9 @@ from zbot.errors import InvalidHandleError, NotInitializedError
 from zbot.executor.callback_check import check_callback, if_written
 from zbot.executor.clock import ROSClock
 from zbot.executor.errors import RateInterruptedBySignalError, RateInterruptedError
-from zbot.handle import Handle
 from zbot.log import get_logger
 from zbot.process import signals
+from zbot.threads.handle import Handle
 from zbot.time import S_TO_NS, ClockType, Duration, Time
 
 if TYPE_CHECKING:

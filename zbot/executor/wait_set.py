@@ -12,7 +12,7 @@ from zbot.threads.wakeup import BinarySemaphore
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from zbot.handle import Handle
+    from zbot.threads.handle import Handle
 
 Kind = Literal["subscription", "guard_condition", "timer", "client", "service", "event"]
 _POLL_S = 0.1  # time between two checks, if a timer has simulated time and no known due time

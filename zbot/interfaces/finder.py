@@ -13,8 +13,8 @@ from __future__ import annotations
 import sys
 from typing import TYPE_CHECKING, Any
 
-from zbot import import_finder
 from zbot.names import KINDS
+from zbot.package import import_finder
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

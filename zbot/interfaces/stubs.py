@@ -3,7 +3,7 @@
     python -m zbot.interfaces.stubs FOLDER [PACKAGE ...]
 
 This command writes files such as `FOLDER/std_msgs/msg/__init__.pyi` for the given packages. Without
-a package, it writes stubs for the packages in zbot. zbot contains these stubs in `zbot/stubs`, in
+a package, it writes stubs for the packages in zbot. These stubs are in `zbot/compat/stubs`, in
 folders without code, e.g. `std_msgs`. If the folder's name were `std_msgs-stubs`, pyright would
 warn at every import that the source is missing. Editors find the folder on `sys.path`, because
 `zbot_ros2_names` adds it. Write stubs of your own types into `typings`, which pyright reads by

@@ -7,7 +7,7 @@ from typing import Any
 import yaml
 from yaml import CollectionNode, MappingNode, Node, ScalarNode, SequenceNode
 
-from zbot.yaml_reader import YamlError, compose_yaml, construct_yaml
+from zbot.text.yaml_reader import YamlError, compose_yaml, construct_yaml
 
 __all__ = [
     "CollectionNode",

@@ -12,7 +12,7 @@ from zbot.errors.suggestion import question, similar_names
 from zbot.launch.argument_names import question_about
 from zbot.package.errors import NotRunnableError
 from zbot.package.unavailable import Unavailable
-from zbot.terminal.typographic import advice
+from zbot.text.typographic import advice
 
 if TYPE_CHECKING:
     from collections.abc import Iterable

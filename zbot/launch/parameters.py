@@ -24,7 +24,7 @@ from zbot.launch.typed_value import coerce_to_type, extract_type, type_name
 from zbot.parameters.errors import ParameterValueError
 from zbot.parameters.file import parse_value
 from zbot.parameters.value_text import value_text, with_quotes
-from zbot.yaml_reader import YamlError, read_yaml
+from zbot.text.yaml_reader import YamlError, read_yaml
 
 if TYPE_CHECKING:
     from collections.abc import Iterable

@@ -23,7 +23,7 @@ from zbot.launch.errors import LaunchFileError, describe
 from zbot.launch.not_runnable import missing_file
 from zbot.package import python_finder
 from zbot.package.ros_variables import AMENT_PREFIX_PATH
-from zbot.terminal.typographic import advise_of_syntax
+from zbot.text.typographic import advise_of_syntax
 
 if TYPE_CHECKING:
     from collections.abc import Iterable

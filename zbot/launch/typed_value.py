@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Final, TypeAlias, get_args, get_origin
 from zbot.errors import shortened
 from zbot.launch.errors import CoercionError, EntityTypeError
 from zbot.launch.substitution import Substitution, normalize, perform
-from zbot.yaml_reader import YamlError, read_yaml
+from zbot.text.yaml_reader import YamlError, read_yaml
 
 if TYPE_CHECKING:
     from zbot.launch.context import LaunchContext

@@ -7,7 +7,7 @@ from typing import Any
 
 from zbot.errors import ZbotError
 from zbot.log.logger import get_logger
-from zbot.yaml_reader import YamlError, read_yaml
+from zbot.text.yaml_reader import YamlError, read_yaml
 
 from sensor_msgs.msg import CameraInfo
 

@@ -7,7 +7,7 @@ import sys
 from typing import TYPE_CHECKING, Final, TextIO
 
 from zbot.log.record import LoggingSeverity, formatter
-from zbot.terminal.text import escape_control_characters, write_styled
+from zbot.text.terminal import escape_control_characters, write_styled
 
 if TYPE_CHECKING:
     from collections.abc import Mapping

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from zbot.json_reader import JsonError, read_json_object
 from zbot.log import get_logger
-from zbot.terminal.text import single_line
+from zbot.text.json_reader import JsonError, read_json_object
+from zbot.text.terminal import single_line
 
 if TYPE_CHECKING:
     import zenoh

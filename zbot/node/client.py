@@ -14,7 +14,6 @@ from typing import TYPE_CHECKING, Any, Generic, NamedTuple, TypeVar, cast
 import zenoh
 
 from zbot.errors import InvalidHandleError
-from zbot.handle import Handle
 from zbot.interfaces import type_name
 from zbot.interfaces.same_type import is_message_of
 from zbot.log import get_logger
@@ -28,6 +27,7 @@ from zbot.node.service_request import ServiceRequest, response_sample
 from zbot.process import signals
 from zbot.threads.deadline import Deadline
 from zbot.threads.foreign_call import without_interruption
+from zbot.threads.handle import Handle
 from zbot.threads.wakeup import BinarySemaphore, BusyWait, activity
 from zbot.time import as_seconds
 from zbot.wire.attachment import GID_LENGTH, LAYOUT

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from zbot.handle import Handle
+from zbot.threads.handle import Handle
 
 if TYPE_CHECKING:
     from typing_extensions import Self

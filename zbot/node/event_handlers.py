@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING, Any
 from zbot.executor.clock import Clock
 from zbot.executor.ready_queue import ReadyQueue
 from zbot.executor.timer import Timer
-from zbot.handle import Handle
 from zbot.node.qos_events import (
     EventKind,
     IncompatibleTypeInfo,
@@ -30,6 +29,7 @@ from zbot.node.qos_events import (
     QoSSubscriptionEventType,
 )
 from zbot.qos import LivelinessPolicy, QoSPolicyKind
+from zbot.threads.handle import Handle
 from zbot.time import ClockType
 from zbot.wire.tokens import EndpointToken, EntityKind
 

@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar
 import zenoh
 
 from zbot.executor.forgotten_spin import Program
-from zbot.handle import Handle
 from zbot.interfaces.same_type import is_message_of
 from zbot.log import get_logger
 from zbot.memory import LARGE_BYTES, keep_freed_memory
@@ -20,6 +19,7 @@ from zbot.node.errors import response_type_error
 from zbot.node.service_introspection import ServiceEndpoint, Step
 from zbot.node.service_request import RepeatedRequests
 from zbot.threads.foreign_call import called_by_zenoh, keep_thread_state
+from zbot.threads.handle import Handle
 from zbot.threads.wakeup import activity
 from zbot.wire.attachment import GID_LENGTH, LAYOUT, unpack
 from zbot.wire.errors import CodecError

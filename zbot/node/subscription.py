@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING, Any, Generic, Literal, TypeVar
 import zenoh
 
 from zbot.executor.forgotten_spin import Program
-from zbot.handle import Handle
 from zbot.interfaces import has_sequences
 from zbot.memory import LARGE_BYTES, keep_freed_memory
 from zbot.node.endpoint import TopicEndpoint
@@ -25,6 +24,7 @@ from zbot.node.sample_queue import LatchedChannel, SampleQueue
 from zbot.node.zenoh_declaration import subscriber_declaration
 from zbot.process import blocked_put, fork
 from zbot.qos import DurabilityPolicy, HistoryPolicy
+from zbot.threads.handle import Handle
 from zbot.wire.attachment import LAYOUT
 from zbot.wire.errors import CodecError
 

@@ -10,11 +10,11 @@ from importlib.machinery import PathFinder
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from zbot.json_reader import JsonError, read_json_object
 from zbot.package.bundled_nodes import BUNDLED_NODES
 from zbot.package.ros_variables import ament_prefixes
 from zbot.package.user_folders import definitions_folder
 from zbot.package.workspace import MANIFEST, package_folders, package_name
+from zbot.text.json_reader import JsonError, read_json_object
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

@@ -15,7 +15,7 @@ from importlib.machinery import ModuleSpec, PathFinder
 from importlib.util import spec_from_file_location
 from typing import TYPE_CHECKING
 
-from zbot import import_finder
+from zbot.package import import_finder
 from zbot.package.errors import SetupFileError
 from zbot.package.workspace import VARIABLE, Roots, package_folders, read_text, search_roots
 

@@ -9,7 +9,7 @@ import os
 from importlib.machinery import PathFinder
 from pathlib import Path
 
-from zbot import import_finder
+from zbot.package import import_finder
 from zbot.package.errors import NoGenuineRclpyError
 
 _ZBOT, _GENUINE = "zbot", "genuine"

@@ -23,7 +23,7 @@ from zbot.parameters.errors import (
     ParameterValueError,
 )
 from zbot.parameters.scalar import LETTERS, scalar_value
-from zbot.yaml_reader import YamlError, compose_untagged
+from zbot.text.yaml_reader import YamlError, compose_untagged
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -87,7 +87,7 @@ def sections(path: str) -> list[tuple[str, dict[str, Any]]]:
         documents = [document for document in compose_untagged(text) if not _is_empty(document)]
         return [found for document in documents for found in _sections(path, "", document)]
     except (YamlError, ParametersFileError) as error:
-        from zbot.terminal.typographic import advice  # noqa: PLC0415 - only for mistakes
+        from zbot.text.typographic import advice  # noqa: PLC0415 - only for mistakes
 
         reason = error.reason if isinstance(error, ParametersFileError) else str(error)
         raise ParametersFileError(path, "; ".join(filter(None, (reason, advice(text))))) from error

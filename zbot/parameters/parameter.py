@@ -12,7 +12,7 @@ from zbot.errors import ArgumentTypeError, ParameterError, WrongStateError, Zbot
 from zbot.errors.call_source import field_read_from
 from zbot.parameters.errors import ParameterValueError, advice_for_override
 from zbot.parameters.file import matches, parse_value, sections
-from zbot.yaml_reader import YamlError, read_yaml
+from zbot.text.yaml_reader import YamlError, read_yaml
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -200,7 +200,7 @@ class Arguments(NamedTuple):
 
 
 def _refuse_typographic(word: str) -> None:
-    from zbot.terminal.typographic import advice_for_words  # noqa: PLC0415 - only for mistakes
+    from zbot.text.typographic import advice_for_words  # noqa: PLC0415 - only for mistakes
 
     advice = advice_for_words([word])
     if advice:

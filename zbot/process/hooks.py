@@ -22,7 +22,7 @@ from zbot.process.attribute_advice import (
     suggest_public_name,
 )
 from zbot.process.call_advice import advise_of_call
-from zbot.terminal.typographic import advise_of_syntax
+from zbot.text.typographic import advise_of_syntax
 
 _PACKAGE = str(Path(__file__).parents[1]) + os.sep
 

@@ -32,7 +32,6 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import SetupError
-from zbot.json_reader import JsonError, read_json_object
 from zbot.security.key_exchange import (
     PROOF_BYTES,
     PUBLIC_BYTES,
@@ -44,6 +43,7 @@ from zbot.security.key_exchange import (
     exchange_s,
 )
 from zbot.security.secret import Secret
+from zbot.text.json_reader import JsonError, read_json_object
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator

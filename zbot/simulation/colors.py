@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from zbot.description.appearance import Rgba
+    from zbot.libraries.robot_description.appearance import Rgba
 
 _COLORS: dict[str, tuple[float, float, float]] = {
     "black": (0.05, 0.05, 0.05),

@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import zenoh
 
-from zbot.json_reader import JsonError, read_json_object
-from zbot.terminal.text import single_line
+from zbot.text.json_reader import JsonError, read_json_object
+from zbot.text.terminal import single_line
 from zbot.transport.process_facts import process_space
 
 if TYPE_CHECKING:

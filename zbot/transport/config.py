@@ -10,9 +10,9 @@ from typing import Any, NamedTuple
 
 import zenoh
 
+from zbot.text.whole_number import whole_number
 from zbot.transport import membership
 from zbot.transport.errors import SettingError, config_error, discovery_range_error, port_error
-from zbot.whole_number import whole_number
 
 MAX_DOMAIN_ID = 232  #: ROS 2's own limit, so that lesson sheets for ROS 2 are valid here
 MEETING_PORT = 7450  #: port of the router of domain 0 on 127.0.0.1 (domain n: 7450 + n)

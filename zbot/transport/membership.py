@@ -12,8 +12,8 @@ from dataclasses import asdict, dataclass, field, fields
 from typing import TYPE_CHECKING, Any, Literal
 
 from zbot.errors import SetupError
-from zbot.json_reader import read_json_object
 from zbot.package.user_folders import settings_folder
+from zbot.text.json_reader import read_json_object
 
 if TYPE_CHECKING:
     from collections.abc import Iterable

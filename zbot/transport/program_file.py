@@ -11,8 +11,8 @@ import os
 import time
 from typing import TYPE_CHECKING, Any
 
-from zbot.json_reader import read_json_object
 from zbot.package.user_folders import make_private
+from zbot.text.json_reader import read_json_object
 from zbot.transport import background_process
 
 if TYPE_CHECKING:

@@ -12,10 +12,10 @@ from typing import Any
 
 import zenoh
 
+from zbot.text.whole_number import whole_number
 from zbot.transport import config
 from zbot.transport.config import DROP_WAIT_US, ONE_DIALS, OPEN_TIMEOUT_MS, SessionConfig
 from zbot.transport.errors import SettingError, config_error
-from zbot.whole_number import whole_number
 
 ROUTER_ENDPOINT = "tcp/localhost:7447"
 _SESSION_FILE = "ZENOH_SESSION_CONFIG_URI"

@@ -18,9 +18,9 @@ from pathlib import Path
 from typing import IO, Any
 
 from zbot.package.user_folders import make_private
+from zbot.text.whole_number import whole_number
 from zbot.threads.deadline import poll
 from zbot.transport import background_process, membership
-from zbot.whole_number import whole_number
 
 _PROC = Path("/proc")
 # A blocked router uses no processor. A router that works uses a processor, or waits for one.

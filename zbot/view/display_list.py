@@ -6,9 +6,9 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from zbot.description.file import read_description
-from zbot.description.xml_text import DescriptionError
 from zbot.errors import ZbotError
+from zbot.libraries.robot_description.file import read_description
+from zbot.libraries.robot_description.xml_text import DescriptionError
 from zbot.names import is_hidden
 from zbot.view.arrangement.arrangement import DisplayChoice
 from zbot.view.displays import DISPLAYS, display_for

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from zbot.description.mesh_address import path_of
-from zbot.description.xml_text import DescriptionError
+from zbot.libraries.robot_description.mesh_address import path_of
+from zbot.libraries.robot_description.xml_text import DescriptionError
 from zbot.view.errors import DisplayError
 from zbot.view.shape import Mesh
 

@@ -10,9 +10,9 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from zbot.description.file import read_description
-from zbot.description.urdf import read_urdf
 from zbot.errors import ZbotError
+from zbot.libraries.robot_description.file import read_description
+from zbot.libraries.robot_description.urdf import read_urdf
 from zbot.log import get_logger
 from zbot.names import expand_topic_name
 from zbot.tf2.rigid import Rigid
@@ -38,7 +38,7 @@ if TYPE_CHECKING:
     from pathlib import Path
     from threading import Event
 
-    from zbot.description.urdf import Joint
+    from zbot.libraries.robot_description.urdf import Joint
     from zbot.view.display_list import Listed
     from zbot.view.drawing import Drawing
     from zbot.view.frames import Frames

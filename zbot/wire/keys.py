@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from zbot.whole_number import whole_number
+from zbot.text.whole_number import whole_number
 
 __all__ = [
     "ENCODING_PREFIX",

@@ -17,8 +17,8 @@ from zbot.qos import (
     QoSProfile,
     ReliabilityPolicy,
 )
+from zbot.text.whole_number import whole_number
 from zbot.time import S_TO_NS, Duration, Infinite
-from zbot.whole_number import whole_number
 
 __all__ = ["parse_qos", "qos_text"]
 

@@ -16,7 +16,7 @@ from enum import Enum
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
-from zbot.whole_number import whole_number
+from zbot.text.whole_number import whole_number
 from zbot.wire.attachment import GID_LENGTH
 from zbot.wire.errors import TokenError
 from zbot.wire.keys import SHARED_DOMAIN, SHARED_SPACE, domain_text

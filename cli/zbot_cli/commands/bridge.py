@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, ClassVar, Final
 
 import typer
 
-from zbot.whole_number import whole_number
+from zbot.text.whole_number import whole_number
 from zbot_cli.input.many_values import ManyValuesCommand
 from zbot_cli.input.option_groups import with_option_groups
 from zbot_cli.output.listing import new_app

@@ -68,11 +68,11 @@ def mqtt(
 
     The topic `home/temperature` of the broker is `/home/temperature` in zbot. It runs until Ctrl-C.
     """
-    from zbot.devices.device_node import device_node  # noqa: PLC0415 - not needed by `--help`
-    from zbot.devices.mqtt.address import parse_address  # noqa: PLC0415 - as above
-    from zbot.devices.mqtt.broker import Broker, BrokerOptions  # noqa: PLC0415 - as above
-    from zbot.devices.topic_subscriptions import Wanted  # noqa: PLC0415 - as above
-    from zbot.devices.topic_type import TypeTable  # noqa: PLC0415 - as above
+    from zbot.bridge.devices.device_node import device_node  # noqa: PLC0415 - not needed by `--help`
+    from zbot.bridge.devices.mqtt.address import parse_address  # noqa: PLC0415 - as above
+    from zbot.bridge.devices.mqtt.broker import Broker, BrokerOptions  # noqa: PLC0415 - as above
+    from zbot.bridge.devices.topic_subscriptions import Wanted  # noqa: PLC0415 - as above
+    from zbot.bridge.devices.topic_type import TypeTable  # noqa: PLC0415 - as above
 
     if not filters and not to:
         raise CommandError(

@@ -11,7 +11,7 @@ from zbot_cli.input.many_values import ManyValuesCommand
 from zbot_cli.output.listing import new_app
 
 if TYPE_CHECKING:
-    from zbot.devices.serial.board import BoardOptions
+    from zbot.bridge.devices.serial.board import BoardOptions
 
 app = new_app("Connect a board on a USB cable", has_verbs=False)
 
@@ -62,15 +62,15 @@ def serial(
     The board prints lines such as `temperature: 23.5`. Each name is a topic. It runs until Ctrl-C.
     """
     if sketch:
-        from zbot.devices.serial.sketch import sketch_for  # noqa: PLC0415 - not needed by `--help`
+        from zbot.bridge.devices.serial.sketch import sketch_for  # noqa: PLC0415 - not needed by `--help`
 
         print(sketch_for(sketch), end="")
     elif list_ports:
         _list()
     else:
-        from zbot.devices.serial.board import BoardOptions  # noqa: PLC0415 - not needed by `--help`
-        from zbot.devices.topic_subscriptions import Wanted  # noqa: PLC0415 - as above
-        from zbot.devices.topic_type import TypeTable  # noqa: PLC0415 - as above
+        from zbot.bridge.devices.serial.board import BoardOptions  # noqa: PLC0415 - not needed by `--help`
+        from zbot.bridge.devices.topic_subscriptions import Wanted  # noqa: PLC0415 - as above
+        from zbot.bridge.devices.topic_type import TypeTable  # noqa: PLC0415 - as above
 
         given = BoardOptions(
             baud=baud,
@@ -85,7 +85,7 @@ def serial(
 
 
 def _list() -> None:
-    from zbot.devices.serial.port import all_ports  # noqa: PLC0415 - not needed by `--help`
+    from zbot.bridge.devices.serial.port import all_ports  # noqa: PLC0415 - not needed by `--help`
 
     found = all_ports()
     if not found:
@@ -96,9 +96,9 @@ def _list() -> None:
 
 
 def _run(port: str, name: str, namespace: str, options: BoardOptions) -> None:
-    from zbot.devices.device_node import device_node, node_name  # noqa: PLC0415 - not needed by `--help`
-    from zbot.devices.serial.board import Board  # noqa: PLC0415 - as above
-    from zbot.devices.serial.port import open_port, read_port  # noqa: PLC0415 - as above
+    from zbot.bridge.devices.device_node import device_node, node_name  # noqa: PLC0415 - not needed by `--help`
+    from zbot.bridge.devices.serial.board import Board  # noqa: PLC0415 - as above
+    from zbot.bridge.devices.serial.port import open_port, read_port  # noqa: PLC0415 - as above
 
     info, is_found = read_port(port)
     opened = open_port(info.device, options.baud)

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from zbot.whole_number import whole_number
+from zbot.text.whole_number import whole_number
 from zbot_cli.output.listing import new_app
 
 app = new_app("Let one student read another's topics", has_verbs=False)

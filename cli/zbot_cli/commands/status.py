@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from zbot.terminal.text import escape_control_characters
+from zbot.text.terminal import escape_control_characters
 from zbot_cli.output.listing import AsJson, new_app, print_json
 
 app = new_app("Show the class or the other machine", has_verbs=False)

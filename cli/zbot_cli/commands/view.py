@@ -38,8 +38,8 @@ def view(
     no_browser: Annotated[bool, typer.Option("--no-browser", help="Do not open a browser")] = False,
 ) -> None:
     """Show the robot in 3D in a browser."""
+    from zbot.observer.serving.browser import has_desktop  # noqa: PLC0415 - as above
     from zbot.process.signals import install  # noqa: PLC0415 - not needed by `--help`
-    from zbot.serving.browser import has_desktop  # noqa: PLC0415 - as above
     from zbot.view.server.server import Content, bytes_per_s, serve  # noqa: PLC0415 - as above
 
     limit = bytes_per_s(host, budget)

@@ -83,7 +83,7 @@ def serve_page(
     from zbot.process.signals import install  # noqa: PLC0415 - not needed by `--help`
 
     check_extra()
-    from zbot.serving.browser import has_desktop  # noqa: PLC0415 - as above
+    from zbot.observer.serving.browser import has_desktop  # noqa: PLC0415 - as above
     from zbot.web.server.server import serve  # noqa: PLC0415 - as above
 
     install(calls_ok=False)

@@ -14,7 +14,7 @@ from zbot.context import Context
 from zbot.errors import ExternalShutdownException
 from zbot.graph.snapshot import Snapshot
 from zbot.names import is_hidden
-from zbot.terminal.text import escape_control_characters
+from zbot.text.terminal import escape_control_characters
 from zbot.transport import running_programs
 from zbot.transport.config import DiscoveryRange, discovery_range, domain_id
 from zbot_cli.errors import CommandError

@@ -7,7 +7,7 @@ import os
 import sys
 from typing import TYPE_CHECKING
 
-from zbot.terminal.keys import pressed_keys
+from zbot.process.keys import pressed_keys
 from zbot.threads.background_thread import background_thread
 
 if TYPE_CHECKING:
@@ -29,7 +29,7 @@ def has_keyboard() -> bool:
 def keys_to(on_key: Callable[[str], None]) -> AbstractContextManager[None]:
     """Call a function with each key during the `with` block, in a thread.
 
-    The keys are those of `zbot.terminal.keys.pressed_keys`: an arrow gives several characters.
+    The keys are those of `zbot.process.keys.pressed_keys`: an arrow gives several characters.
     """
 
     def read(is_over: Event) -> None:

@@ -12,7 +12,7 @@ from zbot.errors import ZbotError
 from zbot.interfaces import yaml_text
 from zbot.interfaces.message_reader import FieldMisfitError
 from zbot.interfaces.yaml_message import Key, Word, YamlReader, tree_of
-from zbot.terminal.typographic import is_quoted
+from zbot.text.typographic import is_quoted
 from zbot_cli.input import yaml_mistakes
 
 if TYPE_CHECKING:

@@ -56,7 +56,7 @@ def _null_device(number: int, flags: int) -> Any:
 def _for_terminal(stream: Any) -> Any:
     if not stream.isatty():
         return stream
-    from zbot.terminal.text import TerminalStream  # noqa: PLC0415 - not needed without a terminal
+    from zbot.text.terminal import TerminalStream  # noqa: PLC0415 - not needed without a terminal
 
     return TerminalStream(stream)
 
@@ -138,7 +138,7 @@ def report(error: ZbotError) -> Status:
     If the user typed a character of a word processor, a hint is about this character.
     """
     from zbot.errors.installation import with_typed_command  # noqa: PLC0415 - only for errors
-    from zbot.terminal.typographic import advice, advice_for_words  # noqa: PLC0415 - as above
+    from zbot.text.typographic import advice, advice_for_words  # noqa: PLC0415 - as above
 
     print_error(with_typed_command(str(error)))
     hints = [advice(str(error)) or getattr(error, "hint", None), advice_for_words(sys.argv[1:])]

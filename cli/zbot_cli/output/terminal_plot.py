@@ -10,7 +10,7 @@ import time
 from collections import deque
 from typing import TYPE_CHECKING
 
-from zbot.terminal.text import escape_control_characters, write_styled
+from zbot.text.terminal import escape_control_characters, write_styled
 from zbot_cli.output.braille import Curve, draw
 
 if TYPE_CHECKING:

@@ -9,9 +9,9 @@ import json
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from zbot.json_reader import read_json
 from zbot.package.user_folders import make_private
 from zbot.package.workspace import package_folders, package_name
+from zbot.text.json_reader import read_json
 from zbot.transport.membership import folder as settings_folder
 
 if TYPE_CHECKING:

@@ -15,9 +15,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 import zbot
-from zbot.description.urdf import read_urdf
-from zbot.description.xml_text import DescriptionError
 from zbot.executor.clock import Clock
+from zbot.libraries.robot_description.urdf import read_urdf
+from zbot.libraries.robot_description.xml_text import DescriptionError
 from zbot.qos import DurabilityPolicy, QoSProfile
 from zbot.time import ClockType
 from zbot_nodes.control import chain
@@ -33,7 +33,7 @@ from controller_manager_msgs.msg import ControllerState
 from std_msgs.msg import String
 
 if TYPE_CHECKING:
-    from zbot.description.urdf import Mimic
+    from zbot.libraries.robot_description.urdf import Mimic
     from zbot_nodes.control.hardware import Component
 
 #: Topic that each simulator has.

@@ -6,13 +6,13 @@ import math
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from zbot.description.urdf import read_urdf
-from zbot.description.xml_text import DescriptionError, numbers, read_xml
+from zbot.libraries.robot_description.urdf import read_urdf
+from zbot.libraries.robot_description.xml_text import DescriptionError, numbers, read_xml
 
 if TYPE_CHECKING:
     from xml.etree.ElementTree import Element
 
-    from zbot.description.urdf import Mimic
+    from zbot.libraries.robot_description.urdf import Mimic
 
 #: ROS 2's plugins for simulated hardware. This module behaves as their documentation says.
 MOCKS = frozenset({"mock_components/GenericSystem", "fake_components/GenericSystem"})

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import math
 
-from zbot.description.urdf import read_urdf
+from zbot.libraries.robot_description.urdf import read_urdf
 from zbot_nodes.control.controller import Controller, State
 
 from control_msgs.msg import DynamicJointState, InterfaceValue

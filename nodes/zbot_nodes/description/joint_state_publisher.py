@@ -15,8 +15,8 @@ from pathlib import Path
 from typing import Any
 
 import zbot
-from zbot.description.urdf import Mimic, read_urdf
-from zbot.description.xml_text import DescriptionError
+from zbot.libraries.robot_description.urdf import Mimic, read_urdf
+from zbot.libraries.robot_description.xml_text import DescriptionError
 from zbot.parameters.ros_args import remove_ros_args
 from zbot.qos import DurabilityPolicy, QoSProfile
 from zbot_nodes.description.joint_values import Defaults, JointValues

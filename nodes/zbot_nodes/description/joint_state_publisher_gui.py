@@ -15,7 +15,13 @@ from typing import TYPE_CHECKING, Any
 from urllib.parse import quote
 
 import zbot
-from zbot.description.joint_sliders import ANGLE, CENTER, DISTANCE, PREFIX, RANDOMIZE
+from zbot.libraries.robot_description.joint_sliders import (
+    ANGLE,
+    CENTER,
+    DISTANCE,
+    PREFIX,
+    RANDOMIZE,
+)
 from zbot.parameters.ros_args import remove_ros_args
 from zbot_nodes.description.joint_state_publisher import JointStatePublisher
 from zbot_nodes.startup.page import shown

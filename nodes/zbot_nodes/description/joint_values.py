@@ -6,13 +6,13 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from zbot.description.urdf import MOVING, Mimic
-from zbot.description.xml_text import DescriptionError
+from zbot.libraries.robot_description.urdf import MOVING, Mimic
+from zbot.libraries.robot_description.xml_text import DescriptionError
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from zbot.description.urdf import Joint, Robot
+    from zbot.libraries.robot_description.urdf import Joint, Robot
 
     from sensor_msgs.msg import JointState
 

@@ -17,9 +17,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import zbot
-from zbot.description.urdf import MOVING, Robot, read_urdf
-from zbot.description.xml_text import DescriptionError, read_xml
 from zbot.errors import ZbotError, require_numpy
+from zbot.libraries.robot_description.urdf import MOVING, Robot, read_urdf
+from zbot.libraries.robot_description.xml_text import DescriptionError, read_xml
 from zbot.parameters.qos_overrides import QoSOverridingOptions
 from zbot.parameters.ros_args import remove_ros_args
 from zbot.qos import DurabilityPolicy, QoSProfile, qos_profile_sensor_data

@@ -7,7 +7,7 @@ from html import escape
 from typing import Any
 
 from zbot.errors import WrongValueError
-from zbot.yaml_reader import YamlError, read_yaml
+from zbot.text.yaml_reader import YamlError, read_yaml
 
 _WIDTH, _HEIGHT, _GAP_X, _GAP_Y = 230, 74, 16, 46
 _EMPTY = "No tf data received"

@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import zbot
 from zbot.executor.spin_thread import SpinThread
+from zbot.observer.serving.browser import has_desktop
 from zbot.parameters.ros_args import remove_ros_args
 from zbot.process.signals import install
-from zbot.serving.browser import has_desktop
 from zbot.view.arrangement.arrangement import Arrangement
 from zbot.view.arrangement.errors import ArrangementError
 from zbot.view.arrangement.rviz_file import read_rviz_file

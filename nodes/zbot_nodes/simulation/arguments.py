@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from zbot.description.urdf import quaternion
+from zbot.libraries.robot_description.urdf import quaternion
 
 from geometry_msgs.msg import Pose, Quaternion
 

@@ -10,7 +10,7 @@ from zbot.simulation.sensors.imu import InertialSensor
 from zbot_nodes.control.hardware import POSITION, VELOCITY, Component, SimulatedHardware
 
 if TYPE_CHECKING:
-    from zbot.description.urdf import Mimic
+    from zbot.libraries.robot_description.urdf import Mimic
     from zbot.simulation.robots.joint_motors import Kind
     from zbot.simulation.robots.robot import Robot
     from zbot.simulation.world import World

@@ -21,7 +21,7 @@ import zbot
 from zbot.parameters.ros_args import remove_ros_args
 from zbot.qos import DurabilityPolicy, QoSProfile
 from zbot.simulation.node.ports import BOTH, CONNECTIONS_TOPIC, TO_GAZEBO, TO_ROS
-from zbot.yaml_reader import YamlError, read_yaml
+from zbot.text.yaml_reader import YamlError, read_yaml
 from zbot_nodes.startup.program import ParameterError, run_node
 
 from std_msgs.msg import String

@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 from zbot.errors.installation import pip_install
-from zbot.serving.browser import has_desktop, open_page
+from zbot.observer.serving.browser import has_desktop, open_page
 from zbot.web.server.page_discovery import running_page
 from zbot.web.server.page_process import PageProcess, is_installed
 

@@ -18,7 +18,7 @@ def test_pyright_reports_the_wrong_names_and_no_others(tmp_path: Path) -> None:
     pytest.importorskip("pyright")
     for program in PROGRAMS.glob("*.py"):
         shutil.copy(program, tmp_path)
-    folders = (ROOT, ROOT / "zbot" / "stubs", ROOT / "zbot" / "compat" / "packages")
+    folders = (ROOT, ROOT / "zbot" / "compat" / "stubs", ROOT / "zbot" / "compat" / "packages")
     config = {"include": ["."], "extraPaths": [str(folder) for folder in folders]}
     (tmp_path / "pyrightconfig.json").write_text(json.dumps(config))
     command = (sys.executable, "-m", "pyright", "--project", str(tmp_path), "--outputjson")

@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.executor.ready_queue import ReadyQueue
 from zbot.executor.wait_set import WaitSet
-from zbot.handle import Handle
+from zbot.threads.handle import Handle
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

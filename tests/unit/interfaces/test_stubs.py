@@ -10,7 +10,7 @@ from zbot.interfaces.parser import parse
 from zbot.interfaces.registry import register_spec
 from zbot.interfaces.stubs import main, package_stubs
 
-STUBS = Path(__file__).parents[3] / "zbot" / "stubs"
+STUBS = Path(__file__).parents[3] / "zbot" / "compat" / "stubs"
 
 
 def test_the_stubs_in_the_repository_match_the_definitions() -> None:
@@ -24,7 +24,7 @@ def test_the_stubs_in_the_repository_match_the_definitions() -> None:
         for file in STUBS.rglob("*")
         if file.is_file()
     }
-    assert actual == expected, "run: python -m zbot.interfaces.stubs zbot/stubs"
+    assert actual == expected, "run: python -m zbot.interfaces.stubs zbot/compat/stubs"
 
 
 def test_a_stub_is_python() -> None:

@@ -10,10 +10,10 @@ import pytest
 from zbot.bag.columns import to_numpy
 from zbot.errors import MissingPackageError
 from zbot.libraries.camera_model import PinholeCameraModel
+from zbot.libraries.cloud_transform import do_transform_cloud
 from zbot.libraries.image_array import CvBridge
 from zbot.libraries.laser_projection import LaserProjection
 from zbot.libraries.point_cloud import create_cloud_xyz32, read_points
-from zbot.tf2.cloud_transform import do_transform_cloud
 
 from geometry_msgs.msg import TransformStamped
 from sensor_msgs.msg import CameraInfo, LaserScan, PointCloud2

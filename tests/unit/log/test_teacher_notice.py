@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from zbot.log.teacher_notice import notice_text
-from zbot.terminal.text import single_line
+from zbot.text.terminal import single_line
 
 
 def test_notice_text_is_the_teachers_text() -> None:

@@ -7,8 +7,8 @@ from typing import Any
 
 import pytest
 
-from zbot.description.urdf import Mimic
-from zbot.description.xml_text import DescriptionError
+from zbot.libraries.robot_description.urdf import Mimic
+from zbot.libraries.robot_description.xml_text import DescriptionError
 from zbot_nodes.control.diff_drive_controller import SpeedLimiter
 from zbot_nodes.control.hardware import SimulatedHardware, read_components
 from zbot_nodes.control.trajectory import Point, Trajectory, problem, read_points

@@ -6,8 +6,8 @@ import math
 
 import pytest
 
-from zbot.description.urdf import Mimic, read_urdf
-from zbot.description.xml_text import DescriptionError
+from zbot.libraries.robot_description.urdf import Mimic, read_urdf
+from zbot.libraries.robot_description.xml_text import DescriptionError
 from zbot_nodes.description.joint_values import Defaults, JointValue, JointValues
 
 from sensor_msgs.msg import JointState

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 import pytest
 
 from tests.unit.simulation.conftest import drive, run, tags_of, turned
-from zbot.description.xml_text import DescriptionError
 from zbot.errors import ZbotError
+from zbot.libraries.robot_description.xml_text import DescriptionError
 from zbot.simulation.errors import SimulationError
 from zbot.simulation.meshes.file import read_points
 from zbot.simulation.robots.catalog import find_robot, robot_names

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pytest
 
-from zbot.description.xml_text import DescriptionError
 from zbot.errors import ZbotError
+from zbot.libraries.robot_description.xml_text import DescriptionError
 from zbot.simulation.errors import SimulationError
 from zbot.simulation.node.markers import WorldMarkers
 from zbot.simulation.robots.equipment import Camera, Gps, TruePose

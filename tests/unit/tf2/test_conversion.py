@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pytest
 
+from zbot.libraries.cloud_transform import do_transform_cloud
 from zbot.tf2 import TransformRegistration
 from zbot.tf2 import transformations as tf
-from zbot.tf2.cloud_transform import do_transform_cloud
 from zbot.tf2.conversion import (
     do_transform_point,
     do_transform_polygon_stamped,

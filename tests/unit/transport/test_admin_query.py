@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
-from zbot.json_reader import JsonError
+from zbot.text.json_reader import JsonError
 from zbot.transport.admin_query import (
     Process,
     RouterFacts,

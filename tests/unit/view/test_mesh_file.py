@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from tests.conftest import wait_until
-from zbot.description.mesh_address import path_of
+from zbot.libraries.robot_description.mesh_address import path_of
 from zbot.view.errors import DisplayError
 from zbot.view.mesh_file import MeshFiles, read_mesh_file
 

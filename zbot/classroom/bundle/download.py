@@ -13,7 +13,7 @@ from concurrent.futures import ThreadPoolExecutor, as_completed
 from typing import TYPE_CHECKING
 
 from zbot.classroom.bundle.errors import BundleError, file_error
-from zbot.terminal.text import single_line
+from zbot.text.terminal import single_line
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable

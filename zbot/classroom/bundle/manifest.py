@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.classroom.bundle.download import is_whole, sha256_of
 from zbot.classroom.bundle.errors import BundleError, file_error
-from zbot.json_reader import JsonError, read_json_object
+from zbot.text.json_reader import JsonError, read_json_object
 
 if TYPE_CHECKING:
     from collections.abc import Iterable

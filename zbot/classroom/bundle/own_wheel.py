@@ -15,7 +15,7 @@ from zbot.classroom.bundle.download import fetch
 from zbot.classroom.bundle.errors import BundleError, file_error
 from zbot.classroom.bundle.resolver import locked, wheel_of
 from zbot.classroom.bundle.uv_program import NoAnswerError, run_uv
-from zbot.json_reader import JsonError, read_json_object
+from zbot.text.json_reader import JsonError, read_json_object
 from zbot.version import __version__
 
 if TYPE_CHECKING:

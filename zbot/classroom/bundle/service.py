@@ -17,8 +17,8 @@ from zbot.classroom.bundle import manifest
 from zbot.classroom.bundle.errors import BundleError
 from zbot.classroom.bundle.server import BundleServer
 from zbot.classroom.hub import running_hub
-from zbot.json_reader import read_json_object
 from zbot.security.secret import make_private_folder, write_private
+from zbot.text.json_reader import read_json_object
 from zbot.transport import background_process, membership
 
 if TYPE_CHECKING:

@@ -6,8 +6,8 @@ import socket
 from dataclasses import dataclass
 
 from zbot.classroom.errors import address_error
+from zbot.text.whole_number import whole_number
 from zbot.transport.config import HUB_PORT
-from zbot.whole_number import whole_number
 
 #: Targets for UDP sockets. `connect` of a UDP socket sends nothing, but the system then chooses
 #: the socket's local address. The first target is a documentation address (RFC 5737), which uses

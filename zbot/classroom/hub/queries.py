@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 import zenoh
 
 from zbot.classroom.keys import HUB_KEY
-from zbot.json_reader import JsonError, read_json_object
 from zbot.log import get_logger
+from zbot.text.json_reader import JsonError, read_json_object
 from zbot.transport.session import open_hub_client
 
 if TYPE_CHECKING:

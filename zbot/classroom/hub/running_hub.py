@@ -18,8 +18,8 @@ from typing import TYPE_CHECKING
 
 from zbot.classroom.errors import already_joined_error, hub_start_error
 from zbot.errors import ZbotError
-from zbot.json_reader import read_json_object
 from zbot.security.secret import make_private_folder, write_private
+from zbot.text.json_reader import read_json_object
 from zbot.threads.deadline import poll
 from zbot.transport import background_process, config, router_process
 from zbot.transport.errors import SettingError

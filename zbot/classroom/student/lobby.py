@@ -17,7 +17,7 @@ from zbot.classroom.keys import ADMISSION_KEY, HUB_KEY
 from zbot.security.access import LOBBY, LOBBY_SECRET, credentials
 from zbot.security.pin import PinClient, WrongPinError
 from zbot.security.secret import Secret
-from zbot.terminal.text import single_line
+from zbot.text.terminal import single_line
 from zbot.threads.deadline import Deadline
 from zbot.transport.config import MAX_DOMAIN_ID
 from zbot.transport.membership import Membership

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.classroom.errors import ClassValueError, no_class_error
 from zbot.classroom.teacher.student_list import StudentList
-from zbot.json_reader import read_json_object
 from zbot.security.secret import make_private_folder, write_private
+from zbot.text.json_reader import read_json_object
 from zbot.transport.membership import folder
 
 if TYPE_CHECKING:

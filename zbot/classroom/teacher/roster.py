@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 from zbot.classroom.errors import ClassValueError
 from zbot.classroom.join_request import clean_name
 from zbot.errors import shortened
+from zbot.text.whole_number import whole_number
 from zbot.transport.config import MAX_DOMAIN_ID
-from zbot.whole_number import whole_number
 
 if TYPE_CHECKING:
     from pathlib import Path

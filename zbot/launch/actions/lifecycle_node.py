@@ -10,7 +10,7 @@ from zbot.launch.errors import EntityTypeError
 from zbot.launch.event import Event
 from zbot.launch.event_handler import EventHandler
 from zbot.launch.process_event import matches_action
-from zbot.whole_number import whole_number
+from zbot.text.whole_number import whole_number
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable

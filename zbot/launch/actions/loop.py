@@ -9,7 +9,7 @@ from zbot.launch.actions.opaque import OpaqueFunction
 from zbot.launch.errors import LaunchUsageError
 from zbot.launch.substitution import describe, normalize, perform
 from zbot.launch.substitutions.value import ForEachVar
-from zbot.yaml_reader import YamlError, read_yaml
+from zbot.text.yaml_reader import YamlError, read_yaml
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Mapping, Sequence

@@ -13,17 +13,17 @@ import os
 import time
 from typing import TYPE_CHECKING, Any
 
-from zbot.json_reader import JsonError, read_json_object
 from zbot.launch.control.process_log import ProcessLog
 from zbot.launch.errors import LaunchControlError
 from zbot.launch.event import Shutdown
 from zbot.launch.process_event import ShutdownProcess, matches_action
+from zbot.text.json_reader import JsonError, read_json_object
+from zbot.text.whole_number import whole_number
 from zbot.transport.config import domain_id
 from zbot.transport.errors import SettingError
 from zbot.transport.membership import folder
 from zbot.transport.process_facts import process_space
 from zbot.transport.program_file import ProgramFile
-from zbot.whole_number import whole_number
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

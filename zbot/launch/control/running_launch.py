@@ -7,9 +7,9 @@ import socket
 from dataclasses import dataclass
 from typing import Any
 
-from zbot.json_reader import JsonError, read_json_object
 from zbot.launch.control.control_server import FOLDER
 from zbot.launch.errors import LaunchControlError
+from zbot.text.json_reader import JsonError, read_json_object
 from zbot.transport.membership import folder
 from zbot.transport.process_facts import process_space
 from zbot.transport.program_file import program_documents

@@ -7,7 +7,7 @@ from xml.parsers import expat
 
 from zbot.launch.errors import InvalidFrontendLaunchFileError
 from zbot.launch.frontend.entity import Entity
-from zbot.terminal.typographic import advice
+from zbot.text.typographic import advice
 
 if TYPE_CHECKING:
     from pathlib import Path

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.launch.errors import InvalidFrontendLaunchFileError
 from zbot.launch.frontend.entity import Entity
-from zbot.yaml_reader import YamlError, compose_yaml, construct_yaml
+from zbot.text.yaml_reader import YamlError, compose_yaml, construct_yaml
 
 if TYPE_CHECKING:
     from pathlib import Path

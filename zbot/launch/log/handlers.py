@@ -13,7 +13,7 @@ import os
 import sys
 from typing import TYPE_CHECKING, Any, Final, TextIO
 
-from zbot.terminal.text import escape_control_characters
+from zbot.text.terminal import escape_control_characters
 
 if TYPE_CHECKING:
     from pathlib import Path

@@ -10,7 +10,7 @@ from zbot.launch.errors import SubstitutionError
 from zbot.launch.parameters import temporary_file
 from zbot.launch.substitution import Substitution, describe, normalize, perform, to_bool
 from zbot.launch.substitutions.value import FileContent, LaunchConfiguration
-from zbot.yaml_reader import YamlError, read_yaml
+from zbot.text.yaml_reader import YamlError, read_yaml
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Mapping

@@ -13,8 +13,8 @@ from typing import Any
 
 from zbot.errors import ZbotError
 from zbot.libraries.navigation.map_image import GreyImage, MapImageError, read_image, write_image
-from zbot.limited_file import read_limited
-from zbot.yaml_reader import YamlError, read_yaml
+from zbot.text.limited_file import read_limited
+from zbot.text.yaml_reader import YamlError, read_yaml
 
 from nav_msgs.msg import OccupancyGrid
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
 from zbot.errors.installation import pip_install
-from zbot.limited_file import read_limited
+from zbot.text.limited_file import read_limited
 
 if TYPE_CHECKING:
     from pathlib import Path

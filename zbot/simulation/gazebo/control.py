@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from zbot.description.xml_text import numbers, read_xml
+from zbot.libraries.robot_description.xml_text import numbers, read_xml
 
 
 @dataclass(frozen=True)

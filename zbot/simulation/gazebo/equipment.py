@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
-from zbot.description.xml_text import read_xml
+from zbot.libraries.robot_description.xml_text import read_xml
 from zbot.simulation.gazebo.plugins import read_plugins
 from zbot.simulation.gazebo.sensors import Mounted, read_sensor
 from zbot.simulation.gazebo.tags import first, flag, number
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
     from xml.etree.ElementTree import Element
 
-    from zbot.description.urdf import Robot
+    from zbot.libraries.robot_description.urdf import Robot
     from zbot.simulation.gazebo.names import Names
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from zbot.description.xml_text import numbers
+from zbot.libraries.robot_description.xml_text import numbers
 
 if TYPE_CHECKING:
     from xml.etree.ElementTree import Element

@@ -11,7 +11,7 @@ import sys
 import threading
 from pathlib import Path
 
-from zbot.terminal.text import escape_control_characters
+from zbot.text.terminal import escape_control_characters
 
 _END_S = 2.0
 _MOST_OUTPUT = 200_000

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from zbot.description.xml_text import read_xml
+from zbot.libraries.robot_description.xml_text import read_xml
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from zbot.limited_file import read_limited
 from zbot.simulation.errors import SimulationError
 from zbot.simulation.meshes.collada import read_collada
+from zbot.text.limited_file import read_limited
 
 if TYPE_CHECKING:
     from pathlib import Path

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from zbot.description.mesh_address import path_of
+from zbot.libraries.robot_description.mesh_address import path_of
 from zbot.simulation.engine import engine
 from zbot.simulation.errors import SimulationError
 from zbot.simulation.meshes.file import ENDINGS, read_points
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from zbot.description.appearance import Solid
+    from zbot.libraries.robot_description.appearance import Solid
 
 #: Thickness of a mesh that is a sheet.
 THICKNESS_M = 0.01

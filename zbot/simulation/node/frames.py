@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from zbot.description.urdf import MOVING
+from zbot.libraries.robot_description.urdf import MOVING
 
 from geometry_msgs.msg import TransformStamped
 
 if TYPE_CHECKING:
-    from zbot.description.urdf import Joint
+    from zbot.libraries.robot_description.urdf import Joint
     from zbot.simulation.robots.robot import Robot
     from zbot.simulation.sensors.odometry import WheelOdometry
     from zbot.tf2.rigid import Rigid

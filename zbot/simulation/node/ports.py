@@ -11,10 +11,10 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
 from zbot.interfaces.registry import get_message
-from zbot.json_reader import JsonError, read_json
 from zbot.qos import DurabilityPolicy, QoSProfile
 from zbot.simulation.errors import SimulationError
 from zbot.simulation.gazebo.names import TRANSPORT
+from zbot.text.json_reader import JsonError, read_json
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable

@@ -21,9 +21,9 @@ from simulation_interfaces.srv import (
     StepSimulation,
 )
 
-from zbot.description.file import read_description
-from zbot.description.mesh_address import path_of
 from zbot.errors import ZbotError
+from zbot.libraries.robot_description.file import read_description
+from zbot.libraries.robot_description.mesh_address import path_of
 from zbot.names import validate_namespace
 from zbot.simulation.node.frames import WORLD_FRAME
 from zbot.simulation.robots.catalog import find_robot, robot_names

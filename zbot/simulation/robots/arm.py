@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from zbot.description.urdf import MOVING
+from zbot.libraries.robot_description.urdf import MOVING
 from zbot.simulation.engine import STEP_S, engine
 from zbot.simulation.robots.motors import Motors
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from zbot.description.urdf import Joint
+    from zbot.libraries.robot_description.urdf import Joint
     from zbot.simulation.robots.model import RobotModel
     from zbot.simulation.robots.motors import DrivenRobot
 

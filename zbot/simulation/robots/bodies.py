@@ -16,7 +16,7 @@ from zbot.simulation.rotation import to_matrix
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from zbot.description.appearance import Solid
+    from zbot.libraries.robot_description.appearance import Solid
     from zbot.simulation.robots.model import Part, RobotModel
     from zbot.tf2.rigid import Rigid
 

@@ -7,8 +7,8 @@ import sys
 from importlib.resources import files
 from pathlib import Path
 
-from zbot.description.file import read_description
 from zbot.errors.suggestion import did_you_mean
+from zbot.libraries.robot_description.file import read_description
 from zbot.simulation.errors import SimulationError
 from zbot.simulation.robots.model import RobotModel, read_robot
 

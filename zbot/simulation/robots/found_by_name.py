@@ -6,7 +6,7 @@ import math
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from zbot.description.urdf import MOVING
+from zbot.libraries.robot_description.urdf import MOVING
 from zbot.simulation.errors import SimulationError
 from zbot.simulation.robots.equipment import Drive, Imu, Lidar, Sensor
 from zbot.tf2.rigid import rotate
@@ -14,8 +14,8 @@ from zbot.tf2.rigid import rotate
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
-    from zbot.description.appearance import Solid
-    from zbot.description.urdf import Joint, Robot
+    from zbot.libraries.robot_description.appearance import Solid
+    from zbot.libraries.robot_description.urdf import Joint, Robot
     from zbot.tf2.rigid import Rigid, Vector
 
     Solids = Mapping[str, Sequence[Solid]]

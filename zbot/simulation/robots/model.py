@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, NamedTuple
 
-from zbot.description.appearance import read_appearance
-from zbot.description.inertia import read_inertia
-from zbot.description.urdf import MOVING, read_urdf
+from zbot.libraries.robot_description.appearance import read_appearance
+from zbot.libraries.robot_description.inertia import read_inertia
+from zbot.libraries.robot_description.urdf import MOVING, read_urdf
 from zbot.simulation.errors import SimulationError
 from zbot.simulation.gazebo.control import controlled_joints
 from zbot.simulation.gazebo.equipment import lumped_links, read_equipment, urdf_tags
@@ -18,9 +18,9 @@ from zbot.tf2.rigid import Rigid
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from zbot.description.appearance import Solid
-    from zbot.description.inertia import Inertia
-    from zbot.description.urdf import Joint, Robot
+    from zbot.libraries.robot_description.appearance import Solid
+    from zbot.libraries.robot_description.inertia import Inertia
+    from zbot.libraries.robot_description.urdf import Joint, Robot
     from zbot.simulation.gazebo.control import ControlledJoint
     from zbot.simulation.robots.equipment import Equipment
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from zbot.description.urdf import MOVING
+from zbot.libraries.robot_description.urdf import MOVING
 from zbot.simulation.free_body import FreeBody
 from zbot.simulation.robots.arm import ArmMotors, add_arm, arm_joints
 from zbot.simulation.robots.bodies import add_bodies

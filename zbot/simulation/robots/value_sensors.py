@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from zbot.description.xml_text import numbers
+from zbot.libraries.robot_description.xml_text import numbers
 from zbot.simulation.robots.equipment import EARTH, Battery, CloudLidar, Gps, Lidar, Sensor, Sonar
 
 if TYPE_CHECKING:

@@ -6,8 +6,8 @@ import copy
 from typing import TYPE_CHECKING
 from xml.etree.ElementTree import Element
 
-from zbot.description.file import read_description
-from zbot.description.xml_text import DescriptionError, read_xml
+from zbot.libraries.robot_description.file import read_description
+from zbot.libraries.robot_description.xml_text import DescriptionError, read_xml
 from zbot.simulation.errors import SimulationError
 from zbot.simulation.sdf.resources import find_resource
 from zbot.simulation.sdf.values import text_of

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from zbot.description.xml_text import DescriptionError
+from zbot.libraries.robot_description.xml_text import DescriptionError
 from zbot.simulation.sdf.values import pose_of, relative_to
 from zbot.tf2.rigid import Rigid
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple, cast
 
-from zbot.description.appearance import Rgba, Solid
-from zbot.description.xml_text import numbers
+from zbot.libraries.robot_description.appearance import Rgba, Solid
+from zbot.libraries.robot_description.xml_text import numbers
 from zbot.simulation.colors import color_of
 from zbot.simulation.sdf.document import FOLDER
 from zbot.simulation.sdf.heightmap import Heightmap

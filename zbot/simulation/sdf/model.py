@@ -6,8 +6,8 @@ import math
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from zbot.description.inertia import Inertia
-from zbot.description.xml_text import DescriptionError
+from zbot.libraries.robot_description.inertia import Inertia
+from zbot.libraries.robot_description.xml_text import DescriptionError
 from zbot.simulation.gazebo.unused import unused_notice, unused_tags
 from zbot.simulation.sdf.frames import Frames
 from zbot.simulation.sdf.geometry import Shapes, shapes_of, visual_color
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
     from xml.etree.ElementTree import Element
 
-    from zbot.description.appearance import Solid
+    from zbot.libraries.robot_description.appearance import Solid
 
 _MOMENTS = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
 #: Gazebo's inertia of a link that has no `<inertial>`.

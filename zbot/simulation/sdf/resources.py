@@ -7,9 +7,9 @@ from functools import cache
 from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
-from zbot.description.mesh_address import path_of
-from zbot.description.xml_text import DescriptionError
 from zbot.errors import ZbotError
+from zbot.libraries.robot_description.mesh_address import path_of
+from zbot.libraries.robot_description.xml_text import DescriptionError
 from zbot.package import package_share
 from zbot.package.finder import Origin, all_packages
 from zbot.package.manifest import read_tree

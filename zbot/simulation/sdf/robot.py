@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from zbot.description.xml_text import DescriptionError
+from zbot.libraries.robot_description.xml_text import DescriptionError
 from zbot.simulation.gazebo.equipment import GazeboTags, read_equipment
 from zbot.simulation.gazebo.names import GazeboNames
 from zbot.simulation.gazebo.sensors import Mounted
@@ -17,7 +17,7 @@ from zbot.simulation.sdf.tree import tree_model
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from zbot.description.urdf import Robot
+    from zbot.libraries.robot_description.urdf import Robot
     from zbot.simulation.robots.equipment import Equipment
     from zbot.simulation.robots.model import GazeboPlace, RobotModel
     from zbot.simulation.sdf.model import SdfModel

@@ -14,7 +14,7 @@ from zbot.simulation.meshes.hull import check_points
 from zbot.simulation.meshes.pieces import convex_pieces
 
 if TYPE_CHECKING:
-    from zbot.description.appearance import Solid
+    from zbot.libraries.robot_description.appearance import Solid
 
 _MOST_TRIANGLES, _MOST_PIECES = 300_000, 10_000
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from zbot.description.urdf import MOVING, Joint, Robot
+from zbot.libraries.robot_description.urdf import MOVING, Joint, Robot
 from zbot.simulation.robots.equipment import Equipment
 from zbot.simulation.robots.model import AXIS_FRAME, RobotModel, check_links, check_size, parts_of
 from zbot.simulation.sdf.model import USUAL_INERTIA
@@ -13,7 +13,7 @@ from zbot.simulation.sdf.model import USUAL_INERTIA
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from zbot.description.appearance import Solid
+    from zbot.libraries.robot_description.appearance import Solid
     from zbot.simulation.sdf.model import SdfJoint, SdfModel
     from zbot.tf2.rigid import Rigid
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, cast
 
-from zbot.description.urdf import quaternion
-from zbot.description.xml_text import numbers
+from zbot.libraries.robot_description.urdf import quaternion
+from zbot.libraries.robot_description.xml_text import numbers
 from zbot.tf2.rigid import Rigid, Vector, normalized
 
 if TYPE_CHECKING:

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from zbot.description.file import read_description
-from zbot.description.xml_text import DescriptionError
+from zbot.libraries.robot_description.file import read_description
+from zbot.libraries.robot_description.xml_text import DescriptionError
 from zbot.simulation.engine import engine, new_spec
 from zbot.simulation.errors import SimulationError
 from zbot.simulation.robots.bodies import add_bodies, placed, shape_of
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from pathlib import Path
     from xml.etree.ElementTree import Element
 
-    from zbot.description.appearance import Solid
+    from zbot.libraries.robot_description.appearance import Solid
     from zbot.simulation.sdf.model import SdfLink, SdfModel
     from zbot.tf2.rigid import Rigid, Vector
 

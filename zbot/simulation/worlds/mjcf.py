@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from zbot.description.file import read_description
-from zbot.description.xml_text import DescriptionError, read_xml
+from zbot.libraries.robot_description.file import read_description
+from zbot.libraries.robot_description.xml_text import DescriptionError, read_xml
 from zbot.simulation.engine import MEMORY_BYTES, STEP_S, engine
 from zbot.simulation.errors import SimulationError
 from zbot.simulation.worlds.mjcf_limits import check_mjcf

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from zbot.limited_file import read_limited
 from zbot.simulation.errors import SimulationError
+from zbot.text.limited_file import read_limited
 
 if TYPE_CHECKING:
     from pathlib import Path

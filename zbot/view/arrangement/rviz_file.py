@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from zbot.text.yaml_reader import YamlError, read_yaml
 from zbot.view.arrangement.arrangement import Arrangement, DisplayChoice, PointerTopics
 from zbot.view.arrangement.errors import ArrangementError
 from zbot.view.arrangement.property_form import Number, PropertyError, Rgb, is_same
 from zbot.view.arrangement.rviz_displays import RVIZ_DISPLAYS, UNNEEDED
 from zbot.view.arrangement.rviz_view import camera_of
-from zbot.yaml_reader import YamlError, read_yaml
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping

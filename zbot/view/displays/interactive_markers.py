@@ -8,6 +8,7 @@ import queue
 import time
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from zbot.text.whole_number import whole_number
 from zbot.tf2.rigid import Rigid, conjugate, multiply
 from zbot.view.displays.display import Call, Display, Outgoing, Setting
 from zbot.view.displays.marker import marker_shapes
@@ -15,7 +16,6 @@ from zbot.view.errors import DisplayError
 from zbot.view.points import check_number
 from zbot.view.pose import pose_of
 from zbot.view.shape import Gizmo, Item, Label
-from zbot.whole_number import whole_number
 
 from geometry_msgs.msg import Point, Pose
 from visualization_msgs.msg import (

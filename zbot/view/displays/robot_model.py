@@ -7,15 +7,15 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from zbot.description.appearance import read_appearance
-from zbot.description.xml_text import DescriptionError
+from zbot.libraries.robot_description.appearance import read_appearance
+from zbot.libraries.robot_description.xml_text import DescriptionError
 from zbot.view import solid
 from zbot.view.displays.display import Display, Setting
 from zbot.view.errors import DisplayError
 from zbot.view.shape import Item, Mesh
 
 if TYPE_CHECKING:
-    from zbot.description.appearance import Rgba, Solid
+    from zbot.libraries.robot_description.appearance import Rgba, Solid
     from zbot.view.mesh_file import MeshFiles
     from zbot.view.shape import Color
 

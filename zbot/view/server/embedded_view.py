@@ -13,8 +13,8 @@ from urllib.parse import parse_qs, urlsplit
 
 from zbot.errors import ZbotError
 from zbot.observer.errors import ViewerError
-from zbot.serving.address import TOKEN_PARAMETER
-from zbot.serving.child_process import ChildProcess, end_with_parent
+from zbot.observer.serving.address import TOKEN_PARAMETER
+from zbot.observer.serving.child_process import ChildProcess, end_with_parent
 from zbot.transport.config import COMMAND_DOMAIN
 
 _ADDRESS = "zbot view: "

@@ -13,10 +13,10 @@ from http.cookies import CookieError, SimpleCookie
 from typing import TYPE_CHECKING
 from urllib.parse import urlsplit
 
-from zbot.serving.address import TOKEN_PARAMETER, address, without_token
-from zbot.serving.own_names import OwnNames
-from zbot.serving.proxy import HeadReader, copy_both
-from zbot.serving.request import Answer, Request, RequestError, parsed
+from zbot.observer.serving.address import TOKEN_PARAMETER, address, without_token
+from zbot.observer.serving.own_names import OwnNames
+from zbot.observer.serving.proxy import HeadReader, copy_both
+from zbot.observer.serving.request import Answer, Request, RequestError, parsed
 from zbot.view.arrangement.link import PARAMETER
 from zbot.view.arrangement.rviz_writer import FILE_NAME
 from zbot.view.server.software_webgl import with_script

@@ -10,11 +10,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from zbot.observer.serving.address import is_loopback
+from zbot.observer.serving.browser import open_page
+from zbot.observer.serving.port import DEFAULT_HOST, addresses_of, listen
+from zbot.observer.serving.until_signal import serve_until_signal
 from zbot.observer.system import System
-from zbot.serving.address import is_loopback
-from zbot.serving.browser import open_page
-from zbot.serving.port import DEFAULT_HOST, addresses_of, listen
-from zbot.serving.until_signal import serve_until_signal
 from zbot.threads.background_thread import background_thread
 from zbot.view.server.guard import Guard
 from zbot.view.server.viser_server import check_extra, viser_server

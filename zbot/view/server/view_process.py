@@ -9,7 +9,7 @@ import contextlib
 import sys
 from typing import TYPE_CHECKING
 
-from zbot.serving.child_process import ChildProcess, end_with_parent
+from zbot.observer.serving.child_process import ChildProcess, end_with_parent
 
 if TYPE_CHECKING:
     from contextlib import AbstractContextManager
@@ -37,8 +37,8 @@ def view_if_installed() -> AbstractContextManager[object]:
 
 def main() -> None:
     """Serve the view until standard input closes."""
+    from zbot.observer.serving.browser import has_desktop  # noqa: PLC0415 - as above
     from zbot.process.signals import install  # noqa: PLC0415 - only in this process
-    from zbot.serving.browser import has_desktop  # noqa: PLC0415 - as above
     from zbot.view.server.server import DEFAULT_PORT, serve  # noqa: PLC0415 - as above
 
     end_with_parent()

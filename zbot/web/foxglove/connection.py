@@ -14,16 +14,16 @@ import traceback
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from zbot.errors import ZbotError
-from zbot.json_reader import read_json_object
 from zbot.log import get_logger
 from zbot.observer.errors import ViewerError
-from zbot.serving.client_budget import (
+from zbot.observer.serving.client_budget import (
     MAX_CALLS,
     MAX_MESSAGE_BYTES,
     MAX_SUBSCRIBED,
     ClientBudget,
     OverBudgetError,
 )
+from zbot.text.json_reader import read_json_object
 from zbot.web.foxglove.frame import (
     BINARY,
     POLICY_VIOLATION,

@@ -6,7 +6,7 @@ import json
 import struct
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from zbot.serving.client_budget import MAX_MESSAGE_BYTES, OverBudgetError
+from zbot.observer.serving.client_budget import MAX_MESSAGE_BYTES, OverBudgetError
 
 if TYPE_CHECKING:
     import asyncio

@@ -20,11 +20,11 @@ from typing import TYPE_CHECKING
 from urllib.parse import urlsplit
 
 from zbot.memory import give_back_freed_memory
-from zbot.serving.address import TOKEN_PARAMETER, other_machine, without_token
-from zbot.serving.client_budget import Clients, OverBudgetError
-from zbot.serving.own_names import OwnNames
-from zbot.serving.proxy import HeadReader
-from zbot.serving.request import Answer, RequestError, parsed
+from zbot.observer.serving.address import TOKEN_PARAMETER, other_machine, without_token
+from zbot.observer.serving.client_budget import Clients, OverBudgetError
+from zbot.observer.serving.own_names import OwnNames
+from zbot.observer.serving.proxy import HeadReader
+from zbot.observer.serving.request import Answer, RequestError, parsed
 from zbot.web.foxglove.connection import Connection, Streams
 
 if TYPE_CHECKING:

@@ -6,7 +6,7 @@ import asyncio
 from collections import deque
 from typing import TYPE_CHECKING, Any
 
-from zbot.serving.client_budget import MAX_ANSWER_BYTES, MAX_WAITING_BYTES, OverBudgetError
+from zbot.observer.serving.client_budget import MAX_ANSWER_BYTES, MAX_WAITING_BYTES, OverBudgetError
 from zbot.web.foxglove.frame import BINARY, text_frame
 
 if TYPE_CHECKING:

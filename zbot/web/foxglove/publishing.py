@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 from zbot.errors import ZbotError
 from zbot.interfaces.default_size import DefaultMemory
 from zbot.interfaces.message_reader import MessageReader
-from zbot.json_reader import read_json_object
 from zbot.observer.errors import ViewerError
-from zbot.serving.client_budget import MAX_DEFAULT_BYTES, MAX_PUBLISHED, OverBudgetError
+from zbot.observer.serving.client_budget import MAX_DEFAULT_BYTES, MAX_PUBLISHED, OverBudgetError
+from zbot.text.json_reader import read_json_object
 from zbot.wire.serialization import deserialize_message
 
 if TYPE_CHECKING:

@@ -14,10 +14,10 @@ from zbot.errors.installation import pip_install
 from zbot.log import get_logger
 from zbot.names import fully_qualified, is_hidden
 from zbot.observer.errors import ViewerError
+from zbot.observer.serving.address import address, is_loopback, origin_of
+from zbot.observer.serving.until_signal import serve_until_signal
 from zbot.observer.system import System
 from zbot.process.serving import serving
-from zbot.serving.address import address, is_loopback, origin_of
-from zbot.serving.until_signal import serve_until_signal
 from zbot.threads.background_thread import background_thread
 from zbot.web.foxglove.channels import Channels
 from zbot.web.foxglove.guard import FOXGLOVE_ORIGIN, Guard, free_loopback_address

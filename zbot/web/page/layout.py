@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 from urllib.parse import parse_qsl, urlencode
 
 from zbot.errors.suggestion import did_you_mean
-from zbot.json_reader import JsonError, read_json_object
 from zbot.observer.errors import ViewerError
+from zbot.text.json_reader import JsonError, read_json_object
 
 if TYPE_CHECKING:
     from collections.abc import Collection

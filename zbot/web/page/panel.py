@@ -12,8 +12,8 @@ from nicegui import ui
 
 from zbot.classroom.hub.address import own_addresses
 from zbot.log import get_logger
+from zbot.observer.serving.address import is_loopback
 from zbot.observer.transforms import TransformWatch
-from zbot.serving.address import is_loopback
 from zbot.web.page.update_scheduler import UpdateScheduler
 
 if TYPE_CHECKING:

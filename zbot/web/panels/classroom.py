@@ -14,9 +14,9 @@ from zbot.errors import ZbotError, counted
 from zbot.graph.diagram import draw
 from zbot.graph.snapshot import Snapshot
 from zbot.graph.view import view
+from zbot.text.whole_number import whole_number
 from zbot.web.page.panel import Page, Panel
 from zbot.web.page.qr_code import qr_code
-from zbot.whole_number import whole_number
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -11,8 +11,8 @@ from zbot.executor.spin_thread import SpinThread
 from zbot.log import get_logger
 from zbot.memory import give_back_freed_memory
 from zbot.node.node import Node
+from zbot.observer.serving.client_budget import Clients
 from zbot.observer.shared_entities import SharedEntities
-from zbot.serving.client_budget import Clients
 from zbot.web.rosbridge.client_message import RosbridgeError
 
 if TYPE_CHECKING:

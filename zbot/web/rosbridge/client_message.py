@@ -6,8 +6,8 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from zbot.errors import ZbotError
-from zbot.json_reader import JsonError, read_json_object
-from zbot.serving.client_budget import MAX_MESSAGE_BYTES
+from zbot.observer.serving.client_budget import MAX_MESSAGE_BYTES
+from zbot.text.json_reader import JsonError, read_json_object
 
 #: Longest name, type and id, in characters.
 _MAX_WORD = 1000

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, TypeVar
 
 from starlette.websockets import WebSocketDisconnect
 
-from zbot.serving.address import other_machine
-from zbot.serving.client_budget import ClientBudget, OverBudgetError
+from zbot.observer.serving.address import other_machine
+from zbot.observer.serving.client_budget import ClientBudget, OverBudgetError
 from zbot.web.rosbridge.dispatcher import Dispatcher
 from zbot.web.rosbridge.session import Session
 

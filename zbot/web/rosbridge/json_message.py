@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 from zbot.interfaces import FieldType, message_spec_of
 from zbot.interfaces.default_size import DefaultMemory
 from zbot.interfaces.message_reader import FieldMisfitError, MessageReader
-from zbot.serving.client_budget import MAX_DEFAULT_BYTES
+from zbot.observer.serving.client_budget import MAX_DEFAULT_BYTES
 from zbot.web.rosbridge.client_message import RosbridgeError
 
 if TYPE_CHECKING:

@@ -11,7 +11,7 @@ from collections import deque
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from zbot.serving.client_budget import MAX_ANSWER_BYTES, MAX_WAITING_BYTES
+from zbot.observer.serving.client_budget import MAX_ANSWER_BYTES, MAX_WAITING_BYTES
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -15,11 +15,11 @@ from zbot.errors import ZbotError
 from zbot.graph.snapshot import full_names
 from zbot.interfaces.plain_value import json_value
 from zbot.interfaces.registry import interface_names, packages
-from zbot.json_reader import JsonError, read_json
 from zbot.names import is_hidden
 from zbot.parameters.parameter import Parameter
 from zbot.remote.parameters import RemoteParameters, nodes_with_parameters
 from zbot.remote.service_calls import ServiceCalls
+from zbot.text.json_reader import JsonError, read_json
 from zbot.web.rosbridge.client_message import RosbridgeError
 from zbot.web.rosbridge.type_details import type_details
 from zbot.wire.tokens import EntityKind

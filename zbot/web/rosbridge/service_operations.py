@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from zbot.executor.task import Future
 from zbot.interfaces import type_name
 from zbot.interfaces.plain_value import json_value
-from zbot.serving.client_budget import MAX_CALLS
+from zbot.observer.serving.client_budget import MAX_CALLS
 from zbot.web.rosbridge import rosapi
 from zbot.web.rosbridge.bridge import ClientFailedError
 from zbot.web.rosbridge.client_message import RosbridgeError

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
 from zbot.interfaces import get_interface
-from zbot.serving.client_threads import ClientThreads
+from zbot.observer.serving.client_threads import ClientThreads
 from zbot.web.rosbridge.bridge import full_type
 from zbot.web.rosbridge.client_message import RosbridgeError
 from zbot.web.rosbridge.frame import frames

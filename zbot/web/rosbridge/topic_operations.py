@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.interfaces import type_name
 from zbot.interfaces.plain_value import json_value
+from zbot.observer.serving.client_budget import MAX_PUBLISHED, MAX_SUBSCRIBED
 from zbot.observer.watch import QUEUE_DEPTH, subscribe_to_payloads
 from zbot.qos import DurabilityPolicy, QoSProfile
 from zbot.remote.profiles import profile_to_show
-from zbot.serving.client_budget import MAX_PUBLISHED, MAX_SUBSCRIBED
 from zbot.web.rosbridge.client_message import RosbridgeError
 from zbot.web.rosbridge.frame import COMPRESSIONS, cbor_value, dump, frames
 from zbot.web.rosbridge.json_message import message_from_json

@@ -12,8 +12,8 @@ from fastapi import FastAPI
 from nicegui import ui
 from starlette.routing import WebSocketRoute
 
+from zbot.observer.serving.address import ROSBRIDGE_PATHS
 from zbot.process.serving import serving
-from zbot.serving.address import ROSBRIDGE_PATHS
 from zbot.web.rosbridge.bridge import Bridge
 from zbot.web.rosbridge.endpoint import endpoint
 from zbot.web.server.client_limits import ClientLimits, LimitedHttp

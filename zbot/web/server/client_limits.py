@@ -12,8 +12,8 @@ from starlette.websockets import WebSocketClose
 from uvicorn.protocols.http.auto import AutoHTTPProtocol
 
 from zbot.log import get_logger
-from zbot.serving.address import ROSBRIDGE_PATHS, other_machine
-from zbot.serving.client_budget import ClientBudget, Clients, OverBudgetError, Rate
+from zbot.observer.serving.address import ROSBRIDGE_PATHS, other_machine
+from zbot.observer.serving.client_budget import ClientBudget, Clients, OverBudgetError, Rate
 
 if TYPE_CHECKING:
     from collections.abc import Collection

@@ -12,13 +12,13 @@ from datetime import datetime, timedelta, timezone
 from typing import TYPE_CHECKING
 
 from zbot.classroom.hub.address import own_addresses
+from zbot.observer.serving.address import ANY_HOSTS
+from zbot.observer.serving.own_names import names_of_machine
 from zbot.package.user_folders import settings_folder
 from zbot.security.certificate import facts
 from zbot.security.errors import SecurityError
 from zbot.security.keystore import MACHINE_DAYS, Identity, Keystore, is_keystore
 from zbot.security.secret import make_private_folder
-from zbot.serving.address import ANY_HOSTS
-from zbot.serving.own_names import names_of_machine
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -8,9 +8,9 @@ import socket
 from typing import TYPE_CHECKING, Any
 
 from zbot.interfaces import get_message
-from zbot.json_reader import JsonError, read_json_object
 from zbot.qos import DurabilityPolicy, QoSProfile
 from zbot.remote.wait_for_message import wait_for_message
+from zbot.text.json_reader import JsonError, read_json_object
 
 if TYPE_CHECKING:
     from zbot.node.node import Node

@@ -12,7 +12,7 @@ import socket
 import sys
 import webbrowser
 
-from zbot.serving.child_process import ChildProcess, end_with_parent
+from zbot.observer.serving.child_process import ChildProcess, end_with_parent
 
 _PATIENCE_S = 30.0
 # If several page processes start together, only the process that can bind a certain port serves the

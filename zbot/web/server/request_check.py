@@ -17,8 +17,8 @@ from starlette.requests import HTTPConnection
 from starlette.responses import PlainTextResponse, RedirectResponse, Response
 from starlette.websockets import WebSocketClose
 
-from zbot.serving.address import ROSBRIDGE_PATHS, TOKEN_PARAMETER
-from zbot.serving.own_names import OwnNames
+from zbot.observer.serving.address import ROSBRIDGE_PATHS, TOKEN_PARAMETER
+from zbot.observer.serving.own_names import OwnNames
 
 if TYPE_CHECKING:
     from collections.abc import Collection

@@ -5,10 +5,10 @@ from __future__ import annotations
 import secrets
 from typing import TYPE_CHECKING, Any
 
+from zbot.observer.serving.address import address, is_loopback, origin_of
+from zbot.observer.serving.browser import open_page
+from zbot.observer.serving.port import DEFAULT_HOST, addresses_of, listen
 from zbot.observer.system import System
-from zbot.serving.address import address, is_loopback, origin_of
-from zbot.serving.browser import open_page
-from zbot.serving.port import DEFAULT_HOST, addresses_of, listen
 from zbot.web.server.page_certificate import PageCertificate
 from zbot.web.server.page_discovery import announce
 

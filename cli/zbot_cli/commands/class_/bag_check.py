@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 from zbot.bag.description import is_service_event, service_name
 from zbot.bag.reader import Reader
 from zbot.classroom.teacher.class_check import Verdict
+from zbot.text.whole_number import whole_number
 from zbot.time import S_TO_NS
-from zbot.whole_number import whole_number
 from zbot.wire.tokens import EntityKind
 from zbot_cli.errors import CommandError
 

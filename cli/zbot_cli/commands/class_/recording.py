@@ -17,7 +17,7 @@ from zbot.bag.packages import import_mcap
 from zbot.classroom.errors import ClassCommandError
 from zbot.classroom.teacher.opening import command
 from zbot.process.signals import install
-from zbot.terminal.text import escape_control_characters
+from zbot.text.terminal import escape_control_characters
 from zbot_cli.commands.class_.bag_check import NAME_KEY, NUMBER_KEY
 from zbot_cli.errors import CommandError
 

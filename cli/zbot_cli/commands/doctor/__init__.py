@@ -27,7 +27,7 @@ from zbot.errors.suggestion import KnownNames, question
 from zbot.graph.snapshot import Snapshot, full_names
 from zbot.names import fully_qualified, is_hidden
 from zbot.package.rclpy_choice import genuine_rclpy
-from zbot.terminal.text import escape_control_characters
+from zbot.text.terminal import escape_control_characters
 from zbot.transport import config, environment, running_programs
 from zbot.transport.admin_query import processes
 from zbot.transport.errors import NoRouterError

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 import typer
 
-from zbot.terminal.text import escape_control_characters
+from zbot.text.terminal import escape_control_characters
 from zbot.tf2.diagnosis import TransformMonitor
 from zbot.tf2.diagnosis.problem import duration_text
 from zbot_cli.domain.client import hidden_node

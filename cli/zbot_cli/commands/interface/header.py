@@ -65,18 +65,18 @@ def source(specs: Sequence[InterfaceSpec], options: HeaderOptions) -> str:
     if options.token:
         return _keys(names, options)
     if options.micropython:
-        from zbot.embedded.micropython_module import micropython_module  # noqa: PLC0415 - see below
+        from zbot.wire.embedded.micropython_module import micropython_module  # noqa: PLC0415 - see below
 
         return micropython_module(names)
-    from zbot.embedded.c_header import c_header  # noqa: PLC0415 - one of three is needed
+    from zbot.wire.embedded.c_header import c_header  # noqa: PLC0415 - one of three is needed
 
     return c_header(names)
 
 
 def _keys(names: Sequence[str], options: HeaderOptions) -> str:
-    from zbot.embedded.zenoh_keys import c_lines, key_lines, zenoh_keys  # noqa: PLC0415 - see above
     from zbot.transport import config, membership  # noqa: PLC0415 - only this option needs it
     from zbot.wire.dialect import CLASSROOM, NATIVE  # noqa: PLC0415 - as above
+    from zbot.wire.embedded.zenoh_keys import c_lines, key_lines, zenoh_keys  # noqa: PLC0415 - see above
 
     if len(names) != 1:
         raise CommandError("--token needs one type")

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.executor.single_threaded_executor import SingleThreadedExecutor
 from zbot.node.event_callbacks import SubscriptionEventCallbacks
-from zbot.terminal.text import write_styled
+from zbot.text.terminal import write_styled
 from zbot.threads.deadline import Deadline
 from zbot.wire.tokens import EndpointToken, EntityKind
 from zbot_cli.commands.topic.problems import TopicProblems

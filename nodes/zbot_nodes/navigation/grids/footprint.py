@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from zbot.json_reader import read_json
+from zbot.text.json_reader import read_json
 from zbot_nodes.navigation.grids.costs import NO_INFORMATION, OBSTACLE, TOUCHING
 from zbot_nodes.navigation.grids.distances import distances
 from zbot_nodes.navigation.grids.rays import moved

@@ -9,6 +9,7 @@ from typing import Any
 
 import pytest
 
+from zbot.text.yaml_reader import read_yaml
 from zbot.view.arrangement.arrangement import Arrangement, DisplayChoice
 from zbot.view.arrangement.errors import ArrangementError
 from zbot.view.arrangement.rviz_displays import RVIZ_DISPLAYS
@@ -16,7 +17,6 @@ from zbot.view.arrangement.rviz_file import read_rviz, read_rviz_file
 from zbot.view.arrangement.rviz_writer import rviz_text
 from zbot.view.camera import ANGLE, Camera, camera_at
 from zbot.view.displays import DISPLAYS
-from zbot.yaml_reader import read_yaml
 
 FILE = Path(__file__).with_name("example.rviz")
 KINDS = {display.name: display for display in DISPLAYS}

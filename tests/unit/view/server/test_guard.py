@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from zbot.serving.request import Request, parsed
+from zbot.observer.serving.request import Request, parsed
 from zbot.view.server.guard import Guard, passed_on, with_policy
 from zbot.view.server.software_webgl import with_script
 

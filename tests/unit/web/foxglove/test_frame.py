@@ -8,7 +8,7 @@ import struct
 
 import pytest
 
-from zbot.serving.client_budget import OverBudgetError
+from zbot.observer.serving.client_budget import OverBudgetError
 from zbot.web.foxglove import outbox as outbox_module
 from zbot.web.foxglove.frame import BINARY, TEXT, Frame, close_frame, read_frame, text_frame
 from zbot.web.foxglove.outbox import Outbox

@@ -4,7 +4,7 @@ from typing import Any
 
 import pytest
 
-from zbot.serving.client_budget import MAX_MESSAGE_BYTES
+from zbot.observer.serving.client_budget import MAX_MESSAGE_BYTES
 from zbot.web.rosbridge import client_message
 from zbot.web.rosbridge.client_message import (
     ClientMessage,

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
+from zbot.observer.serving.client_budget import Clients
 from zbot.remote.types import UnknownTypeError
-from zbot.serving.client_budget import Clients
 from zbot.web.rosbridge import endpoint
 from zbot.web.rosbridge.client_message import RosbridgeError
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 from zbot.observer.errors import ViewerError
-from zbot.serving.address import ROSBRIDGE_PATHS, address, is_loopback, origin_of
+from zbot.observer.serving.address import ROSBRIDGE_PATHS, address, is_loopback, origin_of
 from zbot.web.server.request_check import RequestCheck
 
 if TYPE_CHECKING:

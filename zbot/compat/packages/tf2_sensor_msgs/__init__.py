@@ -4,7 +4,7 @@
 from typing import TYPE_CHECKING
 
 from zbot.lazy_imports import lazy_names
-from zbot.tf2.cloud_transform import do_transform_cloud, transform_points
+from zbot.libraries.cloud_transform import do_transform_cloud, transform_points
 
 __all__ = [
     "do_transform_cloud",

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.graph.filters import Filters, Grouping, InvalidFilterError, compile_filter
 from zbot.graph.view import Mode, view
-from zbot.whole_number import whole_number
+from zbot.text.whole_number import whole_number
 
 if TYPE_CHECKING:
     from collections.abc import Mapping

@@ -7,8 +7,14 @@ from typing import TYPE_CHECKING, Any
 
 from nicegui import ui
 
-from zbot.description.joint_sliders import ANGLE, CENTER, EMPTY_TYPE, PREFIX, RANDOMIZE
 from zbot.interfaces import get_service
+from zbot.libraries.robot_description.joint_sliders import (
+    ANGLE,
+    CENTER,
+    EMPTY_TYPE,
+    PREFIX,
+    RANDOMIZE,
+)
 from zbot.web.page.command_line import command_line
 from zbot.web.page.panel import Page, Panel
 from zbot.web.page.service_call import call, with_errors_shown

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from zbot.description.joint_sliders import CENTER, EMPTY_TYPE, RANDOMIZE
+from zbot.libraries.robot_description.joint_sliders import CENTER, EMPTY_TYPE, RANDOMIZE
 from zbot.names import is_hidden
 from zbot.wire.tokens import EntityKind
 

@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING
 
 from nicegui import ui
 
-from zbot.serving.address import is_loopback
-from zbot.serving.port import addresses_of
+from zbot.observer.serving.address import is_loopback
+from zbot.observer.serving.port import addresses_of
 from zbot.web.page.qr_code import qr_code
 
 if TYPE_CHECKING:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from nicegui import background_tasks, ui
 
 from zbot.errors import ZbotError
-from zbot.serving.address import address
+from zbot.observer.serving.address import address
 from zbot.web.page.command_line import command_line
 from zbot.web.page.panel import Page, Panel
 from zbot.web.page.service_call import run_in_thread

@@ -1,1 +1,0 @@
-"""Reader of robot descriptions in URDF."""
