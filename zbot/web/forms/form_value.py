@@ -28,6 +28,8 @@ DURATION = "builtin_interfaces/msg/Duration"
 NOW = "now"
 
 _LONGEST_SHOWN_ARRAY = 16
+#: Longest text that is read as YAML. That takes 50 ms, and other pages wait meanwhile.
+_MOST_CHARACTERS = 10_000
 _NANOSECONDS = 10**9
 _MOST_SECONDS = 1e12  # larger than every time and duration
 
@@ -61,6 +63,9 @@ def _tree(slot: Slot, text: str) -> Tree:
     if slot.type.is_string and not slot.is_list:
         return Word(text, text)
     text = text.strip()
+    if len(text) > _MOST_CHARACTERS:
+        sentence = f"{slot.path} has {len(text):,} characters, and at most {_MOST_CHARACTERS:,} fit"
+        raise FieldMisfitError(slot.path, sentence, "use a program instead")
     # Users may leave out the brackets: `1, 2, 3`.
     yaml = f"[{text}]" if slot.is_list and not text.startswith("[") else text
     try:

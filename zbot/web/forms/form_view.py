@@ -70,16 +70,6 @@ class FormView:
         """
         return self.form.yaml(self._entries)
 
-    def fill(self, message: Any) -> None:
-        """Show the values of a message in the inputs."""
-        for path, text in self.form.entries(message).items():
-            entry: Entry = text == "true" if self._is_tick(path) else text
-            self._entries[path] = entry
-            self._inputs[path].set_value(entry)
-
-    def _is_tick(self, path: str) -> bool:
-        return isinstance(self._inputs[path], ui.checkbox)
-
     def _add(self, member: Member, depth: int) -> None:
         indent = f"padding-left: {depth * 16}px"
         if isinstance(member, Group):

@@ -115,6 +115,12 @@ def test_lists_of_texts_and_of_messages() -> None:
         (Twist, "linear.x", "fast", f"linear.x must be a float, not 'fast'; {_X}"),
         (Twist, "linear.x", "2,5", f"linear.x must be a float, not '2,5'; {_POINT}: x: 2.5"),
         (Twist, "linear.x", "", f"linear.x must be a float, not ''; {_X}"),
+        (
+            UInt8MultiArray,
+            "data",
+            f"[{'1, ' * 4000}1]",
+            "data has 12,003 characters, and at most 10,000 fit; use a program instead",
+        ),
         (SetPen.Request, "r", "256", f"r must be {_OCTET}, not 256; {_R}"),
         (SetPen.Request, "r", "2.5", f"r must be {_OCTET}, not '2.5'; {_R}"),
         (Spawn.Request, "x", "1e40", f"x must be {_FLOAT}, not 1e+40; x {_FLOAT32} x: 1.5"),
