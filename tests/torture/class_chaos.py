@@ -41,7 +41,8 @@ _GAP_S = 2.0
 #: A new watcher gets all tokens of a hub within this time.
 _WATCHED_S = 2.0
 _COMMAND_PERIOD_S = 9.0
-_COMMAND_S = 2.0
+#: The list waits 2 s for a laptop whose link was cut just before: TCP repeats packets late.
+_COMMAND_S = 2.5
 _CALM_S = 15.0
 _LOG_LINES = 20  #: of a hub, shown when the class does not see a node
 _PIN = "4711"

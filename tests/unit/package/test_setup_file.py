@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import time
 from typing import TYPE_CHECKING
 
 import pytest
@@ -73,6 +74,16 @@ def test_a_package_may_declare_nothing(tmp_path: Path, source: str) -> None:
 
 def test_a_folder_without_setup_files_declares_nothing(tmp_path: Path) -> None:
     assert declared_scripts(tmp_path) == {}
+
+
+def test_many_spaces_in_a_line_of_setup_cfg_take_little_time(tmp_path: Path) -> None:
+    spaces = "\u2028" * 80_000
+    (tmp_path / "setup.cfg").write_text(f"[options.entry_points]\nconsole_scripts{spaces}x\n")
+    begin = time.process_time()
+    with pytest.raises(SetupFileError, match="parsing errors") as caught:
+        declared_scripts(tmp_path)
+    assert len(str(caught.value)) < 500
+    assert time.process_time() - begin < 2  # 100 s without the limit of spaces
 
 
 @pytest.mark.parametrize(

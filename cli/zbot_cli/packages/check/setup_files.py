@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from zbot.errors.suggestion import nearest, question
 from zbot.package.errors import SetupFileError
-from zbot.package.setup_file import data_files, setup_arguments
+from zbot.package.setup_file import data_files, parsed_setup_cfg, setup_arguments
 from zbot.package.workspace import MANIFEST
 from zbot_cli.packages.check.checked_package import Problem, line_of
 
@@ -106,9 +106,8 @@ def _check_cfg(checked: CheckedPackage) -> Iterator[Problem]:
         text = f"there is no setup.cfg: `ros2 run` would not find the programs; write {lines}"
         yield Problem(checked.folder / "setup.py", 0, text, is_error=False)
         return
-    parser = configparser.ConfigParser(interpolation=None)
     try:
-        parser.read_string(path.read_text(encoding="utf-8"))
+        parser = parsed_setup_cfg(path.read_text(encoding="utf-8"))
     except (configparser.Error, UnicodeDecodeError) as error:
         yield Problem(path, getattr(error, "lineno", 0) or 0, " ".join(str(error).split()))
         return
