@@ -64,8 +64,8 @@ def _tree(slot: Slot, text: str) -> Tree:
         return Word(text, text)
     text = text.strip()
     if len(text) > _MOST_CHARACTERS:
-        sentence = f"{slot.path} has {len(text):,} characters, and at most {_MOST_CHARACTERS:,} fit"
-        raise FieldMisfitError(slot.path, sentence, "use a program instead")
+        sentence = f"{slot.name} has {len(text):,} characters, and at most {_MOST_CHARACTERS:,} fit"
+        raise FieldMisfitError(slot.name, sentence, "use a program instead")
     # Users may leave out the brackets: `1, 2, 3`.
     yaml = f"[{text}]" if slot.is_list and not text.startswith("[") else text
     try:
