@@ -387,6 +387,18 @@ def test_waiting_for_a_node_ends_at_the_timeout(observer: zbot.Node) -> None:
     assert time.monotonic() - begin < allowed(1)
 
 
+def test_waiting_for_a_node_ends_with_the_context(observer: zbot.Node) -> None:
+    found: list[bool] = []
+    wait = threading.Thread(
+        target=lambda: found.append(observer.wait_for_node("/nobody", 3600)), daemon=True
+    )
+    wait.start()
+    assert wait_until(lambda: bool(observer.context.graph._waiting))
+    observer.context.shutdown()
+    wait.join(allowed(10))
+    assert found == [False]
+
+
 def test_listeners_are_notified_of_the_present_graph_and_of_every_change(
     make_node: MakeNode, observer: zbot.Node
 ) -> None:

@@ -55,9 +55,7 @@ T = TypeVar("T")
 
 qos_profile_action_feedback = QoSProfile(depth=10)
 _SERVER_TIMEOUT_S = 3.0  # a goal waits this long for a server that starts
-# Time between two attempts to send a goal. A wait for the graph also consists of waits of this
-# length, because a shutdown does not end a wait.
-_STEP_S = 0.5
+_STEP_S = 0.5  # time between two attempts to send a goal
 
 
 class _ActionFuture(Future[T]):
@@ -186,15 +184,10 @@ class ActionClient(ActionEndpoint[GoalT, ResultT, FeedbackT]):
             ArgumentTypeError: `timeout_sec` is neither a number nor a `Duration`.
         """
         deadline = Deadline(as_seconds("timeout_sec", timeout_sec))
-        context = self._node.context
         for client in (self._cancel_client, self._result_client, self._goal_client):
             if not client.wait_for_service(deadline.left_s):
                 return False
-        while context.is_running and not self._has_publishers():
-            if deadline.is_over:
-                return False
-            step_s = min(deadline.left_s, _STEP_S)
-            context.graph.wait_for(lambda _: self._has_publishers(), step_s)
+        self._node.context.graph.wait_for(lambda _: self._has_publishers(), deadline.left_s)
         return self.server_is_ready()
 
     def send_goal_async(

@@ -17,8 +17,6 @@ if TYPE_CHECKING:
     from zbot.graph.snapshot import NamesAndTypes
     from zbot.node.node import Node
 
-_STEP_S = 0.5  # during a wait, the time between two checks whether the context has ended
-
 
 class NodeName(NamedTuple):
     """Name of a node: its parts, and the full name."""
@@ -166,7 +164,7 @@ def get_msg_class(
     if found is None:
         print(f"WARNING: topic [{topic}] does not appear to be published yet", file=sys.stderr)
     while blocking and found is None and node.context.is_running:
-        node.context.graph.wait_for(lambda now: name in dict(now.topics()), _STEP_S)
+        node.context.graph.wait_for(lambda now: name in dict(now.topics()), None)
         found = _type_in(node.get_topic_names_and_types(), name)
     return None if found is None else get_message(found)
 
@@ -182,7 +180,7 @@ def get_service_class(
     if found is None:
         print(f"WARNING: service [{service}] does not appear to be available yet", file=sys.stderr)
     while blocking and found is None and node.context.is_running:
-        node.context.graph.wait_for(lambda now: name in dict(now.services()), _STEP_S)
+        node.context.graph.wait_for(lambda now: name in dict(now.services()), None)
         found = _type_in(node.get_service_names_and_types(), name)
     return None if found is None else get_service(found)
 

@@ -234,6 +234,7 @@ class Context(ContextState):
                         settle=self.wait_for_discovery,
                         receiver=self.receiver,
                         start_thread=self.start_thread,
+                        is_running=lambda: self.is_running,
                     )
         return self._graph
 

@@ -163,6 +163,7 @@ class Graph:
         receiver: Returns a Zenoh handler that calls a function (see `Context.receiver`).
         start_thread: Starts a thread with a name, a function, and a function that lets it end (see
             `Context.start_thread`).
+        is_running: Returns whether the context runs. If not, `wait_for` ends.
         asks_first: Whether to query all tokens before the subscription to changes. This is
             necessary for a client's session. After the subscription, this session would answer the
             query itself, but incompletely.
@@ -178,9 +179,11 @@ class Graph:
         settle: Callable[[], None],
         receiver: Callable[[Callable[[Any], object]], Any],
         start_thread: Callable[[str, Callable[[], None], Callable[[], object]], None],
+        is_running: Callable[[], bool],
     ) -> None:
         self._session = session
         self._settle = settle
+        self._is_running = is_running
         self._changes = TokenChanges(session, self._on_change, receiver, start_thread)
         self._dialect = dialect
         self._domain = domain
@@ -284,15 +287,18 @@ class Graph:
                 self._snapshot = Snapshot(tuple(self._tokens.values()))
             return self._snapshot
 
-    def wait_for(self, condition: Callable[[Snapshot], bool], timeout_s: float) -> bool:
-        """Wait until a condition on the graph is true. Return False after `timeout_s` seconds."""
+    def wait_for(self, condition: Callable[[Snapshot], bool], timeout_s: float | None) -> bool:
+        """Wait until a condition on the graph is true.
+
+        Return False after `timeout_s` seconds (`None`: no limit), or when the context ends.
+        """
         self.watch()
         changed = BinarySemaphore()
         self._waiting.add(changed)
         deadline = Deadline(timeout_s)
         try:
             while not condition(self.snapshot()):
-                if deadline.is_over:
+                if deadline.is_over or not self._is_running():
                     return False
                 changed.wait(deadline.left_s)
             return True

@@ -140,7 +140,10 @@ class GraphQueries:
         return len(self._zbot_on(EntityKind.CLIENT, service_name))
 
     def wait_for_node(self, fully_qualified_node_name: str, timeout: float) -> bool:
-        """Wait until a node exists. Return `False` if it does not exist after `timeout` seconds."""
+        """Wait until a node exists.
+
+        Return `False` after `timeout` seconds, or when the context ends.
+        """
         wanted = "/" + fully_qualified_node_name.lstrip("/")
         return self.context.graph.wait_for(
             lambda snapshot: wanted in full_names(snapshot.nodes), timeout

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from zbot.errors import ExternalShutdownException
 from zbot.graph.filters import Filters, Grouping, compile_filter
 from zbot.graph.view import BoxKind, Edge, GraphView, Mode, TopicView, view
 from zbot_cli.domain.client import client, snapshot
@@ -23,7 +24,6 @@ if TYPE_CHECKING:
 
 app = new_app("Show which nodes talk to each other", has_verbs=False)
 
-_ONE_HOUR_S = 3600.0
 _MAX_NAMESPACES = 9
 
 _Filter = "names or regular expressions; to leave some out, put `-` before them"
@@ -166,13 +166,12 @@ def _watch(make_view: Callable[[Snapshot], GraphView], show: _Output) -> None:
         context.graph.watch()
         shown = make_view(context.graph.snapshot())
         show(shown)
-        while True:
-            before = shown
-            if context.graph.wait_for(lambda seen: make_view(seen) != before, _ONE_HOUR_S):  # noqa: B023
-                shown = make_view(context.graph.snapshot())
-                if show.separates_by_blank_line:
-                    print()
-                show(shown)
+        while context.graph.wait_for(lambda seen: make_view(seen) != shown, None):  # noqa: B023
+            shown = make_view(context.graph.snapshot())
+            if show.separates_by_blank_line:
+                print()
+            show(shown)
+    raise ExternalShutdownException
 
 
 def _text(drawn: GraphView) -> str:

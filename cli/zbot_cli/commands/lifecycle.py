@@ -10,7 +10,9 @@ import typer
 
 from zbot.graph.snapshot import full_names
 from zbot.remote.managed_nodes import ManagedNodes, NodeSilentError, managed_nodes
+from zbot.threads.deadline import Deadline
 from zbot_cli.domain.client import full_name, hidden_node, note_if_nobody_runs, snapshot
+from zbot_cli.domain.waiting import wait_until_found
 from zbot_cli.errors import CommandError
 from zbot_cli.input.domain_names import as_typed, did_you_mean
 from zbot_cli.input.option_groups import with_option_groups
@@ -170,8 +172,13 @@ def _find_managed_node(node: Node, name: str, timeout_s: float) -> str:
 
     Raises:
         CommandError: The node does not appear in time.
+        ExternalShutdownException: The context ended first.
     """
-    full, graph = full_name(name), node.context.graph
-    if not graph.wait_for(lambda now: full in managed_nodes(now, include_hidden=True), timeout_s):
-        raise _node_not_found_error(full, graph.snapshot())
+    full = full_name(name)
+
+    def find(graph: Snapshot) -> str | None:
+        return full if full in managed_nodes(graph, include_hidden=True) else None
+
+    if wait_until_found(node, find, Deadline(timeout_s)) is None:
+        raise _node_not_found_error(full, node.context.graph.snapshot())
     return full

@@ -28,7 +28,6 @@ if TYPE_CHECKING:
 
 #: Seconds after which a command says that nobody is there for its topic, service or action.
 HINT_DELAY_S = 2.0
-_STEP_S = 0.5  # Ctrl-C cannot interrupt waiting for the graph, so the command waits in steps
 _MADE_UP_S = 0.1  # a delay that shortens the next sleeps, so that the mean rate is exact
 
 
@@ -61,7 +60,7 @@ def wait_until_found(
     """
     graph = node.context.graph
     while (found := find(graph.snapshot())) is None and not deadline.is_over:
-        graph.wait_for(lambda now: find(now) is not None, min(deadline.left_s, _STEP_S))
+        graph.wait_for(lambda now: find(now) is not None, deadline.left_s)
         if not node.context.ok():
             raise ExternalShutdownException
     return found

@@ -149,8 +149,7 @@ class Pub:
                 is_hinted = True
             print(f"Waiting for at least {wanted} matching subscription(s)...", flush=True)
             node.context.graph.wait_for(
-                lambda _: publisher.get_subscription_count() >= wanted or not node.context.ok(),
-                min(deadline.left_s, 1.0),
+                lambda _: publisher.get_subscription_count() >= wanted, min(deadline.left_s, 1.0)
             )
             found = publisher.get_subscription_count()
             if found < wanted and deadline.is_over:
