@@ -7,13 +7,12 @@ dictionary of the caller, which is the `context`.
 
 from __future__ import annotations
 
-import os
 import sys
 from collections import OrderedDict
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, Literal, NamedTuple, TypedDict
 
-import zbot
+from zbot.errors.call_source import OWN_FILES
 from zbot.executor.clock import Clock
 from zbot.log.errors import log_option_error, not_a_clock_error
 
@@ -23,7 +22,6 @@ if TYPE_CHECKING:
     from zbot.log import LoggingSeverity
 
 SupportedFiltersKeys = Literal["throttle", "skip_first", "once"]
-_OWN_FILES = str(Path(zbot.__file__).parent) + os.sep
 
 
 class RcutilsLoggerContext(TypedDict):
@@ -93,7 +91,7 @@ class CallerId(_CallerId):
     def __new__(cls, frame: FrameType | None = None) -> CallerId:
         """Find the line of code."""
         found = frame or sys._getframe(1)  # noqa: SLF001 - inspect's way takes 100 times as long
-        while frame is None and found.f_code.co_filename.startswith(_OWN_FILES) and found.f_back:
+        while frame is None and found.f_code.co_filename.startswith(OWN_FILES) and found.f_back:
             found = found.f_back
         code = found.f_code
         path = str(Path(code.co_filename).absolute())

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import linecache
+import os
 import re
 import sys
 from functools import lru_cache
@@ -14,7 +15,8 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
     from types import FrameType
 
-_PACKAGE = str(Path(__file__).parents[1])
+#: Begin of the paths of this library's files. The separator excludes `zbot_cli` and `zbot_nodes`.
+OWN_FILES = str(Path(__file__).parents[1]) + os.sep
 _TARGET = re.compile(r"\btarget\s*=\s*([\w.]+)\(([^()]*)\)")
 
 
@@ -55,7 +57,7 @@ def calling_line() -> str:
     The result is empty for a call of the `zbot` command or of a bundled node.
     """
     frame, _ = _calling_frame()
-    if frame is None or str(frame.f_globals.get("__name__")).startswith("zbot_"):
+    if frame is None or str(frame.f_globals.get("__name__")).startswith(("zbot_cli", "zbot_nodes")):
         return ""
     return f"{frame.f_code.co_filename}:{frame.f_lineno}"
 
@@ -97,7 +99,7 @@ def _calling_frame() -> tuple[FrameType | None, str]:
     """Return the frame of the program that called zbot, and the name of the called function."""
     frame: FrameType | None = sys._getframe(1)  # noqa: SLF001 - Python has no quick public way
     function = ""
-    while frame is not None and frame.f_code.co_filename.startswith(_PACKAGE):
+    while frame is not None and frame.f_code.co_filename.startswith(OWN_FILES):
         function, frame = frame.f_code.co_name, frame.f_back
     return frame, function
 

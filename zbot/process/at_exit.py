@@ -9,16 +9,15 @@ from __future__ import annotations
 import atexit
 import contextlib
 import gc
-import os
 import signal
 import sys
 import threading
 import traceback
-from pathlib import Path
 from types import BuiltinFunctionType
 from typing import TYPE_CHECKING, Protocol
 
 from zbot.errors import ExternalShutdownException
+from zbot.errors.call_source import OWN_FILES
 from zbot.threads.deadline import poll
 from zbot.threads.weak_set import WeakSet
 
@@ -30,7 +29,6 @@ if TYPE_CHECKING:
 _CALLBACK_TIMEOUT_S = 0.3  # for a callback that runs when the program ends
 _CALL_TIMEOUT_S = 0.3  # a call into a closed session returns within a millisecond
 _PAUSE_S = 0.001
-_PACKAGE = str(Path(__file__).parents[1]) + os.sep
 
 
 class OpenContext(Protocol):
@@ -187,7 +185,7 @@ def _calls_zbot() -> bool:
             gc.enable()
     own = threading.get_ident()
     return any(
-        frame.f_code.co_filename.startswith(_PACKAGE)
+        frame.f_code.co_filename.startswith(OWN_FILES)
         for ident, frame in frames.items()
         if ident != own
     )

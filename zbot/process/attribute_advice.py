@@ -9,14 +9,13 @@ from __future__ import annotations
 import linecache
 import re
 import sys
-from pathlib import Path
 from types import FunctionType, ModuleType
 
 from zbot.errors import library_name
+from zbot.errors.call_source import OWN_FILES
 from zbot.errors.suggestion import did_you_mean
 
 _NODE = "create_publisher"
-_PACKAGE = str(Path(__file__).parents[1])
 _WAIT = "{}.spin_until_future_complete(node, future) before it, because the future is not done"
 _IMPORT = re.compile(r"cannot import name '(\w+)' from '([\w.]+)'")
 # The second form is that of Python 3.10.
@@ -102,7 +101,7 @@ def advise_of_import(error: BaseException) -> None:
         return
     match = _IMPORT.match(str(error))
     module = sys.modules.get(match[2]) if match else None
-    if match and str(getattr(module, "__file__", "")).startswith(_PACKAGE):
+    if match and str(getattr(module, "__file__", "")).startswith(OWN_FILES):
         names = [name for name in dir(module) if not name.startswith("_")]
         error.msg = f"{error}{did_you_mean(match[1], names, before='; ')}"
         error.name_from = None  # type: ignore[attr-defined,unused-ignore]  # since Python 3.12

@@ -6,14 +6,13 @@ gets advice for its errors (see `zbot.process.error_advice`).
 
 from __future__ import annotations
 
-import os
 import sys
 import threading
-from pathlib import Path
 from types import TracebackType
 from typing import Any
 
 from zbot.errors import ExternalShutdownException, SetupError
+from zbot.errors.call_source import OWN_FILES
 from zbot.interfaces.unknown_field import add_advice
 from zbot.process import at_exit, signals
 from zbot.process.attribute_advice import (
@@ -23,8 +22,6 @@ from zbot.process.attribute_advice import (
 )
 from zbot.process.call_advice import advise_of_call
 from zbot.text.typographic import advise_of_syntax
-
-_PACKAGE = str(Path(__file__).parents[1]) + os.sep
 
 
 def install() -> None:
@@ -119,4 +116,4 @@ def user_traceback(trace: TracebackType | None) -> TracebackType | None:
 
 
 def _is_ours(entry: TracebackType) -> bool:
-    return entry.tb_frame.f_code.co_filename.startswith(_PACKAGE)
+    return entry.tb_frame.f_code.co_filename.startswith(OWN_FILES)
