@@ -159,7 +159,7 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
             get_logger(self._logger_name).warning(text)
         deadline = Deadline(as_seconds("timeout_sec", timeout_sec))
         quiet = Deadline(None if self._context.is_tool else _QUIET_S)
-        while not self.service_is_ready() and self._context.is_running:
+        while not (self.is_destroyed or self.service_is_ready()) and self._context.is_running:
             if deadline.is_over:
                 return False
             if quiet.is_over:

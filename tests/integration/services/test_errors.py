@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 import zbot
-from tests.conftest import wait_until
+from tests.conftest import allowed, wait_until
 from tests.integration.services.conftest import Request, Response, add, client_of
 from zbot.action import ActionClient
 from zbot.errors import InvalidHandleError, NotInitializedError, WrongTypeError
@@ -74,6 +74,17 @@ def test_a_blocking_call_without_a_server_fails_at_once(caller: zbot.Node) -> No
     assert isinstance(failed.exception(), ServiceError)
     assert not client.wait_for_service(0.05)
     assert not client.wait_for_service(-1)
+
+
+def test_a_wait_for_a_server_ends_when_the_client_is_destroyed(caller: zbot.Node) -> None:
+    client = caller.create_client(AddTwoInts, "add")
+    found: list[bool] = []
+    wait = threading.Thread(target=lambda: found.append(client.wait_for_service()), daemon=True)
+    wait.start()
+    assert wait_until(lambda: client._listener is not None)
+    caller.destroy_client(client)
+    wait.join(allowed(10))
+    assert found == [False]
 
 
 def test_a_future_of_a_call_without_a_server_is_never_done(
