@@ -423,18 +423,24 @@ class Executor(ExecutorNodes):
     def _begin_turn(self, deadline_ns: int | None) -> bool:
         """Begin to spin. If another thread spins, wait for its next callback and return `False`."""
         while not self._try_to_spin():
-            if self._wait_for_turn(deadline_ns):
+            if self._wait_for_turn(deadline_ns, may_spin=True):
                 return False
         return True
 
-    def _wait_for_turn(self, deadline_ns: int | None) -> bool:
+    def _wait_for_turn(self, deadline_ns: int | None, *, may_spin: bool = False) -> bool:
         """Wait until another thread has run a callback or stops spinning.
+
+        Args:
+            deadline_ns: When the wait ends.
+            may_spin: Whether not to wait if the other thread has stopped spinning already.
 
         Returns:
             `False` if the other thread stopped spinning and the wait has to go on.
         """
         turn: Future[None] = Future()
         self._turns.append(turn)
+        if may_spin and self._spinning_thread is None:
+            turn.cancel()  # the other thread may have stopped before it could see the turn
         self._must_requeue = True  # the running entity's callbacks end after the present one
         self._wait_for_future(turn, deadline_ns)
         with contextlib.suppress(ValueError):

@@ -174,6 +174,18 @@ def test_a_second_thread_goes_on_spinning_when_the_first_one_stops(
     assert calls == [1]
 
 
+def test_a_thread_spins_if_the_other_one_stops_before_its_turn_is_known(
+    node: zbot.Node, executor: zbot.Executor, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    tries = iter([False])  # at the first try, the other thread spins
+    begin = executor._try_to_spin
+    monkeypatch.setattr(executor, "_try_to_spin", lambda: next(tries, True) and begin())
+    future: zbot.Future[None] = zbot.Future()
+    node.create_guard_condition(lambda: future.set_result(None)).trigger()
+    executor.spin_once(timeout_sec=1)
+    assert wait_until(future.done)
+
+
 def test_spin_once_of_a_second_thread_ends_with_the_context(
     context: zbot.Context, node: zbot.Node, single: zbot.Executor, spin: Spin
 ) -> None:
