@@ -397,7 +397,8 @@ class ActionServer(ActionEndpoint[GoalT, ResultT, FeedbackT]):
         """Publish the states of all known goals."""
         message = self._action_type.Impl.GoalStatusMessage()
         with self.lock:
-            message.status_list = [handle.status_message for handle in self._goal_handles.values()]
+            handles = list(self._goal_handles.values())  # another thread may accept a goal
+            message.status_list = [handle.status_message for handle in handles]
             try:
                 self._status.publish(message)
             except InvalidHandleError:  # no error if another thread has just destroyed the node
@@ -426,7 +427,7 @@ class ActionServer(ActionEndpoint[GoalT, ResultT, FeedbackT]):
         for service in self._services:
             self._node.destroy_service(service)
         with self.lock:
-            for handle in self._goal_handles.values():
+            for handle in list(self._goal_handles.values()):
                 handle.destroy()
             self._goal_handles.clear()
             self._ended.clear()

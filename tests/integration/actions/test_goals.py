@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import threading
 from functools import partial
+from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any
 
 import pytest
@@ -63,6 +64,24 @@ def test_a_state_that_comes_after_the_result_is_ignored(pair: Pair) -> None:
     pair.client._goals[handle.key] = goal  # as if a callback for its feedback still had to run
     pair.client._on_status(GoalStatusArray(status_list=[late]))
     assert handle.status == GoalState.SUCCEEDED
+
+
+def test_the_states_are_published_while_another_thread_accepts_a_goal(pair: Pair) -> None:
+    pair.begin(compute)
+    goals: dict[bytes, Any] = pair.server._goal_handles
+
+    class Accepting:
+        """A goal during whose look another goal comes."""
+
+        @property
+        def status_message(self) -> GoalStatus:
+            goals[b"late"] = SimpleNamespace(status_message=GoalStatus())
+            return GoalStatus()
+
+    goals[b"early"] = Accepting()
+    pair.server.publish_status()
+    assert goals.keys() == {b"early", b"late"}
+    goals.clear()
 
 
 def test_a_result_can_be_requested_several_times_and_after_the_end(pair: Pair) -> None:
