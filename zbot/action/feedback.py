@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 from collections import deque
 from typing import TYPE_CHECKING, Any, cast
 
@@ -55,7 +56,6 @@ class FeedbackSubscription:
         self.callback = callback
         self.callback_group = callback_group
         self.ready_queue = handle.ready_queue
-        self.lost_count = 0  #: messages that were dropped because the queue was full
         self._context = context
         self._goal_count = goal_count
         self._logger_name = handle.logger_name
@@ -94,8 +94,8 @@ class FeedbackSubscription:
     @called_by_zenoh
     def _receive(self, sample: zenoh.Sample) -> None:
         if len(self._queue) >= max(1, self.token.qos.depth) * max(1, self._goal_count()):
-            self._queue.popleft()
-            self.lost_count += 1
+            with contextlib.suppress(IndexError):  # the executor may have just taken the sample
+                self._queue.popleft()
         self._queue.append(sample)
         self.ready_queue.post(self)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+from collections import deque
 from functools import partial
 from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any
@@ -19,6 +20,7 @@ from example_interfaces.action import Fibonacci
 from unique_identifier_msgs.msg import UUID
 
 if TYPE_CHECKING:
+    from tests.conftest import MakeContext
     from zbot.log.record import Record
 
 # -- goals and results -------------------------------------------------------------------------
@@ -82,6 +84,27 @@ def test_the_states_are_published_while_another_thread_accepts_a_goal(pair: Pair
     pair.server.publish_status()
     assert goals.keys() == {b"early", b"late"}
     goals.clear()
+
+
+def test_new_feedback_is_kept_if_the_executor_takes_the_old_one_meanwhile(
+    make_context: MakeContext,
+) -> None:
+    class Taken(deque[Any]):
+        """Queue whose samples are taken just after its length was read."""
+
+        def __len__(self) -> int:
+            length = super().__len__()
+            self.clear()
+            return length
+
+    node = zbot.Node("client", context=make_context())
+    client = ActionClient(
+        node, Fibonacci, "fibonacci", feedback_sub_qos_profile=zbot.QoSProfile(depth=1)
+    )
+    feedback: Any = client._feedback
+    feedback._queue = Taken(["old"])
+    feedback._receive("new")
+    assert feedback.take() == "new"
 
 
 def test_a_result_can_be_requested_several_times_and_after_the_end(pair: Pair) -> None:
