@@ -133,7 +133,7 @@ class Node(GraphQueries, NodeEntities, NodeParameters):
             handle.check_remaps()
             self._zbot_time.attach_node(self)
             if start_parameter_services:
-                self._zbot_parameter_services = ParameterServices(handle, self._zbot_resolve)
+                self._zbot_parameter_services = ParameterServices(self)
             self._zbot_type_descriptions = TypeDescriptionService(self)
             if enable_logger_service:
                 from zbot.node.logger_services import LoggingService  # noqa: PLC0415 - few nodes have it
@@ -204,7 +204,7 @@ class Node(GraphQueries, NodeEntities, NodeParameters):
         Raises:
             InvalidTopicNameError: The name breaks ROS 2's grammar.
         """
-        return self._zbot_resolve(topic, only_expand=only_expand, is_service=False)
+        return self._zbot_state.resolve(topic, is_service=False, only_expand=only_expand)
 
     def resolve_service_name(self, service: str, *, only_expand: bool = False) -> str:
         """Return the full name of a service. The name is remapped if `only_expand` is false.
@@ -212,10 +212,7 @@ class Node(GraphQueries, NodeEntities, NodeParameters):
         Raises:
             InvalidServiceNameError: The name breaks ROS 2's grammar.
         """
-        return self._zbot_resolve(service, only_expand=only_expand, is_service=True)
-
-    def _zbot_resolve(self, name: str, *, only_expand: bool, is_service: bool) -> str:
-        return self._zbot_state.resolve(name, only_expand=only_expand, is_service=is_service)
+        return self._zbot_state.resolve(service, is_service=True, only_expand=only_expand)
 
     def destroy_node(self) -> None:
         """Remove the node and all its entities from the graph. This method may be called twice."""

@@ -15,23 +15,21 @@ from zbot.qos import qos_profile_parameters
 from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from zbot.node.state import NodeState
+    from zbot.node.entities import NodeEntities
 
 
 class ParameterServices:
     """The six parameter services of a node.
 
     Args:
-        handle: The node's state.
-        resolve: Returns the full, remapped name of a service.
+        node: The node. Its executor runs the callbacks.
     """
 
-    def __init__(self, handle: NodeState, resolve: Callable[..., str]) -> None:
+    def __init__(self, node: NodeEntities) -> None:
+        handle = node.handle
         self._store = handle.parameters
         for name, (type_name, type_hash) in PARAMETER_SERVICES.items():
-            full = resolve(f"{handle.full_name}/{name}", only_expand=False, is_service=True)
+            full = handle.resolve(f"{handle.full_name}/{name}", is_service=True)
             named_type = (type_name, type_hash)
             service: Service[Any, Any] = Service(
                 handle.context,

@@ -54,6 +54,15 @@ def test_the_services_can_be_left_out(make_context: MakeContext) -> None:
     assert node.has_parameter("use_sim_time")
 
 
+def test_a_program_may_make_the_services_itself(make_context: MakeContext) -> None:
+    from rclpy.parameter_service import ParameterService  # noqa: PLC0415 - only here
+
+    node = zbot.Node("late", context=make_context(), start_parameter_services=False)
+    ParameterService(node)
+    served = {service.service_name for service in node.services}
+    assert {f"/late/{name}" for name in PARAMETER_SERVICES} <= served
+
+
 def test_parameters_are_declared_read_and_set_as_in_rclpy(node: zbot.Node) -> None:
     node.declare_parameters(
         "drive",
