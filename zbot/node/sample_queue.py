@@ -59,8 +59,8 @@ class LatchedChannel:
 
     def receive(self, sample: zenoh.Sample) -> None:
         """Add a sample. A thread of Zenoh calls this."""
-        if self._room is not None:
-            self._room.acquire()
+        if (room := self._room) is not None:  # another thread may end the queue meanwhile
+            room.acquire()
         self._samples.append(sample)
         self.post()
 
@@ -70,8 +70,8 @@ class LatchedChannel:
             sample = self._samples.popleft()
         except IndexError:
             return None
-        if self._room is not None:
-            self._room.release()
+        if (room := self._room) is not None:
+            room.release()
         return sample
 
     def end(self) -> None:

@@ -308,6 +308,28 @@ def test_a_full_latched_channel_blocks_until_a_sample_is_taken() -> None:
     assert taken == [0, 1, 2]
 
 
+class EndingChannel(LatchedChannel):
+    """Latched channel that another thread ends just after each look at its room."""
+
+    @property
+    def _room(self) -> threading.Semaphore | None:
+        room, self._kept = self._kept, None
+        return room
+
+    @_room.setter
+    def _room(self, room: threading.Semaphore | None) -> None:
+        self._kept = room
+
+
+@pytest.mark.parametrize("first", ["receive", "try_recv"])
+def test_the_end_of_a_latched_channel_may_come_during_a_call(first: str) -> None:
+    channel: Any = EndingChannel(1, blocks=True)
+    channel._samples.append("old")
+    if first == "receive":
+        channel.receive("new")
+    assert channel.try_recv() == "old"
+
+
 def test_the_end_of_a_latched_channel_lets_zenohs_thread_go_on() -> None:
     channel: Any = LatchedChannel(1, blocks=True)
     channel.receive("a")
