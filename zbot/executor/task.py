@@ -273,9 +273,14 @@ class Task(Future[T]):
 
     def cancel(self) -> None:
         """Stop at the present `await`. A function that has begun runs to its end."""
-        if self._coroutine is not None and not self.executing():
-            self._coroutine.close()
-        super().cancel()
+        is_free = self._step_lock.acquire(blocking=False)  # no other thread can begin a step
+        try:
+            if is_free and self._coroutine is not None:
+                self._coroutine.close()
+            super().cancel()
+        finally:
+            if is_free:
+                self._step_lock.release()
 
     def _step(self) -> None:
         if self._coroutine is None:

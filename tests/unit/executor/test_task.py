@@ -235,6 +235,37 @@ def test_cancelling_closes_a_coroutine_that_waits() -> None:
     assert task.cancelled()
 
 
+def test_no_step_begins_while_a_task_is_cancelled() -> None:
+    queue, future, kept_out = Queue(), pending(), list[bool]()
+
+    async def work() -> None:
+        try:
+            await future
+        finally:
+            kept_out.append(task.executing())
+
+    task = queue.create_task(work)
+    queue.run()
+    task.add_waker(lambda: kept_out.append(task.executing()))
+    task.cancel()
+    assert kept_out == [True, True]
+    assert not task.executing()
+
+
+def test_a_task_is_cancelled_while_its_step_runs() -> None:
+    queue, seen = Queue(), list[bool]()
+
+    async def work() -> None:
+        task.cancel()
+        seen.append(task.cancelled())
+
+    task = queue.create_task(work)
+    queue.run()
+    assert seen == [True]
+    assert task.cancelled()
+    assert not task.executing()
+
+
 async def waits_for(future: Future[Any]) -> Any:
     return await future
 
