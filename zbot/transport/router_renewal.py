@@ -56,6 +56,7 @@ class RouterRenewal:
         self._ended: set[int] = set()  # hashes of keys, because a key may be declared again
         self._is_over = threading.Event()
         self._thread = threading.Thread(target=self._run, name="zbot renewal", daemon=True)
+        self._beginning = threading.Lock()  # is never released: one thread begins
         for key in _TOKENS:
             receive = zenoh.handlers.Callback(self._receive)
             subscribe = session.liveliness().declare_subscriber
@@ -70,7 +71,8 @@ class RouterRenewal:
             self._ended.discard(hash(key))
             return
         self._ended.add(hash(key))
-        if len(self._ended) == self._quiet_limit and self._thread.ident is None:
+        # Two threads of Zenoh call this, so the limit may have been passed by more than one.
+        if len(self._ended) >= self._quiet_limit and self._beginning.acquire(blocking=False):
             without_interruption(self._thread.start)
 
     def renew_after(self, tokens: int) -> None:

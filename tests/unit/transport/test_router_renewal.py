@@ -69,6 +69,12 @@ def test_tokens_that_come_again_cost_nothing(router: Router) -> None:
     assert router.count == 0
 
 
+def test_a_router_is_renewed_if_two_threads_pass_the_limit_together(router: Router) -> None:
+    router.renewal._ended.update(range(LIMIT))  # the other thread has not counted its tokens yet
+    router.end_tokens(2)
+    assert wait_until(lambda: router.count == 1)
+
+
 class Pauses:
     """Takes the place of the event that ends a renewal. Something happens during each wait."""
 
