@@ -310,7 +310,7 @@ class Executor(ExecutorNodes):
         If a callback raises an exception, `spin` ends and raises this exception, as in rclpy.
 
         Raises:
-            ExternalShutdownException: The context was shut down while no callback was running.
+            ExternalShutdownException: A signal came, or the context was shut down during a wait.
         """
         self._require_ready()
         warn_of_target()

@@ -136,9 +136,9 @@ class TimeSource:
     def _subscribe(self) -> None:
         if not self._is_active or self._node is None or self._clock_sub is not None:
             return
-        from zbot.node.lockstep import LockstepAnswer  # noqa: PLC0415 - as above
+        from zbot.node.lockstep import LockstepAnswer  # noqa: PLC0415 - few nodes use simulated time
 
-        from rosgraph_msgs.msg import Clock  # noqa: PLC0415 - few nodes use simulated time
+        from rosgraph_msgs.msg import Clock  # noqa: PLC0415 - as above
 
         # A simulator that sees the subscription must be able to ask the node.
         self._answer = LockstepAnswer(self._node.handle, self._node.handle.clock)

@@ -30,7 +30,8 @@ _HASH_LENGTH = 16  # characters of a hash that a sentence shows
 def difference_text(context: Context, mine: EndpointToken, other: EndpointToken) -> str:
     """Return a sentence about the definitions of two endpoints that cannot hear each other.
 
-    This function asks the other node for its definition. This takes milliseconds, at most 2 s.
+    This function asks the other node for its definition. This takes milliseconds, or 5 s if the
+    other node does not answer.
     """
     who = fully_qualified(other.namespace, other.node)
     if not (_has_hash(mine) and _has_hash(other)):

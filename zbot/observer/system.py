@@ -64,8 +64,7 @@ class System:
 
     Raises:
         SessionError: Zenoh cannot open a session.
-        SettingError: The Zenoh configuration file is unusable.
-        SettingError: The domain is out of range.
+        SettingError: The Zenoh configuration file is unusable, or the domain is out of range.
     """
 
     def __init__(self, *, read_only: bool = False, domain_id: int | None = None) -> None:

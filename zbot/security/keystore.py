@@ -201,8 +201,8 @@ def identity(folder: Path) -> Identity:
             chosen. Otherwise the enclave with this machine's host name is chosen.
 
     Raises:
-        SecurityError: The keystore is empty, or no enclave has the host name.
-        SecurityError: The folder does not exist.
+        SecurityError: The folder does not exist, or the keystore is empty, or no enclave has the
+            host name.
     """
     if not is_keystore(folder):
         if not folder.is_dir():

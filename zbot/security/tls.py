@@ -87,9 +87,8 @@ def check_dialling(
         The contents of the hub's certificate.
 
     Raises:
-        SecurityError: This machine's certificate or the hub's is invalid.
-        SecurityError: The hub does not accept this machine's certificate, or the program at the
-            address does not use TLS.
+        SecurityError: This machine's certificate or the hub's is invalid, or the hub does not
+            accept this machine's certificate, or the program at the address does not use TLS.
         OSError: No program answers.
     """
     identity.check()

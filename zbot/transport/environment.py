@@ -34,8 +34,8 @@ def differences(domain_id: int | None = None) -> list[Difference]:
         domain_id: The domain that the program itself has chosen, or `None`.
 
     Raises:
-        SettingError: The Zenoh configuration file cannot be read, or is not valid.
-        SettingError: The variable for the discovery range has an unknown value.
+        SettingError: The Zenoh configuration file cannot be read or is not valid, or the variable
+            for the discovery range has an unknown value.
         MembershipError: The membership file is damaged.
     """
     joined = membership.load()

@@ -35,8 +35,8 @@ def dialect_of_rmw(
             `rmw_implementation`.
 
     Raises:
-        SettingError: The middleware in `given` or in the file is unknown.
-        SettingError: The file is not a valid Zenoh configuration.
+        SettingError: The middleware in `given` or in the file is unknown, or the file is not a
+            valid Zenoh configuration.
     """
     found = given or _of_variable() or (file and _of_file(file))
     name = known(found) if found else ZBOT_IDENTIFIER

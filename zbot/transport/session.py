@@ -394,10 +394,8 @@ class MeetingPoint:
         return session if session is not None or is_off else self._open_client_of_hub(deadline)
 
     def _open_client_of_hub(self, deadline: Deadline) -> zenoh.Session | None:
-        """Open a client session of this machine's hub, which knows the nodes of other machines.
-
-        Do not ask the hub for its state, because a hub does not answer questions about itself.
-        """
+        """Open a client session of this machine's hub, which knows the nodes of other machines."""
+        # A hub does not answer questions about itself, so it is not asked for its state.
         session = self._open_client(hub_endpoint())
         while session is None and membership.load() is not None and is_taken(hub_port()):
             if deadline.is_over:

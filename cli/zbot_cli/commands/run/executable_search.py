@@ -74,9 +74,8 @@ def find(words: Sequence[str]) -> tuple[Executable, list[str]]:
     """Return the executable at the start of a command line, and the arguments after it.
 
     Raises:
-        CommandError: There is no file of that path, or there is no executable of that name, or
+        CommandError: There is no file of that path, or no package or executable of that name, or
             `words` has no package, and several packages have the executable.
-        CommandError: There is no package of that name.
     """
     first, rest = words[0], list(words[1:])
     if _is_path(first):
