@@ -65,9 +65,6 @@ class ReadyQueue:
             if entity in self._entities:
                 self._entities.remove(entity)
 
-    def __contains__(self, entity: object) -> bool:
-        return entity in self._entities
-
     def attach(self, executor: object, deliver: Callable[[Entity], None]) -> None:
         """Send all posts to an executor's function, and post every entity once."""
         with self._lock:

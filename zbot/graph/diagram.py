@@ -7,7 +7,6 @@ group by this key, moves the group and reacts to clicks. `data-node` and `data-t
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 from html import escape
 from itertools import pairwise
 from math import sqrt
@@ -58,10 +57,6 @@ class Drawing:
             f'<style>{style()}</style>\n<rect class="ground" {box}/>\n{body}\n</svg>\n'
         )
 
-    @cached_property
-    def _boxes(self) -> dict[str, TopicView]:
-        return {box.key: box for box in self.view.boxes}
-
     def _frames(self) -> Iterator[str]:
         numbers: dict[str, int] = {}
         for frame in self.layout.frames:
@@ -100,8 +95,8 @@ class Drawing:
             facts = f'data-node="{escape(name)}"'
             key = node_key(name)
             yield _item(key, place, shape, classes="item node", facts=facts, name=name, title=name)
-        for key, box in self._boxes.items():
-            yield _box(box, self.layout.places[key])
+        for box in self.view.boxes:
+            yield _box(box, self.layout.places[box.key])
 
 
 def draw(view: GraphView, previous: Drawing | None = None) -> Drawing:

@@ -271,22 +271,22 @@ class Diagnostics:
             )
 
     def _compare_pair(self, mine: Token, other: Token, logger_name: str) -> None:
+        """Compare two tokens of one name."""
         if mine.key == other.key:
             return
         if isinstance(mine, NodeToken) and isinstance(other, NodeToken):
-            self._compare_nodes(mine, other, logger_name)
+            self._warn_of_namesake(mine, logger_name)
         elif isinstance(mine, EndpointToken) and isinstance(other, EndpointToken):
             self._compare_types(mine, other, logger_name)
 
-    def _compare_nodes(self, mine: NodeToken, other: NodeToken, logger_name: str) -> None:
+    def _warn_of_namesake(self, mine: NodeToken, logger_name: str) -> None:
         name = _full_name(mine)
-        if name == _full_name(other):
-            self._warn(
-                logger_name,
-                ("node", name),
-                f"there is another node named {name}; give one of them another name: "
-                f"--ros-args -r __node:={mine.node}_2",
-            )
+        self._warn(
+            logger_name,
+            ("node", name),
+            f"there is another node named {name}; give one of them another name: "
+            f"--ros-args -r __node:={mine.node}_2",
+        )
 
     def _check_stopped(self, nodes: dict[str, str]) -> None:
         """Warn if a program that Ctrl-Z has stopped has a node of the same name.
@@ -309,7 +309,7 @@ class Diagnostics:
             self._compare_definitions(mine, other, logger_name)
         if mine.kind not in _VERBS or other.kind not in _VERBS:
             return
-        if mine.name != other.name or mine.type_name == other.type_name:
+        if mine.type_name == other.type_name:
             return
         who = fully_qualified(other.namespace, other.node)
         self._warn(
@@ -322,10 +322,9 @@ class Diagnostics:
     def _compare_definitions(
         self, mine: EndpointToken, other: EndpointToken, logger_name: str
     ) -> None:
-        is_same_type = (mine.name, mine.type_name) == (other.name, other.type_name)
-        about = ("definition", mine.name, mine.type_hash, other.type_hash)
-        if not is_same_type or mine.type_hash == other.type_hash:
+        if mine.type_name != other.type_name or mine.type_hash == other.type_hash:
             return
+        about = ("definition", mine.name, mine.type_hash, other.type_hash)
         if (logger_name, *about) not in self._warned:
             from zbot.node.type_difference import difference_text  # noqa: PLC0415 - rarely needed
 

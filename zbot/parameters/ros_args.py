@@ -75,7 +75,6 @@ class Arguments(NamedTuple):
     remaps: tuple[Remap, ...] = ()
     parameters: tuple[ParameterValue | ParametersFile, ...] = ()  #: a name's last value is used
     log_levels: tuple[LogLevel, ...] = ()  #: a logger's last level is used
-    log_config_file: str = ""
     log_file_name: str = ""
     rosout_logs: bool = True
     stdout_logs: bool = True
@@ -304,7 +303,7 @@ _FLAGS: dict[str, Callable[[Arguments, str], Arguments]] = {
         parameters=(*found.parameters, ParametersFile(path))
     ),
     "--log-level": _log_level,
-    "--log-config-file": lambda found, path: found._replace(log_config_file=path),
+    "--log-config-file": lambda found, _: found,
     "--log-file-name": lambda found, prefix: found._replace(log_file_name=prefix),
     "-e": lambda found, path: found._replace(enclave=path),
     "--enclave": lambda found, path: found._replace(enclave=path),

@@ -56,7 +56,6 @@ class RmwMeeting:
     """
 
     uses_port = False
-    reaches_out = False
 
     def __init__(self, reach: DiscoveryRange, facts: dict[str, Any], domain: int) -> None:
         self._config = RmwConfig()

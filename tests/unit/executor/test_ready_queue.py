@@ -49,10 +49,9 @@ def test_a_new_entity_is_posted_at_once() -> None:
 def test_a_removed_entity_is_forgotten() -> None:
     ready_queue, posts = ReadyQueue(), list[Any]()
     guard, other = make(ready_queue), make(ready_queue)
-    assert guard in ready_queue
+    assert ready_queue.entities == [guard, other]
     ready_queue.remove(guard)
     ready_queue.remove(guard)
-    assert guard not in ready_queue
     assert ready_queue.entities == [other]
     ready_queue.attach("executor", posts.append)
     assert posts == [other]
