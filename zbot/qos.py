@@ -158,57 +158,12 @@ DeadlineBestAvailable = Duration(nanoseconds=2**63 - 2)
 LivelinessLeaseDurationeBestAvailable = Duration(nanoseconds=2**63 - 2)  # spelt as in rclpy
 
 _PolicyT = TypeVar("_PolicyT", bound=QoSPolicyEnum)
-_ValueT = TypeVar("_ValueT", Duration, bool)
+_ValueT = TypeVar("_ValueT")
 _DefaultT = TypeVar("_DefaultT")
 
 
 def _default_if_none(value: _DefaultT | None, default: _DefaultT) -> _DefaultT:
     return default if value is None else value
-
-
-class _Policy(Generic[_PolicyT]):
-    """Descriptor of a policy whose value is an enum member. It also accepts a member's number."""
-
-    def __init__(self, policy: type[_PolicyT]) -> None:
-        self._policy = policy
-
-    def __set_name__(self, _owner: type, name: str) -> None:
-        self._name, self._slot = name, f"_{name}"
-
-    @overload
-    def __get__(self, profile: None, _owner: type) -> _Policy[_PolicyT]: ...
-    @overload
-    def __get__(self, profile: QoSProfile, _owner: type) -> _PolicyT: ...
-    def __get__(self, profile: QoSProfile | None, _owner: type) -> _Policy[_PolicyT] | _PolicyT:
-        if profile is None:
-            return self
-        value: _PolicyT = getattr(profile, self._slot)
-        return value
-
-    def __set__(self, profile: QoSProfile, value: _PolicyT | int) -> None:
-        if not isinstance(value, int):
-            name = str(value).upper().replace("-", "_")
-            member = f".{name}" if name in self._policy.__members__ else ""
-            raise ArgumentTypeError(self._name, f"a {self._policy.__name__}{member}", value)
-        try:
-            policy = self._policy(value)
-        except ValueError:
-            reason = f"{self._name} must be a {self._policy.__name__}, not {value!r}"
-            raise InvalidQoSProfileError(reason) from None
-        if isinstance(value, QoSPolicyEnum) and not isinstance(value, self._policy):
-            _warn_of_other_policy(self._name, value, f"{self._policy.__name__}.{policy.name}")
-        setattr(profile, self._slot, policy)
-
-
-def _warn_of_other_policy(
-    argument: str, value: QoSPolicyEnum, counts_as: str, *, frames: int = 4
-) -> None:
-    """Warn. `frames` is their number up to the program, whose line the warning shows."""
-    # rclpy takes the number of the member. So a program that runs there is not refused.
-    given = f"{type(value).__name__}.{value.name}"
-    keyword = type(value).__name__.removesuffix("Policy").lower()
-    text = f"{argument} is {given}, which counts as {counts_as}"
-    warnings.warn(f"{text}: write {keyword}={given} in a QoSProfile", stacklevel=frames)
 
 
 class _Value(Generic[_ValueT]):
@@ -234,6 +189,35 @@ class _Value(Generic[_ValueT]):
         if not isinstance(value, self._kind):
             raise ArgumentTypeError(self._name, f"a {self._kind.__name__}", value)
         setattr(profile, self._slot, value)
+
+
+class _Policy(_Value[_PolicyT]):
+    """Descriptor of a policy whose value is an enum member. It also accepts a member's number."""
+
+    def __set__(self, profile: QoSProfile, value: _PolicyT | int) -> None:
+        if not isinstance(value, int):
+            name = str(value).upper().replace("-", "_")
+            member = f".{name}" if name in self._kind.__members__ else ""
+            raise ArgumentTypeError(self._name, f"a {self._kind.__name__}{member}", value)
+        try:
+            policy = self._kind(value)
+        except ValueError:
+            reason = f"{self._name} must be a {self._kind.__name__}, not {value!r}"
+            raise InvalidQoSProfileError(reason) from None
+        if isinstance(value, QoSPolicyEnum) and not isinstance(value, self._kind):
+            _warn_of_other_policy(self._name, value, f"{self._kind.__name__}.{policy.name}")
+        setattr(profile, self._slot, policy)
+
+
+def _warn_of_other_policy(
+    argument: str, value: QoSPolicyEnum, counts_as: str, *, frames: int = 4
+) -> None:
+    """Warn. `frames` is their number up to the program, whose line the warning shows."""
+    # rclpy takes the number of the member. So a program that runs there is not refused.
+    given = f"{type(value).__name__}.{value.name}"
+    keyword = type(value).__name__.removesuffix("Policy").lower()
+    text = f"{argument} is {given}, which counts as {counts_as}"
+    warnings.warn(f"{text}: write {keyword}={given} in a QoSProfile", stacklevel=frames)
 
 
 class QoSProfile:
