@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar
 import zenoh
 
 from zbot.errors import InvalidHandleError, WrongTypeError
-from zbot.interfaces import type_name
+from zbot.interfaces.same_type import is_message_of
 from zbot.memory import LARGE_BYTES, keep_freed_memory
 from zbot.names import ROSOUT_TOPIC
 from zbot.node.endpoint import TopicEndpoint
@@ -170,7 +170,7 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
         if isinstance(msg, bytes):
             return self._context.dialect.payload_of(msg, self.msg_type)
         # Another class of the same type may come from a real ROS 2 installation.
-        if isinstance(msg, self.msg_type) or self._is_same_type(msg):
+        if is_message_of(msg, self.msg_type):
             return self._encode(msg)
         raise WrongTypeError(
             f"{self.topic_name} carries {self._token.type_name}, "
@@ -190,12 +190,6 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
         except (CodecError, TypeError, ValueError):  # the value does not fit the field
             return ""
         return f": write publish({self.msg_type.__name__}({field}={msg!r}))"
-
-    def _is_same_type(self, msg: Any) -> bool:
-        try:
-            return type_name(type(msg)) == self._token.type_name
-        except TypeError:
-            return False
 
     def _raise_if_closed(self) -> None:
         if self._publisher is None:
