@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, cast
 import zenoh
 
 from zbot.log import get_logger
+from zbot.node.endpoint import TopicEndpoint
 from zbot.threads.foreign_call import called_by_zenoh
 from zbot.wire.errors import CodecError
 from zbot.wire.tokens import EntityKind
@@ -19,10 +20,9 @@ if TYPE_CHECKING:
     from zbot.executor.callback_group import CallbackGroup
     from zbot.node.node import Node
     from zbot.qos import QoSProfile
-    from zbot.wire.tokens import EndpointToken
 
 
-class FeedbackSubscription:
+class FeedbackSubscription(TopicEndpoint):
     """Queues the feedback of all goals of a client.
 
     In contrast to other subscriptions, Zenoh's own thread queues the messages. Zenoh delivers
@@ -63,33 +63,20 @@ class FeedbackSubscription:
         self._running: deque[None] = deque()  # one item for each callback that runs
         self._is_destroyed = False
         name = node.resolve_topic_name(topic)
-        self.token: EndpointToken = handle.endpoint(
-            EntityKind.SUBSCRIPTION, name, msg_type, qos_profile
-        )
+        self._token = handle.endpoint(EntityKind.SUBSCRIPTION, name, msg_type, qos_profile)
         self._decode = context.dialect.codec_for(msg_type).decode
         receive: Any = zenoh.handlers.Callback(self._receive, indirect=False)
         key = context.dialect.data_key(self.token)
         self._subscriber: Any = context.session.declare_subscriber(key, receive)
         self._announcement = context.graph.announce(self.token)
-        callback_group.add_entity(self)
         handle.subscriptions.append(cast("Any", self))  # it has all attributes that a node uses
         handle.diagnostics.add(self.token, handle.logger_name)
-        self.ready_queue.add(self)
+        handle.add(self)
 
     @property
-    def handle(self) -> Any:
-        """The Zenoh subscriber."""
-        return self._subscriber
-
-    @property
-    def topic_name(self) -> str:
-        """The topic's full name."""
-        return self.token.name
-
-    @property
-    def qos_profile(self) -> QoSProfile:
-        """The quality of service of the subscription."""
-        return self.token.qos
+    def is_destroyed(self) -> bool:
+        """Whether the subscription was destroyed."""
+        return self._is_destroyed
 
     @called_by_zenoh
     def _receive(self, sample: zenoh.Sample) -> None:

@@ -21,10 +21,11 @@ from zbot.action.endpoint import (
 from zbot.action.errors import ActionMessageError
 from zbot.action.goal_state import GoalEvent, GoalState, GoalTransitionError
 from zbot.action.server_goal_handle import ServerGoalHandle
-from zbot.action.service import Reply, call, create_action_service
+from zbot.action.service import Reply, create_action_service
 from zbot.errors import InvalidHandleError
 from zbot.executor.callback_check import check_callback, unless_called
 from zbot.executor.callback_group import ReentrantCallbackGroup
+from zbot.executor.task import await_or_execute
 from zbot.executor.timer import Timer
 from zbot.executor.waitable import NumberOfEntities
 from zbot.node.argument_check import is_name
@@ -251,7 +252,7 @@ class ActionServer(ActionEndpoint[GoalT, ResultT, FeedbackT]):
         return response
 
     async def _is_accepted(self, goal: Any) -> bool:
-        decision = await call(self._goal_callback, goal)
+        decision = await await_or_execute(self._goal_callback, goal)
         if isinstance(decision, GoalResponse):
             return decision is GoalResponse.ACCEPT
         self._logger.warning(
@@ -277,7 +278,7 @@ class ActionServer(ActionEndpoint[GoalT, ResultT, FeedbackT]):
         return response
 
     async def _cancel(self, handle: ServerGoalHandle[GoalT, ResultT, FeedbackT]) -> bool:
-        if await call(self._cancel_callback, handle) is not CancelResponse.ACCEPT:
+        if await await_or_execute(self._cancel_callback, handle) is not CancelResponse.ACCEPT:
             return False
         try:
             handle.update(GoalEvent.CANCEL_GOAL)
@@ -318,7 +319,7 @@ class ActionServer(ActionEndpoint[GoalT, ResultT, FeedbackT]):
         self._logger.debug(f"Executing goal with ID {handle.key.hex()}")
         result = None
         try:
-            result = self._checked(handle, await call(callback, handle))
+            result = self._checked(handle, await await_or_execute(callback, handle))
         except Exception as error:  # noqa: BLE001 - the server goes on after one goal failed
             if self.is_over:
                 return  # the program ends, and clients see that the server is gone

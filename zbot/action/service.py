@@ -112,8 +112,7 @@ def create_action_service(
         logger_name=handle.logger_name,
     )
     handle.services.append(service)
-    callback_group.add_entity(service)
-    handle.ready_queue.add(service)
+    handle.add(service)
     return service
 
 
@@ -142,9 +141,3 @@ def _steps(coroutine: Coroutine[Any, Any, Any], awaited: Any) -> Generator[Any, 
             awaited = coroutine.send(None)
         except StopIteration as stop:
             return stop.value
-
-
-async def call(function: Callable[..., Any], *args: Any) -> Any:
-    """Call a function or coroutine function and return its result."""
-    outcome = function(*args)
-    return await outcome if inspect.isawaitable(outcome) else outcome
