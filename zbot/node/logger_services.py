@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.log import get_logger_level, set_logger_level
 from zbot.log.errors import InvalidSeverityError
-from zbot.qos import qos_profile_services_default
 
 if TYPE_CHECKING:
     from zbot.node.entities import NodeEntities
@@ -29,9 +28,8 @@ class LoggingService:
             SetLoggerLevels,
         )
 
-        profile = qos_profile_services_default
-        node.create_service(GetLoggerLevels, "~/get_logger_levels", self._get, qos_profile=profile)
-        node.create_service(SetLoggerLevels, "~/set_logger_levels", self._set, qos_profile=profile)
+        node.create_service(GetLoggerLevels, "~/get_logger_levels", self._get)
+        node.create_service(SetLoggerLevels, "~/set_logger_levels", self._set)
 
     @staticmethod
     def _get(request: Any, response: Any) -> Any:

@@ -6,7 +6,6 @@ import time
 from collections import deque
 from dataclasses import dataclass, field
 from functools import cached_property
-from struct import Struct
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 import zenoh
@@ -21,7 +20,7 @@ from zbot.node.service_request import RepeatedRequests
 from zbot.threads.foreign_call import called_by_zenoh, keep_thread_state
 from zbot.threads.handle import Handle
 from zbot.threads.wakeup import activity
-from zbot.wire.attachment import GID_LENGTH, LAYOUT, unpack
+from zbot.wire.attachment import GID_LENGTH, LAYOUT, NUMBER, unpack
 from zbot.wire.errors import CodecError
 
 if TYPE_CHECKING:
@@ -34,8 +33,6 @@ if TYPE_CHECKING:
 
 RequestT = TypeVar("RequestT")
 ResponseT = TypeVar("ResponseT")
-
-_NUMBER = Struct("<q")  # the first field of an attachment
 
 
 class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
@@ -225,7 +222,7 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
             keep_freed_memory()
             payload = self._context.share(payload)
         facts = request_id and LAYOUT.pack(
-            _number(request_id), time.time_ns(), GID_LENGTH, request_id[_NUMBER.size :]
+            _number(request_id), time.time_ns(), GID_LENGTH, request_id[NUMBER.size :]
         )
         if self._introspection is not None:
             # This event is published before the reply is sent. So the event comes before the event
@@ -325,9 +322,9 @@ def request_id_of(query: zenoh.Query) -> bytes:
     """Return a request's number and its client's gid, or empty bytes if these are missing."""
     attachment = query.attachment
     facts = b"" if attachment is None else attachment.to_bytes()
-    return facts[: _NUMBER.size] + facts[-GID_LENGTH:] if len(facts) == LAYOUT.size else b""
+    return facts[: NUMBER.size] + facts[-GID_LENGTH:] if len(facts) == LAYOUT.size else b""
 
 
 def _number(request_id: bytes) -> int:
-    number: int = _NUMBER.unpack_from(request_id)[0]
+    number: int = NUMBER.unpack_from(request_id)[0]
     return number

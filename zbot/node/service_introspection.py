@@ -2,23 +2,22 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from enum import IntEnum
-from struct import Struct
 from typing import TYPE_CHECKING, Any
 
 from zbot.interfaces import get_interface, type_hash
 from zbot.node.endpoint import Endpoint
 from zbot.node.publisher import Publisher
 from zbot.qos import QoSProfile, as_profile
-from zbot.wire.attachment import GID_LENGTH
-from zbot.wire.tokens import EndpointToken, EntityKind
+from zbot.wire.attachment import GID_LENGTH, NUMBER
+from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:
     from zbot.context import Context
     from zbot.executor.callback_group import CallbackGroup
     from zbot.executor.clock import Clock
-
-_NUMBER = Struct("<q")  # the first field of an attachment
+    from zbot.wire.tokens import EndpointToken
 
 
 class ServiceIntrospectionState(IntEnum):
@@ -88,7 +87,7 @@ class Introspection:
             return
         info = self._info_type(event_type=step, stamp=self._clock.now().to_msg())
         if call:
-            info.sequence_number = _NUMBER.unpack_from(call)[0]
+            info.sequence_number = NUMBER.unpack_from(call)[0]
             info.client_gid = list(call[-GID_LENGTH:])
         event = self._event_type(info=info)
         if self._with_contents:
@@ -147,15 +146,10 @@ class ServiceEndpoint(Endpoint):
 def _event_token(
     context: Context, owner: EndpointToken, hash_text: str, qos: QoSProfile
 ) -> EndpointToken:
-    token = EndpointToken(
-        domain=owner.domain,
-        zid=owner.zid,
-        nid=owner.nid,
+    token = replace(
+        owner,
         eid=0,
         kind=EntityKind.PUBLISHER,
-        namespace=owner.namespace,
-        node=owner.node,
-        enclave=owner.enclave,
         name=f"{owner.name}/_service_event",
         type_name=f"{owner.type_name}_Event",
         type_hash=hash_text,

@@ -5,11 +5,12 @@ from __future__ import annotations
 from struct import Struct
 from typing import NamedTuple
 
-__all__ = ["GID_LENGTH", "LAYOUT", "Attachment", "pack", "unpack"]
+__all__ = ["GID_LENGTH", "LAYOUT", "NUMBER", "Attachment", "pack", "unpack"]
 
 GID_LENGTH = 16
 # The single byte is the gid's length, because rmw_zenoh writes an array's length before its bytes.
 LAYOUT = Struct("<qqB16s")
+NUMBER = Struct("<q")  #: the first field
 
 
 class Attachment(NamedTuple):
