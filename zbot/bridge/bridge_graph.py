@@ -6,7 +6,6 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from zbot.bridge.side import NODE_PREFIX
-from zbot.names import fully_qualified
 from zbot.wire.tokens import EndpointToken
 
 if TYPE_CHECKING:
@@ -47,5 +46,5 @@ def bridges_in(tokens: Iterable[Token]) -> dict[str, BridgeView]:
             if isinstance(token, EndpointToken):
                 view.names.add(token.name)
             else:
-                view.nodes.add(fully_qualified(token.namespace, token.node))
+                view.nodes.add(token.full_node_name)
     return found

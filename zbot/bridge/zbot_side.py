@@ -16,7 +16,7 @@ from zbot.bridge.zbot_entities import (
     RawSubscription,
 )
 from zbot.interfaces import get_interface, type_hash
-from zbot.names import fully_qualified, split_fully_qualified
+from zbot.names import split_fully_qualified
 from zbot.qos import QoSProfile, qos_profile_services_default
 from zbot.remote.types import TypeSearch, UnknownTypeError
 from zbot.wire.rmw_zenoh import NO_HASH
@@ -85,7 +85,7 @@ class ZbotSide:
                 if isinstance(token, EndpointToken) and token.enclave.startswith(BRIDGE_ENCLAVE):
                     offers.add((token.kind, token.name))
             elif isinstance(token, NodeToken):
-                nodes.add(fully_qualified(token.namespace, token.node))
+                nodes.add(token.full_node_name)
             else:
                 ends.add(_end(token))
         known = {bridge: frozenset(offers) for bridge, offers in bridges.items()}
@@ -187,7 +187,7 @@ class ZbotSide:
 def _end(token: EndpointToken) -> End:
     return End(
         token.kind,
-        fully_qualified(token.namespace, token.node),
+        token.full_node_name,
         token.name,
         token.type_name,
         "" if token.type_hash == NO_HASH else token.type_hash,

@@ -18,7 +18,7 @@ import zenoh
 from zbot.errors import InvalidNameError
 from zbot.graph.entity_numbers import EntityNumbers
 from zbot.graph.token_changes import TokenChanges, declare_subscriber
-from zbot.names import SEND_GOAL, fully_qualified, validate_full_topic_name
+from zbot.names import SEND_GOAL, validate_full_topic_name
 from zbot.threads.deadline import Deadline
 from zbot.threads.foreign_call import without_interruption
 from zbot.threads.wakeup import BinarySemaphore
@@ -52,13 +52,13 @@ class Snapshot:
     def nodes(self) -> list[NodeToken]:
         """One token for each node, sorted by full name. Several nodes can have the same name."""
         found = (token for token in self.tokens if isinstance(token, NodeToken))
-        return sorted(found, key=lambda node: (_full(node), node.zid, node.nid))
+        return sorted(found, key=lambda node: (node.full_node_name, node.zid, node.nid))
 
     @cached_property
     def endpoints(self) -> list[EndpointToken]:
         """All publishers, subscriptions, servers and clients, in a stable order."""
         found = (token for token in self.tokens if isinstance(token, EndpointToken))
-        return sorted(found, key=lambda end: (end.name, _full(end), end.zid, end.eid))
+        return sorted(found, key=lambda end: (end.name, end.full_node_name, end.zid, end.eid))
 
     @cached_property
     def _by_name(self) -> dict[str, list[EndpointToken]]:
@@ -87,7 +87,7 @@ class Snapshot:
         """Return sorted names with their types, or with `node` only the names of this node."""
         found: dict[str, set[str]] = {}
         for end in self.of_kind(*kinds):
-            if node is None or _full(end) == node:
+            if node is None or end.full_node_name == node:
                 found.setdefault(end.name, set()).add(end.type_name)
         return [(name, sorted(types)) for name, types in sorted(found.items())]
 
@@ -455,10 +455,6 @@ def _is_name(name: str) -> bool:
         return False  # the key has a wildcard, or is not a valid name in ROS 2
 
 
-def _full(token: Token) -> str:
-    return fully_qualified(token.namespace, token.node)
-
-
 def full_names(tokens: Iterable[Token]) -> list[str]:
     """Return the full names of the nodes to which tokens belong."""
-    return [_full(token) for token in tokens]
+    return [token.full_node_name for token in tokens]

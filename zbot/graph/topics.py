@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from zbot.errors.suggestion import KnownNames, question
 from zbot.graph.filters import TF_TOPICS
-from zbot.names import ACTION_PART, fully_qualified
+from zbot.names import ACTION_PART
 from zbot.wire.tokens import EndpointToken, EntityKind
 
 if TYPE_CHECKING:
@@ -121,7 +121,7 @@ def find_topics(snapshot: Snapshot, nodes: Collection[str], grouping: Grouping) 
     topics: dict[str, list[End]] = {}
     actions: dict[str, list[End]] = {}
     for token in snapshot.endpoints:
-        node = fully_qualified(token.namespace, token.node)
+        node = token.full_node_name
         if node not in nodes:
             continue
         if grouping.actions and ACTION_PART in token.name:

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 
 from zbot.graph.filters import Filters, Grouping, compile_filter
 from zbot.graph.topics import BoxKind, TopicView, find_topics
-from zbot.names import fully_qualified
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -123,7 +122,7 @@ def view(
         InvalidFilterError: A part of a filter is not a regular expression.
     """
     filters, grouping = filters or Filters(), grouping or Grouping()
-    names = {fully_qualified(node.namespace, node.node) for node in snapshot.nodes}
+    names = {node.full_node_name for node in snapshot.nodes}
     open_nodes = {name for name in names if filters.shows_node(name)}
     passes = compile_filter(filters.nodes)
     nodes = {name for name in open_nodes if passes(name)}

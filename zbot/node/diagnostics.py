@@ -19,7 +19,7 @@ from zbot.errors.call_source import calling_line
 from zbot.errors.suggestion import KnownNames, did_you_mean, nearest, question
 from zbot.graph.snapshot import Snapshot
 from zbot.log import get_logger
-from zbot.names import ROSOUT_TOPIC, SEND_GOAL, fully_qualified, is_hidden
+from zbot.names import ROSOUT_TOPIC, SEND_GOAL, is_hidden
 from zbot.process import fork
 from zbot.threads.deadline import Deadline
 from zbot.threads.on_demand_thread import OnDemandThread
@@ -311,7 +311,7 @@ class Diagnostics:
             return
         if mine.type_name == other.type_name:
             return
-        who = fully_qualified(other.namespace, other.node)
+        who = other.full_node_name
         self._warn(
             logger_name,
             ("type", mine.name, mine.type_name, other.type_name),
@@ -420,7 +420,7 @@ class Diagnostics:
         unreachable = Snapshot(tuple(self._context.unreachable_tokens()))
         publishers = unreachable.publishers(token.name)
         for publisher in publishers[:1]:
-            who = fully_qualified(publisher.namespace, publisher.node)
+            who = publisher.full_node_name
             self._warn(
                 logger_name,
                 ("link", token.name),
@@ -445,9 +445,7 @@ def _is_standard(token: Token) -> bool:
 
 def _full_name(token: Token) -> str:
     """Return the full name of a node, or the name of an endpoint's topic or service."""
-    if isinstance(token, NodeToken):
-        return fully_qualified(token.namespace, token.node)
-    return token.name
+    return token.full_node_name if isinstance(token, NodeToken) else token.name
 
 
 def _by_name(tokens: Iterable[Token]) -> dict[str, list[Token]]:

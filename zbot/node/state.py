@@ -17,7 +17,6 @@ from zbot.interfaces import type_hash, type_name
 from zbot.log import get_logger
 from zbot.names import (
     expand_topic_name,
-    fully_qualified,
     is_hidden,
     validate_full_topic_name,
     validate_topic_name,
@@ -97,7 +96,7 @@ class NodeState:
     @property
     def full_name(self) -> str:
         """The fully qualified name of the node."""
-        return fully_qualified(self.token.namespace, self.token.node)
+        return self.token.full_node_name
 
     @property
     def logger_name(self) -> str:

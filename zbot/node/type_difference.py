@@ -17,7 +17,6 @@ from zbot.interfaces.errors import (
     UnknownPackageError,
 )
 from zbot.interfaces.remote_definition import specs_from
-from zbot.names import fully_qualified
 from zbot.node.definition_request import definitions_of
 
 if TYPE_CHECKING:
@@ -33,7 +32,7 @@ def difference_text(context: Context, mine: EndpointToken, other: EndpointToken)
     This function asks the other node for its definition. This takes milliseconds, or 5 s if the
     other node does not answer.
     """
-    who = fully_qualified(other.namespace, other.node)
+    who = other.full_node_name
     if not (_has_hash(mine) and _has_hash(other)):
         with_hash, without = (who, "this program") if _has_hash(other) else ("this program", who)
         return (

@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
 from zbot.errors.suggestion import did_you_mean
-from zbot.names import fully_qualified, is_hidden
+from zbot.graph.snapshot import full_names
+from zbot.remote.parameters import visible_nodes
 from zbot.remote.service_calls import ANSWER_TIMEOUT_S, NoAnswerError, NoServiceError, ServiceCalls
 
 from lifecycle_msgs.msg import Transition
@@ -57,14 +58,8 @@ def unknown_transition_error(
 def managed_nodes(graph: Snapshot, *, include_hidden: bool) -> list[str]:
     """Return the full names of the managed nodes, sorted."""
     offered = {name for name, types in graph.services() if _GET_STATE in types}
-    return sorted(
-        {
-            name
-            for node in graph.nodes
-            if f"{(name := fully_qualified(node.namespace, node.node))}/get_state" in offered
-            and (include_hidden or not is_hidden(fully_qualified("/", node.node)))
-        }
-    )
+    names = full_names(graph.nodes) if include_hidden else visible_nodes(graph)
+    return sorted({name for name in names if f"{name}/get_state" in offered})
 
 
 class ManagedNodes:

@@ -8,7 +8,7 @@ from zbot.errors import ZbotError
 from zbot.errors.suggestion import did_you_mean
 from zbot.graph.snapshot import full_names
 from zbot.interfaces import get_service
-from zbot.names import fully_qualified, is_hidden
+from zbot.names import is_hidden
 from zbot.parameters.errors import parameter_answer_error
 from zbot.parameters.parameter import (
     Parameter,
@@ -207,8 +207,7 @@ def nodes_with_parameters(graph: Snapshot, *, include_hidden: bool) -> list[str]
 
 def visible_nodes(graph: Snapshot) -> list[str]:
     """Return the full names of the nodes that are not hidden."""
-    nodes = [node for node in graph.nodes if not is_hidden(fully_qualified("/", node.node))]
-    return full_names(nodes)
+    return full_names(node for node in graph.nodes if not is_hidden(node.node))
 
 
 def _service(name: str) -> Any:

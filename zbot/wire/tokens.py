@@ -16,6 +16,7 @@ from enum import Enum
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
+from zbot.names import fully_qualified
 from zbot.text.whole_number import whole_number
 from zbot.wire.attachment import GID_LENGTH
 from zbot.wire.errors import TokenError
@@ -58,16 +59,37 @@ class EntityKind(str, Enum):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class NodeToken:
-    """Token of a node."""
+class _Token:
+    """Fields of the tokens of nodes and of endpoints."""
 
-    domain: int
+    domain: int  #: `SHARED_DOMAIN` if all domains of a classroom share the name of an endpoint
     zid: str  #: id of the Zenoh session, in the form in which Zenoh prints it
     nid: int  #: number of the node in its session
-    namespace: str  #: absolute, `/` for the root
-    node: str  #: base name
+    namespace: str  #: the node's absolute namespace, `/` for the root
+    node: str  #: the node's base name
     enclave: str = "/"
     key: str = ""  #: the token's Zenoh key, which is made from the other fields if it is not given
+
+    @property
+    def full_node_name(self) -> str:
+        """The full name of the node, which is the namespace and the base name."""
+        return fully_qualified(self.namespace, self.node)
+
+    @property
+    def gid(self) -> bytes:
+        """The id of the node or endpoint, 16 bytes. The attachment of each message has this id."""
+        return gid_of(self.key)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Token) and self.key == other.key
+
+    def __hash__(self) -> int:
+        return hash(self.key)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class NodeToken(_Token):
+    """Token of a node."""
 
     def __post_init__(self) -> None:
         if not self.key:
@@ -78,52 +100,23 @@ class NodeToken:
         """The kind of entity."""
         return EntityKind.NODE
 
-    @property
-    def gid(self) -> bytes:
-        """The node's id, 16 bytes."""
-        return gid_of(self.key)
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, NodeToken) and self.key == other.key
-
-    def __hash__(self) -> int:
-        return hash(self.key)
-
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class EndpointToken:
+class EndpointToken(_Token):
     """Token of a publisher, subscription, service or client."""
 
-    domain: int  #: `SHARED_DOMAIN` if all domains of a classroom share the name
-    zid: str  #: id of the Zenoh session, in the form in which Zenoh prints it
-    nid: int  #: number of the node in its session
     eid: int  #: number of the endpoint in its session
     kind: EntityKind
-    namespace: str  #: the node's absolute namespace
-    node: str  #: the node's base name
     name: str  #: fully qualified name of the topic or service
     type_name: str  #: `std_msgs/msg/String`
     type_hash: str  #: `RIHS01_...`
     qos: QoSProfile
-    enclave: str = "/"
-    key: str = ""  #: the token's Zenoh key, which is made from the other fields if it is not given
 
     def __post_init__(self) -> None:
         if not self.key:
             fields = map(mangle, (self.name, self.type_name, self.type_hash))
             node_key = mangled_key(TOKEN_PREFIX, self)
             object.__setattr__(self, "key", "/".join((node_key, *fields, qos_text(self.qos))))
-
-    @property
-    def gid(self) -> bytes:
-        """The endpoint's id, 16 bytes. The attachment of each of its messages has this id."""
-        return gid_of(self.key)
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, EndpointToken) and self.key == other.key
-
-    def __hash__(self) -> int:
-        return hash(self.key)
 
 
 def token_selector(domain: int, prefix: str = TOKEN_PREFIX) -> str:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from zbot.graph.snapshot import full_names
-from zbot.names import fully_qualified, is_hidden
+from zbot.names import is_hidden
 from zbot.wire.tokens import EntityKind
 from zbot_cli.domain.client import (
     client,
@@ -64,7 +64,7 @@ def list_nodes(
     """List the nodes that are running."""
     graph = snapshot()
     note_if_nobody_runs(graph)
-    nodes = [node for node in graph.nodes if show_all or not is_hidden(_name(node))]
+    nodes = [node for node in graph.nodes if show_all or not is_hidden(node.full_node_name)]
     names = full_names(nodes)
     print_stopped_programs()
     if count:
@@ -78,11 +78,7 @@ def list_nodes(
 
 
 def _facts(node: NodeToken) -> dict[str, str]:
-    return {"node": _name(node), "name": node.node, "namespace": node.namespace}
-
-
-def _name(node: NodeToken) -> str:
-    return fully_qualified(node.namespace, node.node)
+    return {"node": node.full_node_name, "name": node.node, "namespace": node.namespace}
 
 
 def _warn_of_duplicates(names: list[str]) -> None:
@@ -159,7 +155,7 @@ def kill(
     name = full_name(node_name)
     with client() as context:
         nodes = snapshot_of(context).nodes
-        sessions = {node.zid for node in nodes if _name(node) == name}
+        sessions = {node.zid for node in nodes if node.full_node_name == name}
         if not sessions:
             raise unknown_node_name_error(name, full_names(nodes))
         known = _processes(context)

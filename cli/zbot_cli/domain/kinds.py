@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 from zbot import interfaces  # this package imports its modules when one of its names is used
 from zbot.graph.snapshot import Snapshot
-from zbot.names import fully_qualified, is_hidden
+from zbot.names import is_hidden
 from zbot.wire.tokens import EntityKind
 from zbot_cli.domain.types import (
     all_types,
@@ -185,7 +185,7 @@ def text_of_other_kind(graph: Snapshot, name: str, word: str) -> str:
         word: The noun of the command, e.g. `topic`.
     """
     names = {each.word: [known for known, _ in each.listed(graph)] for each in KINDS.values()}
-    names["node"] = [fully_qualified(node.namespace, node.node) for node in graph.nodes]
+    names["node"] = [node.full_node_name for node in graph.nodes]
     for noun, known in names.items():
         if noun != word and name in known:
             article = "an" if noun == "action" else "a"
@@ -198,7 +198,7 @@ def nodes_of_action(graph: Snapshot, name: str, kind: EntityKind) -> dict[str, l
     """Return the nodes that are servers or clients of an action, and the types that they use."""
     found: dict[str, list[str]] = {}
     for node in graph.nodes:
-        full = fully_qualified(node.namespace, node.node)
+        full = node.full_node_name
         types = dict(graph.actions(kind, node=full)).get(name)  # type: ignore[arg-type]
         if types is not None:
             found[full] = types

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 
 from zbot.errors import ExternalShutdownException
 from zbot.errors.suggestion import similar_names
-from zbot.names import fully_qualified
 from zbot.threads.deadline import Deadline
 from zbot.threads.wakeup import BinarySemaphore
 from zbot.wire.tokens import EntityKind
@@ -109,7 +108,7 @@ def print_hint_if_not_listed(kind: Kind, graph: Snapshot, name: str) -> None:
 
 def print_silent(name: str, publishers: Sequence[EndpointToken]) -> None:
     """Print on stderr that the publishers of a topic have sent no message yet."""
-    who = sorted({fully_qualified(publisher.namespace, publisher.node) for publisher in publishers})
+    who = sorted({publisher.full_node_name for publisher in publishers})
     text = f"no message on {as_typed(name)} yet; its publisher is {', '.join(map(as_typed, who))}"
     print(text, file=sys.stderr, flush=True)
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from zbot.names import fully_qualified
 from zbot.qos import HistoryPolicy
 from zbot.wire.tokens import EntityKind
 
@@ -20,7 +19,7 @@ _COUNT = {"Service": ("Endpoint count: 1",)}
 def endpoint_json(end: EndpointToken) -> dict[str, object]:
     """Return an endpoint as a value for JSON."""
     return {
-        "node": fully_qualified(end.namespace, end.node),
+        "node": end.full_node_name,
         "type": end.type_name,
         "type_hash": end.type_hash,
         "gid": end.gid.hex(),

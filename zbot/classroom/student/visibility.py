@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from zbot.classroom.hub import running_hub
 from zbot.classroom.hub.queries import hub_facts
 from zbot.classroom.keys import nodes_selector
-from zbot.names import fully_qualified, is_hidden
+from zbot.names import is_hidden
 from zbot.threads.deadline import Deadline
 from zbot.transport import admin_query, membership, running_programs
 from zbot.transport.config import domain_id
@@ -97,5 +97,5 @@ def names_of(keys: Iterable[str]) -> frozenset[str]:
         except TokenError:
             continue  # any program may declare any token in its domain
     nodes = (token for token in tokens if type(token) is NodeToken)
-    names = (fully_qualified(node.namespace, node.node) for node in nodes)
+    names = (node.full_node_name for node in nodes)
     return frozenset(name for name in names if not is_hidden(name))

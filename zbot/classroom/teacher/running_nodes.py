@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import zenoh
 
 from zbot.classroom.keys import MAX_LISTED_NODES
-from zbot.names import fully_qualified, is_hidden
+from zbot.names import is_hidden
 from zbot.transport.admin_query import large_queue
 from zbot.wire.tokens import NodeToken, parse_token
 
@@ -59,7 +59,7 @@ class RunningNodes:
         token = _node_of(key)
         if token is None:
             return
-        name = fully_qualified(token.namespace, token.node)
+        name = token.full_node_name
         if is_hidden(name) or len(name) > _MAX_LENGTH:
             return
         with self._lock:

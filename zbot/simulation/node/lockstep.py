@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 import zenoh
 
-from zbot.names import fully_qualified
 from zbot.node.lockstep import WITH_OTHERS, lockstep_key
 from zbot.threads.deadline import Deadline
 from zbot.threads.foreign_call import called_by_zenoh
@@ -64,7 +63,7 @@ class Follower:
     """
 
     def __init__(self, context: Context, token: EndpointToken) -> None:
-        self.name = fully_qualified(token.namespace, token.node)
+        self.name = token.full_node_name
         self.sent = -1
         self.is_late = False
         self._answer: str | None = None

@@ -6,7 +6,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from zbot.graph.snapshot import full_names
-from zbot.names import fully_qualified, is_hidden
+from zbot.names import is_hidden
 from zbot.qos import DurabilityPolicy, QoSProfile
 from zbot.tf2.broadcaster import TF_STATIC_TOPIC, TF_TOPIC
 from zbot.tf2.buffer import Buffer
@@ -91,7 +91,7 @@ class TransformMonitor(TransformListener):
         callback(message)
         gid = info["publisher_gid"]
         token = None if gid is None else self._graph.find(bytes(gid["data"]))
-        name = "" if token is None else fully_qualified(token.namespace, token.node)
+        name = "" if token is None else token.full_node_name
         self.diagnosis.add_message(
             message,
             topic,

@@ -12,7 +12,7 @@ from urllib.parse import urlencode
 from zbot.errors import ZbotError
 from zbot.errors.installation import pip_install
 from zbot.log import get_logger
-from zbot.names import fully_qualified, is_hidden
+from zbot.names import is_hidden
 from zbot.observer.errors import ViewerError
 from zbot.observer.serving.address import address, is_loopback, origin_of
 from zbot.observer.serving.until_signal import serve_until_signal
@@ -170,5 +170,5 @@ def _connection_graph(graph: Snapshot) -> Any:
 
 
 def _nodes(ends: Sequence[Any]) -> list[str]:
-    names = {fully_qualified(end.namespace, end.node) for end in ends if not is_hidden(end.node)}
+    names = {end.full_node_name for end in ends if not is_hidden(end.node)}
     return sorted(names)

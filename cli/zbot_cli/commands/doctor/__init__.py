@@ -25,7 +25,7 @@ from zbot.errors import ZbotError
 from zbot.errors.installation import pip_install
 from zbot.errors.suggestion import KnownNames, question
 from zbot.graph.snapshot import Snapshot, full_names
-from zbot.names import fully_qualified, is_hidden
+from zbot.names import is_hidden
 from zbot.package.rclpy_choice import genuine_rclpy
 from zbot.text.terminal import escape_control_characters
 from zbot.transport import config, environment, running_programs
@@ -348,9 +348,7 @@ def _rclpy() -> Finding:
 
 
 def _graph_findings(graph: Snapshot) -> list[Finding]:
-    visible = [
-        node for node in graph.nodes if not is_hidden(fully_qualified(node.namespace, node.node))
-    ]
+    visible = [node for node in graph.nodes if not is_hidden(node.full_node_name)]
     return [
         Finding("nodes", f"{len(visible)} running"),
         *_duplicate_names(graph),

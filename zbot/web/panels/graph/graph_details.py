@@ -11,7 +11,7 @@ from nicegui import ui
 from zbot.graph.filters import Grouping
 from zbot.graph.topics import BoxKind, find_topics
 from zbot.graph.view import node_key
-from zbot.names import fully_qualified, is_hidden
+from zbot.names import is_hidden
 from zbot.web.panels.topics.topic_details import show_topic
 from zbot.wire.tokens import EntityKind
 
@@ -83,7 +83,7 @@ def _show_node(section: Section, name: str, close: Callable[[], None]) -> None:
     body = ui.element("div").classes("zb-col")
 
     def fill(snapshot: Snapshot) -> None:
-        count = sum(fully_qualified(node.namespace, node.node) == name for node in snapshot.nodes)
+        count = sum(node.full_node_name == name for node in snapshot.nodes)
         if not count:
             ui.label("This node is not running.").classes("zb-muted")
         if count > 1:
@@ -109,7 +109,7 @@ def _show_box(section: Section, key: str, close: Callable[[], None]) -> None:
     body = ui.element("div").classes("zb-col")
 
     def fill(snapshot: Snapshot) -> None:
-        nodes = {fully_qualified(node.namespace, node.node) for node in snapshot.nodes}
+        nodes = {node.full_node_name for node in snapshot.nodes}
         boxes = {topic.key: topic for topic in find_topics(snapshot, nodes, Grouping())}
         if key in boxes:
             _add_box(boxes[key])

@@ -8,7 +8,6 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from zbot.errors.suggestion import KnownNames
-from zbot.names import fully_qualified
 from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:
@@ -86,7 +85,7 @@ def topic_rows(graph: Snapshot, own_node: str) -> list[TopicRow]:
     """
     ends: dict[str, list[EndpointToken]] = {}
     for end in graph.of_kind(EntityKind.PUBLISHER, EntityKind.SUBSCRIPTION):
-        if _node(end) != own_node:
+        if end.full_node_name != own_node:
             ends.setdefault(end.name, []).append(end)
     published = {name for name, of_name in ends.items() if any(map(_is_publisher, of_name))}
     known = KnownNames(published)
@@ -97,14 +96,10 @@ def _row(name: str, ends: list[EndpointToken], published: set[str], known: Known
     return TopicRow(
         name,
         tuple(sorted({end.type_name for end in ends})),
-        tuple(sorted(_node(end) for end in ends if _is_publisher(end))),
-        tuple(sorted(_node(end) for end in ends if not _is_publisher(end))),
+        tuple(sorted(end.full_node_name for end in ends if _is_publisher(end))),
+        tuple(sorted(end.full_node_name for end in ends if not _is_publisher(end))),
         None if name in published else known.nearest(name),
     )
-
-
-def _node(end: EndpointToken) -> str:
-    return fully_qualified(end.namespace, end.node)
 
 
 def _is_publisher(end: EndpointToken) -> bool:
