@@ -54,7 +54,10 @@ BUNDLED_NODES: Final[dict[str, dict[str, str]]] = {
     "gz_sim": {"gz": "simulation.gz", "ign": "simulation.gz"},
     "ign_ros2_control": {},
     "ros_gz": {},
-    "ros_gz_bridge": {"parameter_bridge": "simulation.parameter_bridge"},
+    "ros_gz_bridge": {
+        "bridge_node": "simulation.parameter_bridge",
+        "parameter_bridge": "simulation.parameter_bridge",
+    },
     "ros_gz_image": {"image_bridge": "simulation.image_bridge"},
     "ros_gz_sim": {"create": "simulation.create"},
     "ros_ign": {},

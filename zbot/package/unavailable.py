@@ -380,6 +380,15 @@ _LACKING = Unavailable(
     "put the sources of its package into your workspace",
     "is not here",
 )
+_LOCALIZER = Unavailable(
+    "the localization of slam_toolbox in C++",
+    "`zbot launch nav2_bringup localization_launch.py map:=MAP.yaml` localizes in a saved map",
+)
+_SERVER = Unavailable(
+    "a simulator in C++",
+    "`zbot launch ros_gz_sim gz_sim.launch.py gz_args:='-s WORLD'` starts zbot's simulator",
+)
+_WINDOW = Unavailable("a window with images", "`zbot web` shows the images of each topic")
 #: Programs that zbot lacks, of the packages of which zbot has other programs.
 _PROGRAMS: Final = {
     ("demo_nodes_cpp", _COMPILED): """
@@ -396,14 +405,31 @@ _PROGRAMS: Final = {
         listener_qos listener_serialized matched_event_detect set_parameters_callback talker_qos
         talker_serialized use_logger_service
     """,
-    ("controller_manager", _LACKING): "hardware_spawner",
     ("diagnostic_aggregator", _COMPILED): "add_analyzer",
+    ("image_proc", _COMPILED): """
+        crop_decimate_node crop_non_zero_node debayer_node image_proc resize_node track_marker_node
+    """,
     ("image_transport", _COMPILED): "list_transports",
     ("joy", _COMPILED): "game_controller_node joy_enumerate_devices",
+    ("joy_teleop", _LACKING): "incrementer_server",
     ("lifecycle", _COMPILED): "lifecycle_listener lifecycle_service_client",
+    ("nav2_collision_monitor", _COMPILED): "collision_detector",
     ("nav2_map_server", _COMPILED): "costmap_filter_info_server vector_object_server",
+    ("ros_gz_bridge", _COMPILED): "bridge_types static_bridge",
+    ("ros_gz_sim", _COMPILED): "delete_entity remove set_entity_pose",
+    ("ros_gz_sim", _SERVER): "gzserver",
+    ("ros_ign_bridge", _COMPILED): "static_bridge",
+    ("slam_toolbox", _COMPILED): "merge_maps_kinematic",
+    ("slam_toolbox", _LOCALIZER): """
+        lifelong_slam_toolbox_node localization_slam_toolbox_node
+        map_and_localization_slam_toolbox_node
+    """,
     ("tf2_ros", _COMPILED): "buffer_server",
+    ("topic_tools", _COMPILED): "demux",
     ("topic_tools", _LACKING): "relay_field transform",
+    ("twist_mux", _COMPILED): "twist_marker",
+    ("twist_mux", _LACKING): "joystick_relay joystick_relay.py",
+    ("usb_cam", _WINDOW): "show_image show_image.py",
 }
 _BY_EXECUTABLE: Final = {
     (package, name): kind for (package, kind), names in _PROGRAMS.items() for name in names.split()

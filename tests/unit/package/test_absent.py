@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -17,7 +18,12 @@ from zbot.package.ament_index import (
     get_resource,
     has_resource,
 )
-from zbot.package.unavailable import unavailable_executable, unavailable_packages
+from zbot.package.bundled_nodes import BUNDLED_NODES
+from zbot.package.unavailable import (
+    _BY_EXECUTABLE,
+    unavailable_executable,
+    unavailable_packages,
+)
 
 if TYPE_CHECKING:
     from zbot.package.errors import NotRunnableError
@@ -100,3 +106,17 @@ def test_the_tables_agree() -> None:
     assert {"rclcpp_components", NAME, "ur_description"} <= set(unavailable_packages())
     assert unavailable_executable("demo_nodes_cpp", "talker_loaned_message") is not None
     assert unavailable_executable("demo_nodes_cpp", "talker") is None
+    assert not [key for key in _BY_EXECUTABLE if key[1] in BUNDLED_NODES[key[0]]]
+
+
+def test_programs_that_the_documentation_calls_left_out_are_in_the_table() -> None:
+    page = Path(__file__).parents[3].joinpath("docs", "robot-nodes.md").read_text("utf-8")
+    found = set()
+    for section in re.split(r"^### ", page, flags=re.MULTILINE):
+        package = re.match(r"`(\w+)", section)
+        text = " ".join(section.split())
+        for names in re.findall(r"\. ((?:`[\w.]+`(?:, | and )?)+) (?:is|are) left out", text):
+            assert package is not None
+            found |= {(package[1], name) for name in re.findall(r"`([\w.]+)`", names)}
+    assert ("twist_mux", "twist_marker") in found
+    assert [key for key in sorted(found) if unavailable_executable(*key) is None] == []
