@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from zbot.errors import ZbotError
+from zbot.errors.suggestion import correction
 from zbot.launch.description import LaunchDescription
 from zbot.launch.errors import (
     EntityTypeError,
@@ -138,7 +139,8 @@ def load_launch_file(location: str, kind: str = "") -> LaunchDescription:
     path = Path(location).absolute()
     check_template(path)
     if not path.is_file():
-        raise LaunchFileNotFoundError(f"launch file '{location}' not found")
+        hint = correction(path.name, (file.name for file in path.parent.glob("*")))
+        raise LaunchFileNotFoundError(f"launch file '{location}' not found", hint)
     kind = kind or _FORMATS.get(path.suffix, "")
     if kind == "python":
         return _load_python(path)

@@ -14,7 +14,9 @@ from contextvars import ContextVar
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from zbot.package.errors import AbsentFileError, NotRunnableError
+from zbot.errors.suggestion import nearest
+from zbot.package.bundled_nodes import BUNDLED_NODES
+from zbot.package.errors import AbsentFileError, LackingFileError, NotRunnableError
 from zbot.package.unavailable import unavailable_package
 
 if TYPE_CHECKING:
@@ -53,7 +55,33 @@ def absent_prefix(name: str) -> Path | None:
 
 
 def absent_file(path: str | os.PathLike[str]) -> AbsentFileError | None:
-    """Return an error if a path is in the share folder of a well-known package that is not here."""
+    """Return an error if a path is in the share folder of a well-known package that is not here.
+
+    A file that is not in zbot's copy of a package is an error too, unless the path has a typo.
+    """
+    return _of_absent_package(path) or _lacking_file(Path(path))
+
+
+def _lacking_file(path: Path) -> LackingFileError | None:
+    names = [name for name in path.parts if name in BUNDLED_NODES]
+    if not names or path.exists():
+        return None
+    from zbot.package.finder import Origin, find_package  # noqa: PLC0415 - slow to import
+    from zbot.package.symlink_install import share_folder  # noqa: PLC0415 - as above
+
+    for name in names:
+        package = find_package(name)
+        if package is None or package.origin is not Origin.BUNDLED:
+            continue
+        share = share_folder(package)
+        if path.is_relative_to(share) and path != share:
+            others = sorted(file.name for file in path.parent.glob(f"*{path.suffix}"))
+            file = path.relative_to(share).as_posix()
+            return None if nearest(path.name, others) else LackingFileError(name, file, others)
+    return None
+
+
+def _of_absent_package(path: str | os.PathLike[str]) -> AbsentFileError | None:
     shares = Path(sys.prefix, "share")
     try:
         name, *parts = Path(path).relative_to(shares).parts

@@ -52,6 +52,25 @@ class AbsentFileError(NotRunnableError):
         super().__init__(package, kind)
 
 
+class LackingFileError(AbsentFileError):
+    """A part of a launch needs a file that zbot's copy of a package does not have.
+
+    Args:
+        package: The package.
+        file: The path in the share folder of the package.
+        others: The names of similar files that the copy has.
+    """
+
+    def __init__(self, package: str, file: str, others: Iterable[str]) -> None:
+        instead = f"put the sources of {package} into the folder src of your workspace"
+        names = ", ".join(others)
+        if names:
+            instead += f", or use one of {names}"
+        kind = Unavailable(f"a file of ROS 2's {package}", instead, "zbot does not have")
+        super().__init__(package, kind, file)
+        NotRunnableError.__init__(self, self.needed, kind)
+
+
 class PackageNotFoundError(ZbotError, KeyError):
     """No package with this name is in the workspace, bundled with zbot, or installed.
 

@@ -90,6 +90,16 @@ def test_a_launch_file_of_a_package_with_known_messages_is_left_out(launch: Laun
     assert "still here" in program.output
 
 
+def test_a_launch_file_that_a_copy_of_a_package_lacks_is_left_out(launch: Launch) -> None:
+    folder = "FindPackageShare('nav2_bringup'), 'launch'"
+    absent = f"PathJoinSubstitution([{folder}, 'tb3_simulation_launch.py'])"
+    typo = f"PathJoinSubstitution([{folder}, 'bringup_lanch.py'])"
+    program = launch(f"IncludeLaunchDescription({absent}), IncludeLaunchDescription({typo})")
+    assert program.wait() == 1
+    assert "launch/tb3_simulation_launch.py of nav2_bringup is left out" in program.output
+    assert "bringup_lanch.py' not found (did you mean 'bringup_launch.py'?)" in program.output
+
+
 def test_a_known_command_is_left_out(launch: Launch) -> None:
     if find_on_path("webots", {}) is not None:
         pytest.skip("this machine has Webots")

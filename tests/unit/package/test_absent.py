@@ -102,6 +102,30 @@ def test_other_paths_are_not(path: Path | str) -> None:
     assert absent_file(path) is None
 
 
+def test_a_file_that_a_copy_of_a_package_lacks_is_named_with_the_files_that_it_has() -> None:
+    share = package_share("nav2_bringup")
+    error = absent_file(share / "launch" / "tb3_simulation_launch.py")
+    assert error is not None
+    assert error.needed == "launch/tb3_simulation_launch.py of nav2_bringup"
+    assert "or use one of bringup_launch.py, localization_launch.py" in error.sentence
+    error = absent_file(package_share("slam_toolbox") / "maps" / "a.posegraph")
+    assert error is not None
+    assert error.sentence.endswith("of slam_toolbox into the folder src of your workspace")
+
+
+@pytest.mark.parametrize("file", ["launch/bringup_launch.py", "launch/bringup_lanch.py", ""])
+def test_a_file_that_is_there_or_has_a_typo_is_none_of_these(file: str) -> None:
+    assert absent_file(package_share("nav2_bringup") / file) is None
+
+
+def test_a_package_of_the_workspace_lacks_nothing(tmp_path: Path) -> None:
+    folder = tmp_path / "src" / "nav2_bringup"
+    folder.mkdir(parents=True)
+    (folder / "package.xml").write_text("<package><name>nav2_bringup</name></package>")
+    assert package_share("nav2_bringup") == folder
+    assert absent_file(folder / "launch" / "tb3_simulation_launch.py") is None
+
+
 def test_the_tables_agree() -> None:
     assert {"rclcpp_components", NAME, "ur_description"} <= set(unavailable_packages())
     assert unavailable_executable("demo_nodes_cpp", "talker_loaned_message") is not None

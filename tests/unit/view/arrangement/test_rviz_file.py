@@ -9,6 +9,7 @@ from typing import Any
 
 import pytest
 
+from zbot.package import package_share
 from zbot.text.yaml_reader import read_yaml
 from zbot.view.arrangement.arrangement import Arrangement, DisplayChoice
 from zbot.view.arrangement.errors import ArrangementError
@@ -216,3 +217,10 @@ def test_a_camera_is_found_again_from_its_position() -> None:
     camera = Camera((1, 2, 3), 5, 0.5, 0.3)
     found = camera_at(camera.position, camera.focus)
     assert (found.distance, found.yaw, found.pitch) == pytest.approx((5, 0.5, 0.3))
+
+
+def test_the_view_of_nav2_has_only_what_the_view_has() -> None:
+    found = read_rviz_file(package_share("nav2_bringup") / "rviz" / "nav2_default_view.rviz")
+    assert found.misfits == ()
+    assert {display.topic for display in found.displays} >= {"map", "scan", "plan"}
+    assert found.fixed_frame == "map"
