@@ -227,12 +227,14 @@ def test_a_mapper_that_nobody_configures_starts_itself(bench: Bench) -> None:
     assert wait_until(lambda: node.is_active, 10)
 
 
-def test_a_manager_leaves_out_nodes_that_zbot_does_not_have(
-    bench: Bench, logged: list[Any]
+def test_a_manager_leaves_out_nodes_that_zbot_or_the_launch_does_not_have(
+    bench: Bench, logged: list[Any], monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    monkeypatch.setenv("ZBOT_LEFT_OUT", "/driver /other")
     bench.run(SmootherServer)
     states = bench.watch(Bool, "/lifecycle_manager/managed_nodes_activated", KEPT)
-    names = ["smoother_server", "docking_server"]
+    names = ["smoother_server", "docking_server", "keepout_costmap_filter_info_server", "driver"]
     bench.run(LifecycleManager, {"node_names": names, "autostart": True})
     assert wait_until(lambda: bool(states) and states[-1].data, 15)
-    assert any("docking_server" in record.message for record in logged)
+    expected = "docking_server, keepout_costmap_filter_info_server, driver"
+    assert any(record.message.endswith(f": {expected}") for record in logged)

@@ -374,6 +374,9 @@ _WITHOUT_EXTRA: Final = {
     ),
 }
 
+#: Variable in which a launch gives its nodes the full names of the nodes that it has left out.
+LEFT_OUT_VARIABLE: Final = "ZBOT_LEFT_OUT"
+
 _COMPILED = Unavailable("a C++ program", "zbot has no program in Python that does the same")
 _LACKING = Unavailable(
     "a program of ROS 2 in Python",

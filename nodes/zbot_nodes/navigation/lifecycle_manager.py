@@ -11,9 +11,11 @@ Parameters: node_names, autostart (false), service_timeout (5.0 s), bond_timeout
 
 from __future__ import annotations
 
+import os
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import zbot
+from zbot.package.unavailable import LEFT_OUT_VARIABLE
 from zbot.qos import DurabilityPolicy, QoSProfile
 from zbot.threads.deadline import Deadline
 from zbot_nodes.startup.program import ParameterError, run_node
@@ -29,7 +31,11 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
 #: Nodes of Nav2 that zbot does not have. A list with one of them is managed without it.
-_LEFT_OUT = frozenset({"docking_server", "following_server", "route_server"})
+_LEFT_OUT = frozenset(
+    {"docking_server", "following_server", "route_server", "vector_object_server"}
+)
+#: End of the names of another one. Nav2's launch files start several of them.
+_FILTERS = "costmap_filter_info_server"
 _KEPT = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 _POLL_S = 0.1
 _WATCH_S = 1.0
@@ -187,16 +193,22 @@ class LifecycleManager(zbot.Node):
         return succeeded
 
     def leave_out(self) -> None:
-        """Remove the nodes that zbot does not have, unless they are there."""
+        """Remove the nodes that zbot or the launch has left out, unless they are there."""
         missing = [
             name
             for name in self.names
-            if name in _LEFT_OUT and not self.changers[name].service_is_ready()
+            if self.may_be_missing(name) and not self.changers[name].service_is_ready()
         ]
         if missing:
             self.names = [name for name in self.names if name not in missing]
             text = f"left out, because zbot does not have them: {', '.join(missing)}"
             self.get_logger().warning(text)
+
+    def may_be_missing(self, name: str) -> bool:
+        """Return whether zbot does not have a node, or the launch has left it out."""
+        left_out = os.environ.get(LEFT_OUT_VARIABLE, "").split()
+        full = name if name.startswith("/") else f"{self.get_namespace().rstrip('/')}/{name}"
+        return name in _LEFT_OUT or name.endswith(_FILTERS) or full in left_out
 
     async def change_all(self, command: _Command, names: list[str]) -> bool:
         """Make the transitions of some nodes. Return whether all nodes made them."""

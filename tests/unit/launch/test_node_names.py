@@ -8,8 +8,11 @@ import pytest
 
 from zbot.launch import LaunchContext
 from zbot.launch.actions import LifecycleNode, Node, PushROSNamespace, SetRemap
+from zbot.launch.actions.composable import ComposableNode, ComposableNodeContainer
 from zbot.launch.parameters import evaluate_parameters, normalize_parameters
 from zbot.launch.substitution import TextSubstitution
+from zbot.package.errors import NotRunnableError
+from zbot.package.unavailable import Unavailable
 
 UNKNOWN = Node.UNSPECIFIED_NODE_NAMESPACE
 
@@ -49,6 +52,26 @@ def test_remaps_of_the_launch_come_before_those_of_the_node() -> None:
     node = Node(executable="talker", remappings=[("c", [text("d"), "e"])])
     node.prepare(context)
     assert node.expanded_remapping_rules == [("a", "b"), ("c", "de")]
+
+
+def test_nodes_get_the_names_of_those_that_are_left_out() -> None:
+    context = LaunchContext()
+
+    def refuse(package: str, executable: str) -> None:
+        raise NotRunnableError(f"{package} {executable}", Unavailable("a driver", "none"))
+
+    node = Node(executable="talker")
+    assert "ZBOT_LEFT_OUT" not in node.prepare(context).env
+    context.find_program = refuse
+    PushROSNamespace("robot").visit(context)
+    for options in ({"name": "lidar"}, {"namespace": "a"}):
+        with pytest.raises(NotRunnableError):
+            Node(package="urg_node", executable="urg", **options).visit(context)
+    imu = ComposableNode(package="imu", plugin="imu::Node", name="imu", namespace="/")
+    container = ComposableNodeContainer(name="c", composable_node_descriptions=[imu])
+    container.visit(context)
+    names = node.prepare(context).env["ZBOT_LEFT_OUT"]
+    assert names == "/robot/lidar /robot/a/urg /imu"
 
 
 @pytest.mark.parametrize(

@@ -54,6 +54,10 @@ class ComposableNode:
         if plugin not in BUNDLED_COMPONENTS:
             return None
         package, executable = BUNDLED_COMPONENTS[plugin]
+        return self.as_node(executable, package)
+
+    def as_node(self, executable: str, package: str | None = None) -> Node:
+        """Return an action that runs a program with the name and parameters of the component."""
         return Node(
             package=package,
             executable=executable,
@@ -81,6 +85,7 @@ def _load(
         node = description.bundled(plugin)
         if node is None:
             plugins.append(plugin)
+            description.as_node(plugin).note_left_out(context)
         else:
             nodes.append(node)
     if plugins or not nodes:

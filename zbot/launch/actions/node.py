@@ -19,6 +19,7 @@ from zbot.launch.actions.ros_names import (
 from zbot.launch.errors import EntityTypeError
 from zbot.launch.parameters import normalize_parameters, to_words
 from zbot.launch.substitution import describe, normalize, perform
+from zbot.package.unavailable import LEFT_OUT_VARIABLE
 from zbot.package.workspace import FIRST_VARIABLE, VARIABLE, search_roots
 from zbot.package.zbot_command import zbot_command
 
@@ -35,6 +36,7 @@ if TYPE_CHECKING:
     from zbot.launch.substitution import SomeSubstitutionsType, Substitution
 
 _KEY = "unique_ros_node_names"  # launch_ros uses the same key
+_LEFT_OUT = "zbot_left_out_nodes"
 
 
 class Node(ExecuteProcess):
@@ -156,7 +158,25 @@ class Node(ExecuteProcess):
         if prepared.cwd is not None:  # this folder may be in another workspace or in none
             roots = os.pathsep.join(str(root.absolute()) for root, _ in search_roots())
             prepared.env.update({VARIABLE: roots, FIRST_VARIABLE: "1"})
+        left_out = context.get_locals_as_dict().get(_LEFT_OUT)
+        if left_out:
+            prepared.env[LEFT_OUT_VARIABLE] = " ".join(left_out)
         return prepared
+
+    def note_left_out(self, context: LaunchContext) -> None:
+        """Tell the nodes that start later that this node is left out.
+
+        A lifecycle manager must not wait for it. A node without a name has that of its executable.
+        """
+        self._perform_substitutions(context)
+        name = self.node_name.removeprefix(self.UNSPECIFIED_NODE_NAMESPACE)
+        name = name.replace(self.UNSPECIFIED_NODE_NAME, perform(context, self.executable))
+        names: tuple[str, ...] = context.get_locals_as_dict().get(_LEFT_OUT, ())
+        context.extend_globals({_LEFT_OUT: (*names, name)})
+
+    def _skip(self, context: LaunchContext) -> None:
+        self.note_left_out(context)
+        super()._skip(context)
 
     def _own_words(self, context: LaunchContext) -> list[str]:
         words = [perform(context, word) for word in self.arguments]
