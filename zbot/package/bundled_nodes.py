@@ -119,6 +119,7 @@ BUNDLED_NODES: Final[dict[str, dict[str, str]]] = {
     "twist_mux": {"twist_mux": "driving.twist_mux"},
     "usb_cam": {"usb_cam_node_exe": "cameras.usb_cam"},
     "urdf_launch": {},  # only launch files
+    "urdf_tutorial": {},  # as above
     "v4l2_camera": {"v4l2_camera_node": "cameras.v4l2_camera"},
     "xacro": {"xacro": "description.xacro_program"},
 }

@@ -219,8 +219,17 @@ def test_a_camera_is_found_again_from_its_position() -> None:
     assert (found.distance, found.yaw, found.pitch) == pytest.approx((5, 0.5, 0.3))
 
 
-def test_the_view_of_nav2_has_only_what_the_view_has() -> None:
-    found = read_rviz_file(package_share("nav2_bringup") / "rviz" / "nav2_default_view.rviz")
+@pytest.mark.parametrize(
+    ("package", "file", "frame", "topics"),
+    [
+        ("nav2_bringup", "nav2_default_view.rviz", "map", {"map", "scan", "plan"}),
+        ("urdf_tutorial", "urdf.rviz", "", {"/robot_description"}),
+    ],
+)
+def test_the_files_of_zbot_have_only_what_the_view_has(
+    package: str, file: str, frame: str, topics: set[str]
+) -> None:
+    found = read_rviz_file(package_share(package) / "rviz" / file)
     assert found.misfits == ()
-    assert {display.topic for display in found.displays} >= {"map", "scan", "plan"}
-    assert found.fixed_frame == "map"
+    assert {display.topic for display in found.displays} >= topics
+    assert found.fixed_frame == frame
