@@ -227,6 +227,14 @@ def test_a_mapper_that_nobody_configures_starts_itself(bench: Bench) -> None:
     assert wait_until(lambda: node.is_active, 10)
 
 
+def test_a_mapper_says_that_it_does_not_localize(bench: Bench, logged: list[Any]) -> None:
+    bench.run(Mapper).trigger_configure()
+    assert not [record for record in logged if "is left out" in record.message]
+    bench.run(Mapper, {"mode": "localization"}).trigger_configure()
+    expected = "the mode 'localization' is left out: a new map begins where the robot is"
+    assert any(record.message.startswith(expected) for record in logged)
+
+
 def test_a_manager_leaves_out_nodes_that_zbot_or_the_launch_does_not_have(
     bench: Bench, logged: list[Any], monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -89,7 +89,13 @@ class Mapper(ManagedServer):
         self.is_matching = settings.flag("use_scan_matching", default=True)
         self.tf_period_s = settings.number("transform_publish_period", 0.05)
         self.tf_ahead_s = settings.number("transform_timeout", 0.2)
-        settings.text("mode", "mapping")
+        mode = settings.text("mode", "mapping")
+        if mode != "mapping":
+            self.get_logger().warning(
+                f"the mode '{mode}' is left out: a new map begins where the robot is; "
+                "`zbot launch nav2_bringup localization_launch.py map:=MAP.yaml` localizes in a "
+                "saved map"
+            )
 
     def activate(self) -> None:
         """Listen to the lidar."""
