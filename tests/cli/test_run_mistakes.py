@@ -49,6 +49,7 @@ def files(write: Write) -> None:
         ("robot dirve", "No executable found", "did you mean 'drive'?"),
         ("arm drop", "No executable found", "put a comma between the entry points in setup.py"),
         ("robto drive", "Package 'robto' not found", "did you mean 'robot'?"),
+        ("robot_bringup drive", "Package 'robot_bringup' not found", "lists the packages"),
         ("cpp dirve", "No executable found", "C++, which zbot does not run: drive"),
         ("notes.txt/x", "File 'notes.txt/x' not found", ""),
         ("./notes.txt", "'./notes.txt' is not a Python program", ""),

@@ -6,7 +6,7 @@ import re
 from typing import TYPE_CHECKING
 
 from zbot.errors import ZbotError
-from zbot.errors.suggestion import did_you_mean
+from zbot.errors.suggestion import nearest, question
 from zbot.package.unavailable import Unavailable, unavailable_package, unavailable_packages
 
 if TYPE_CHECKING:
@@ -77,12 +77,15 @@ class PackageNotFoundError(ZbotError, KeyError):
     Attributes:
         package: The package's name.
         searched: The folders that were searched.
-        hint: Advice for the user, e.g. a similar name. It is empty if there is no advice.
+        hint: Advice for the user, e.g. a similar name.
     """
 
     def __init__(self, package: str, searched: Iterable[Path], known: Iterable[str] = ()) -> None:
         self.package, self.searched = package, [str(path) for path in searched]
-        self.hint = did_you_mean(package, [*known, *unavailable_packages()])
+        # Most names end like others, e.g. with `_description`. So only a typo is a similar name.
+        near = nearest(package, known) or nearest(package, unavailable_packages(), 1)
+        sources = f"put the sources of {package} into the folder src of your workspace"
+        self.hint = question([near]) if near else sources
         kind = unavailable_package(package)
         if kind is not None:
             self.hint = f"{package} is {kind.what}, which {kind.why}; {kind.instead}"

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, ClassVar
 
 import typer
 
-from zbot.errors.suggestion import did_you_mean
+from zbot.errors.suggestion import correction
 from zbot.package import PackageNotFoundError, package_prefix, package_share, packages
 from zbot.package.finder import BUNDLED_NAMES, find_package
 from zbot.package.workspace import (
@@ -304,7 +304,7 @@ def xml(
 
     package = find_package(package_name)
     if package is None:
-        raise no_package_error(package_name, did_you_mean(package_name, packages()))
+        raise no_package_error(package_name, correction(package_name, packages()))
     path = package.folder / MANIFEST
     if not path.is_file():
         raise CommandError("Package XML manifest not found")

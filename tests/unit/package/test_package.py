@@ -122,6 +122,16 @@ def test_an_unknown_package_is_refused_with_the_nearest_name(write: Callable[...
         package_prefix("nothing_like_it")
 
 
+@pytest.mark.parametrize("name", ["robotino_description", "fbot_navigation", "fbot_hri_bringup"])
+def test_a_name_that_only_ends_like_another_one_has_no_nearest_name(
+    name: str, write: Callable[..., Path]
+) -> None:
+    write(name="fbot_bringup")
+    with pytest.raises(PackageNotFoundError) as caught:
+        package_share(name)
+    assert caught.value.hint == f"put the sources of {name} into the folder src of your workspace"
+
+
 @pytest.mark.parametrize("name", ["", "../robot", "a/b", "x", "-robot", "ro bot", "robot\n"])
 def test_an_invalid_name_is_refused(name: str) -> None:
     with pytest.raises(PackageNameError, match="is not a valid package name"):

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Final
 
 import typer
 
-from zbot.errors.suggestion import did_you_mean
+from zbot.errors.suggestion import correction, did_you_mean
 from zbot.interfaces import (
     ActionSpec,
     InterfaceSpec,
@@ -63,7 +63,7 @@ def package_error(package: str) -> CommandError:
     if repository_of(package):
         hint = how_to_add(package)
     else:
-        hint = did_you_mean(package, packages()) or ("`zbot interface packages` lists all packages")
+        hint = correction(package, packages()) or ("`zbot interface packages` lists all packages")
     return CommandError(f"Unknown package '{package}'", hint=hint)
 
 

@@ -29,7 +29,10 @@ _PLACES: tuple[Callable[[], list[Package]], ...] = (
 
 def package_not_found_error(package: str, known: Sequence[str]) -> CommandError:
     """Return the error that no package of that name is in the workspace or installed."""
-    hint = _hint(package, known, "`zbot pkg executables` lists the packages with nodes")
+    from zbot.errors.suggestion import correction  # noqa: PLC0415 - only for mistakes
+
+    # Most names end like others, e.g. with `_bringup`. So only a typo is a similar name.
+    hint = correction(package, known) or "`zbot pkg executables` lists the packages with nodes"
     return CommandError(f"Package '{package}' not found", hint=hint, package=package)
 
 
