@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from zbot.errors.installation import pip_install
+from zbot.package.unavailable import unavailable_package
 from zbot_cli.packages.python_sources import how_to_get, module_of_key
 
 if TYPE_CHECKING:
@@ -113,3 +114,14 @@ def test_keys_of_rosdep_mean_modules(key: str, module: str, how: str) -> None:
     assert module_of_key(key) == module
     assert how_to_get(module) == how
     assert module_of_key("rviz2") == ""
+
+
+@pytest.mark.parametrize(
+    "module", ["moveit_configs_utils", "launch_param_builder", "srdfdom", "urdf_parser_py"]
+)
+def test_a_launch_names_the_repositories_of_moveit_too(module: str) -> None:
+    kind = unavailable_package(module)
+    repository = how_to_get(module).removeprefix("download https://github.com/").split()[0]
+    assert kind is not None
+    assert repository.removesuffix("/tree/ros2") in kind.instead
+    assert repository.endswith("/tree/ros2") is (module in {"srdfdom", "urdf_parser_py"})

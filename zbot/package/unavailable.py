@@ -97,6 +97,13 @@ _CONTROL = Unavailable(
 _MOTORS = Unavailable(
     "a compiled driver of motors or a bus", "a program of yours can use the device in Python"
 )
+_MOVEIT = Unavailable(
+    "a package of MoveIt in Python",
+    "put these four repositories of GitHub into the folder src of your workspace: moveit/moveit2, "
+    "PickNikRobotics/launch_param_builder, and the branches ros2 of moveit/srdfdom and "
+    "ros/urdf_parser_py, and type: pip install lxml",
+    "is not here",
+)
 _OTHER = Unavailable(
     "a package of ROS 2",
     "put its sources into the folder src of your workspace, and its Python parts run",
@@ -332,15 +339,16 @@ _PACKAGES: Final = (
         vesc_ackermann odrive_can serial_driver phidgets_drivers
         """,
     ),
+    (_MOVEIT, "moveit_configs_utils launch_param_builder srdfdom urdf_parser_py"),
     (
         _OTHER,
         """
-        moveit_configs_utils launch_param_builder camera_calibration
+        camera_calibration
         nav2_loopback_sim quality_of_service_demo_py ackermann_mux key_teleop mouse_teleop
         teleop_tools teleop_twist_keyboard twist_stamper system_modes robot_upstart topic_monitor
         turtle_tf2_py rmf_demos rmf_demos_gz audio_capture audio_play audio_common sound_play
         smach_ros executive_smach clearpath_config clearpath_generator_common
-        picknik_ament_copyright launch_pal srdfdom
+        picknik_ament_copyright launch_pal
         """,
     ),
 )

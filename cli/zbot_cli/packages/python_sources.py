@@ -36,10 +36,10 @@ _REPOSITORIES = {
     "rosbridge_library": "RobotWebTools/rosbridge_suite",
     "rqt_gui_py": "ros-visualization/rqt",
     "smach": "ros/executive_smach",
-    "srdfdom": "moveit/srdfdom",
+    "srdfdom": "moveit/srdfdom/tree/ros2",
     "teleop_twist_keyboard": "ros2/teleop_twist_keyboard",
     "turtlebot4_navigation": "turtlebot/turtlebot4",
-    "urdf_parser_py": "ros/urdf_parser_py",
+    "urdf_parser_py": "ros/urdf_parser_py/tree/ros2",
     "yasmin": "uleroboticsgroup/yasmin",
     "yasmin_ros": "uleroboticsgroup/yasmin",
 }
