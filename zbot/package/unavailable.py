@@ -104,6 +104,19 @@ _MOVEIT = Unavailable(
     "ros/urdf_parser_py, and type: pip install lxml",
     "is not here",
 )
+_KEYS = Unavailable(
+    "a program that reads keys",
+    "hold the keys W A S D in the panel Drive of `zbot web`, or put its sources into the folder "
+    "src of your workspace",
+    "is not here",
+)
+_GRAPHICS = Unavailable(
+    "a program for NVIDIA's graphics processors",
+    "a node in Python can do the same with cv_bridge and OpenCV",
+)
+_AUTOWARE = Unavailable(
+    "a part of Autoware in C++", "nav2_bringup maps, localises and drives a robot to goals"
+)
 _OTHER = Unavailable(
     "a package of ROS 2",
     "put its sources into the folder src of your workspace, and its Python parts run",
@@ -166,7 +179,7 @@ _PACKAGES: Final = (
         rtabmap_rviz_plugins rtabmap_costmap_plugins turtlebot3_navigation2 turtlebot3_cartographer
         turtlebot4_navigation create3_lidar_slam clearpath_nav2_demos stretch_nav2 beluga_amcl
         behaviortree_cpp mola mola_lidar_odometry kiss_icp rmf_traffic_ros2 rmf_fleet_adapter
-        lidarslam
+        lidarslam multirobot_map_merge
         """,
     ),
     (
@@ -200,7 +213,7 @@ _PACKAGES: Final = (
         sick_scan_xd sick_safetyscanners2 hls_lfcd_lds_driver ld08_driver ldlidar ldlidar_stl_ros2
         ldlidar_node velodyne_driver velodyne_pointcloud velodyne_laserscan velodyne ouster_ros
         livox_ros_driver2 lslidar_driver rslidar_sdk hesai_ros_driver coin_d4_driver ros2_ouster
-        sick_scan urg_c laser_proc
+        sick_scan urg_c laser_proc sick_safetyscanners xv_11_driver xv_11_laser_driver lms1xx
         """,
     ),
     (
@@ -208,7 +221,8 @@ _PACKAGES: Final = (
         """
         realsense2_camera zed_wrapper depthai_ros_driver depthai_examples
         astra_camera orbbec_camera openni2_camera kinect_ros2 azure_kinect_ros_driver camera_ros
-        gscam spinnaker_camera_driver pylon_ros2_camera_wrapper raspicam2_node libcamera_ros depthai
+        gscam spinnaker_camera_driver pylon_ros2_camera_wrapper raspicam2 raspicam2_node
+        libcamera_ros depthai
         depthai_bridge depthai_filters depthai_ros zed_components camera_aravis2 gscam2
         spinnaker_synchronized_camera_driver compressed_image_transport
         compressed_depth_image_transport theora_image_transport ffmpeg_image_transport
@@ -282,7 +296,7 @@ _PACKAGES: Final = (
     (
         _ROBOT,
         """
-        turtlebot3_bringup turtlebot3_teleop turtlebot3_example turtlebot4_robot turtlebot4_bringup
+        turtlebot3_bringup turtlebot3_example turtlebot4_robot turtlebot4_bringup
         create3_republisher create3_coverage create3_teleop create3_examples_py
         irobot_create_toolbox irobot_create_control irobot_create_common_bringup ur_bringup
         kortex_bringup leo_bringup leo_robot leo_fw leo_teleop clearpath_common clearpath_control
@@ -307,6 +321,7 @@ _PACKAGES: Final = (
         open_manipulator_x_moveit_config tiago_description tiago_moveit_config pmb2_description
         pal_gripper_description husarion_components_description rosbot_description
         ros_components_description
+        champ_bringup champ_description champ_gazebo sjtu_drone_bringup sjtu_drone_description
         kobuki_description turtlebot4_diagnostics turtlebot4_setup
         """,
     ),
@@ -339,18 +354,26 @@ _PACKAGES: Final = (
         vesc_ackermann odrive_can serial_driver phidgets_drivers
         """,
     ),
+    (_KEYS, "key_teleop teleop_twist_keyboard turtlebot3_teleop"),
     (_MOVEIT, "moveit_configs_utils launch_param_builder srdfdom urdf_parser_py"),
     (
         _OTHER,
         """
         camera_calibration
-        nav2_loopback_sim quality_of_service_demo_py ackermann_mux key_teleop mouse_teleop
-        teleop_tools teleop_twist_keyboard twist_stamper system_modes robot_upstart topic_monitor
+        nav2_loopback_sim quality_of_service_demo_py ackermann_mux mouse_teleop
+        teleop_tools twist_stamper system_modes robot_upstart topic_monitor
         turtle_tf2_py rmf_demos rmf_demos_gz audio_capture audio_play audio_common sound_play
         smach_ros executive_smach clearpath_config clearpath_generator_common
-        picknik_ament_copyright launch_pal
+        picknik_ament_copyright launch_pal launch_remote_ssh mogi_trajectory_server nav2_wfd
+        robot_calibration simple_grasping
         """,
     ),
+)
+#: Packages of a family, by the beginning of their names.
+_FAMILIES: Final = (
+    ("autoware_", _AUTOWARE),
+    ("interbotix_", _ROBOT),
+    ("isaac_ros_", _GRAPHICS),
 )
 _BY_PACKAGE: Final = {name: kind for kind, names in _PACKAGES for name in names.split()}
 #: Packages, also the names of their programs, that zbot replaces if a module is installed.
@@ -464,7 +487,7 @@ def unavailable_packages() -> Collection[str]:
 
 def unavailable_package(name: str) -> Unavailable | None:
     """Return what a package is if it is well known and does not run in zbot."""
-    return _without_extra(name) or _BY_PACKAGE.get(name)
+    return _without_extra(name) or _BY_PACKAGE.get(name) or _of_family(name)
 
 
 def unavailable_executable(package: str, name: str) -> Unavailable | None:
@@ -475,6 +498,13 @@ def unavailable_executable(package: str, name: str) -> Unavailable | None:
 def unavailable_program(name: str) -> Unavailable | None:
     """Return what a program on the PATH is if it is well known and does not run in zbot."""
     return _without_extra(name) or _BY_PROGRAM.get(name)
+
+
+def _of_family(name: str) -> Unavailable | None:
+    """Return what a package is if its name begins as those of a family. Messages are not meant."""
+    if name.endswith(("_msgs", "_interfaces")):
+        return None
+    return next((kind for beginning, kind in _FAMILIES if name.startswith(beginning)), None)
 
 
 def _without_extra(name: str) -> Unavailable | None:

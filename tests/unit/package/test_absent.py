@@ -22,6 +22,7 @@ from zbot.package.bundled_nodes import BUNDLED_NODES
 from zbot.package.unavailable import (
     _BY_EXECUTABLE,
     unavailable_executable,
+    unavailable_package,
     unavailable_packages,
 )
 
@@ -130,6 +131,9 @@ def test_the_tables_agree() -> None:
     assert {"rclcpp_components", NAME, "ur_description"} <= set(unavailable_packages())
     assert unavailable_executable("demo_nodes_cpp", "talker_loaned_message") is not None
     assert unavailable_executable("demo_nodes_cpp", "talker") is None
+    assert unavailable_package("isaac_ros_apriltag") is not None
+    assert unavailable_package("isaac_ros_apriltag_interfaces") is None
+    assert unavailable_package("isaac") is None
     assert not [key for key in _BY_EXECUTABLE if key[1] in BUNDLED_NODES[key[0]]]
 
 
