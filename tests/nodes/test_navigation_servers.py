@@ -225,6 +225,9 @@ def test_waypoints_that_are_missed_are_named(bench: Bench) -> None:
 def test_a_mapper_that_nobody_configures_starts_itself(bench: Bench) -> None:
     node: Any = bench.run(Mapper)
     assert wait_until(lambda: node.is_active, 10)
+    states = bench.watch(Bool, "/lifecycle_manager/managed_nodes_activated", KEPT)
+    bench.run(LifecycleManager, {"node_names": ["slam_toolbox"], "autostart": True})
+    assert wait_until(lambda: bool(states) and states[-1].data, 15), "a late manager starts it too"
 
 
 def test_a_mapper_says_that_it_does_not_localize(bench: Bench, logged: list[Any]) -> None:

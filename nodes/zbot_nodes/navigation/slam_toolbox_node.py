@@ -31,11 +31,13 @@ from zbot_nodes.robot.pose import Pose, to_quaternion
 from zbot_nodes.startup.program import run_node
 
 from geometry_msgs.msg import PoseWithCovarianceStamped
+from lifecycle_msgs.msg import Transition
 from nav_msgs.msg import OccupancyGrid
 from nav_msgs.srv import GetMap
 from sensor_msgs.msg import LaserScan
 
 if TYPE_CHECKING:
+    from zbot.lifecycle import TransitionCallbackReturn
     from zbot_nodes.navigation.grids.rays import Rays
 
 _KEPT = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
@@ -56,7 +58,7 @@ class Mapper(ManagedServer):
         self.map = OccupancyMap(0.05)
         self.map_to_odom = Pose()
         self.last_odom: Pose | None = None
-        self.is_paused = self.is_changed = False
+        self.is_paused = self.is_changed = self.is_started_alone = False
         self.create_service(SaveMap, "slam_toolbox/save_map", self.save)
         self.create_service(GetMap, "slam_toolbox/dynamic_map", self.get_map)
         self.create_service(Pause, "slam_toolbox/pause_new_measurements", self.pause)
@@ -72,11 +74,22 @@ class Mapper(ManagedServer):
         if self._state_machine.current_state[1] == "unconfigured":
             self.trigger_configure()
             self.trigger_activate()
+            self.is_started_alone = True
+
+    def _zbot_change_state(self, wanted: str | int) -> TransitionCallbackReturn:
+        # A lifecycle manager may come late, because many programs start together. It may start the
+        # node again. Otherwise it would give up all of its nodes.
+        if self.is_started_alone and wanted == Transition.TRANSITION_CONFIGURE:
+            self.is_started_alone = False
+            self.trigger_deactivate()
+            self.trigger_cleanup()
+        return super()._zbot_change_state(wanted)
 
     def configure(self) -> None:
         """Read the parameters."""
         settings = self.settings
         self.map = OccupancyMap(settings.number("resolution", 0.05))
+        self.last_odom, self.map_to_odom = None, Pose()
         self.map_frame = settings.text("map_frame", "map")
         self.odom_frame = settings.text("odom_frame", "odom")
         self.base_frame = settings.text("base_frame", "base_footprint")
