@@ -86,8 +86,13 @@ def hub_lock_path() -> Path:
 
 def is_hub_locked() -> bool:
     """Return whether the hub of this user's machine runs."""
+    return is_locked(hub_lock_path())
+
+
+def is_locked(path: Path) -> bool:
+    """Return whether a process keeps a file locked."""
     try:
-        with hub_lock_path().open("r+", encoding="utf-8") as file:
+        with path.open("r+", encoding="utf-8") as file:
             return not lock(file)
     except OSError:
         return False

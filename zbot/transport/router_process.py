@@ -85,15 +85,7 @@ def hold_lock(domain: int) -> IO[str] | None:
 def pid(domain: int) -> int | None:
     """Return the process id of the domain's router, or `None` if no router of this user runs."""
     number = whole_number(_read(domain))
-    return number if number is not None and _is_locked(domain) else None
-
-
-def _is_locked(domain: int) -> bool:
-    try:
-        with _path(domain).open("r+", encoding="utf-8") as file:
-            return not background_process.lock(file)
-    except OSError:
-        return False
+    return number if number is not None and background_process.is_locked(_path(domain)) else None
 
 
 def age_s(domain: int) -> float:
@@ -178,7 +170,11 @@ def _kill(domain: int, number: int) -> bool:
     except OSError:  # it has just ended, or it is another user's
         return False
     # Another program may already have started the next router. Then the file has the new id.
-    poll(lambda: _read(domain) != _KILLED or not _is_locked(domain), _END_TIMEOUT_S, _PAUSE_S)
+    poll(
+        lambda: _read(domain) != _KILLED or not background_process.is_locked(_path(domain)),
+        _END_TIMEOUT_S,
+        _PAUSE_S,
+    )
     return True
 
 
