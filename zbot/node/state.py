@@ -165,8 +165,8 @@ class NodeState:
         if only_expand:
             return full
         self._used_names.add(full)
-        remap = self.arguments.remap_service if is_service else self.arguments.remap_topic
-        return remap(full, self.token.node, self.token.namespace)
+        node, namespace = self.token.node, self.token.namespace
+        return self.arguments.remapped(full, node, namespace, is_service=is_service)
 
     def endpoint(
         self, kind: EntityKind, name: str, msg_type: type[Any], qos: QoSProfile

@@ -123,19 +123,22 @@ class Arguments(NamedTuple):
         """Return the value of `__ns:=` for the node `node_name`, or None if no value is given."""
         return self._special("__ns", node_name)
 
-    def remap_topic(self, full_name: str, node: str, namespace: str) -> str:
-        """Return the name of a topic after remapping.
+    def remapped(self, full_name: str, node: str, namespace: str, *, is_service: bool) -> str:
+        """Return the name of a topic or service after remapping.
 
         Args:
-            full_name: The topic's fully qualified name.
-            node: Base name of the node that uses the topic.
+            full_name: The fully qualified name.
+            node: Base name of the node that uses the topic or service.
             namespace: That node's namespace.
+            is_service: Whether it is the name of a service.
         """
-        return self._remapped("topic", full_name, node, namespace)
-
-    def remap_service(self, full_name: str, node: str, namespace: str) -> str:
-        """Return the name of a service after remapping. The arguments are as in `remap_topic`."""
-        return self._remapped("service", full_name, node, namespace)
+        kind = "service" if is_service else "topic"
+        for rule in self._of_names(node):
+            if rule.kind not in {"", kind}:
+                continue
+            if expand_topic_name(rule.source, node, namespace) == full_name:
+                return expand_topic_name(rule.target, node, namespace)
+        return full_name
 
     def parameters_for(self, node: str) -> dict[str, Any]:
         """Return the parameter overrides for a node. `node` is the node's fully qualified name.
@@ -188,14 +191,6 @@ class Arguments(NamedTuple):
             if rule.source == source and rule.node in {"", node}:
                 return rule.target
         return None
-
-    def _remapped(self, kind: str, full_name: str, node: str, namespace: str) -> str:
-        for rule in self._of_names(node):
-            if rule.kind not in {"", kind}:
-                continue
-            if expand_topic_name(rule.source, node, namespace) == full_name:
-                return expand_topic_name(rule.target, node, namespace)
-        return full_name
 
 
 def _refuse_typographic(word: str) -> None:

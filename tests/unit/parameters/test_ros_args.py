@@ -21,7 +21,7 @@ def test_a_command_line_without_ros_args_changes_nothing() -> None:
     assert arguments == Arguments(unparsed=("prog", "-r", "a:=b", "--"))
     assert arguments.node_name_for("talker") == "talker"
     assert arguments.namespace_for("talker") is None
-    assert arguments.remap_topic("/chatter", "talker", "/") == "/chatter"
+    assert arguments.remapped("/chatter", "talker", "/", is_service=False) == "/chatter"
     assert arguments.parameters_for("/talker") == {}
 
 
@@ -66,18 +66,18 @@ def test_remap_rules_are_read(flag: str) -> None:
     ],
 )
 def test_topics_are_remapped(rule: str, full_name: str, expected: str) -> None:
-    assert parse("-r", rule).remap_topic(full_name, "talker", "/ns") == expected
+    assert parse("-r", rule).remapped(full_name, "talker", "/ns", is_service=False) == expected
 
 
 def test_services_have_rules_of_their_own() -> None:
     arguments = parse("-r", "rosservice://add:=plus", "-r", "rostopic://add:=sum")
-    assert arguments.remap_service("/add", "n", "/") == "/plus"
-    assert arguments.remap_topic("/add", "n", "/") == "/sum"
+    assert arguments.remapped("/add", "n", "/", is_service=True) == "/plus"
+    assert arguments.remapped("/add", "n", "/", is_service=False) == "/sum"
 
 
 def test_the_first_matching_rule_wins() -> None:
     arguments = parse("-r", "a:=b", "-r", "a:=c", "-r", "b:=d")
-    assert arguments.remap_topic("/a", "n", "/") == "/b"
+    assert arguments.remapped("/a", "n", "/", is_service=False) == "/b"
 
 
 def test_node_and_namespace_are_renamed() -> None:
@@ -133,7 +133,7 @@ def test_arguments_of_a_node_come_before_those_of_the_process() -> None:
         parse("-r", "a:=b", "-p", "x:=2", "-e", "/e"),
     )
     merged = own.merged(process)
-    assert merged.remap_topic("/a", "n", "/") == "/own"
+    assert merged.remapped("/a", "n", "/", is_service=False) == "/own"
     assert merged.parameters_for("/n") == {"x": 1}
     assert merged.enclave == "/e"
 
