@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 from zbot.errors import ArgumentTypeError
 from zbot.executor.callback_check import check_callback
+from zbot.node.private_aliases import Alias
 from zbot.parameters.errors import ParameterListError, UnknownCallbackError
 from zbot.parameters.parameter import Parameter, infer_parameter, parameter_value_to_python
 from zbot.parameters.store import Declaration, prefixes_of
@@ -44,19 +45,6 @@ deprecated. You have to either:
 \t- Pass a name and a descriptor with `dynamic_typing=True`"""
 
 
-class _View:
-    """Attribute that is a copy of a dict or list in the node's `ParameterStore`.
-
-    A program may use the same name for an attribute of its own.
-    """
-
-    def __init__(self, attribute: str) -> None:
-        self._attribute = attribute
-
-    def __get__(self, node: Any, owner: type[Any]) -> Any:
-        return self if node is None else copy(getattr(node.handle.parameters, self._attribute))
-
-
 class NodeParameters:
     """rclpy's parameter methods. The subclass has a `ParameterStore`."""
 
@@ -64,12 +52,12 @@ class NodeParameters:
 
     PARAM_REL_TOL = REL_TOL  #: relative tolerance of doubles at the steps and limits of a range
 
-    #: rclpy's private attributes. A subclass may use these names for something else.
-    _parameters = _View("values")
-    _parameter_overrides = _View("overrides")
-    _pre_set_parameters_callbacks = _View("pre_set")
-    _on_set_parameters_callbacks = _View("on_set")
-    _post_set_parameters_callbacks = _View("post_set")
+    #: rclpy's private attributes, as copies.
+    _parameters = Alias("_zbot_state.parameters.values", copy)
+    _parameter_overrides = Alias("_zbot_state.parameters.overrides", copy)
+    _pre_set_parameters_callbacks = Alias("_zbot_state.parameters.pre_set", copy)
+    _on_set_parameters_callbacks = Alias("_zbot_state.parameters.on_set", copy)
+    _post_set_parameters_callbacks = Alias("_zbot_state.parameters.post_set", copy)
 
     @property
     def _zbot_parameters(self) -> ParameterStore:

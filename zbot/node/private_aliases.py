@@ -11,14 +11,20 @@ if TYPE_CHECKING:
     from zbot.executor.callback_group import CallbackGroup
 
 
-class _Alias:
-    """Read-only alias of an attribute. A program may use the alias's name for its own attribute."""
+class Alias:
+    """Read-only alias of an attribute. A program may use the alias's name for its own attribute.
 
-    def __init__(self, path: str) -> None:
+    Args:
+        path: The attribute, e.g. `_zbot_state.clock`.
+        convert: Function whose result is the alias's value.
+    """
+
+    def __init__(self, path: str, convert: Callable[[Any], Any] = lambda value: value) -> None:
         self._read: Callable[[Any], Any] = attrgetter(path)
+        self._convert = convert
 
     def __get__(self, node: Any, owner: type[Any]) -> Any:
-        return self if node is None else self._read(node)
+        return self if node is None else self._convert(self._read(node))
 
 
 class PrivateAliases:
@@ -28,16 +34,16 @@ class PrivateAliases:
     not destroy this entity.
     """
 
-    _logger: Any = _Alias("_zbot_logger")
-    _clock: Any = _Alias("_zbot_state.clock")
-    _context: Any = _Alias("_zbot_state.context")
-    _publishers: Any = _Alias("_zbot_state.publishers")
-    _subscriptions: Any = _Alias("_zbot_state.subscriptions")
-    _services: Any = _Alias("_zbot_state.services")
-    _clients: Any = _Alias("_zbot_state.clients")
-    _timers: Any = _Alias("_zbot_state.timers")
-    _guards: Any = _Alias("_zbot_state.guards")
-    _default_callback_group: Any = _Alias("_zbot_state.default_callback_group")
+    _logger: Any = Alias("_zbot_logger")
+    _clock: Any = Alias("_zbot_state.clock")
+    _context: Any = Alias("_zbot_state.context")
+    _publishers: Any = Alias("_zbot_state.publishers")
+    _subscriptions: Any = Alias("_zbot_state.subscriptions")
+    _services: Any = Alias("_zbot_state.services")
+    _clients: Any = Alias("_zbot_state.clients")
+    _timers: Any = Alias("_zbot_state.timers")
+    _guards: Any = Alias("_zbot_state.guards")
+    _default_callback_group: Any = Alias("_zbot_state.default_callback_group")
 
     @property
     def default_callback_group(self) -> CallbackGroup:

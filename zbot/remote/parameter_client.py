@@ -54,14 +54,17 @@ class AsyncParameterClient:
     ) -> None:
         self.node = node
         self.remote_node_name = remote_node_name
+        self._clients: list[Client[Any, Any]] = []
 
         def client(srv_type: type[Any], name: str) -> Client[Any, Any]:
-            return node.create_client(
+            made = node.create_client(
                 srv_type,
                 f"{remote_node_name}/{name}",
                 qos_profile=qos_profile,
                 callback_group=callback_group,
             )
+            self._clients.append(made)
+            return made
 
         self._list = client(ListParameters, "list_parameters")
         self._get = client(GetParameters, "get_parameters")
@@ -69,17 +72,6 @@ class AsyncParameterClient:
         self._describe = client(DescribeParameters, "describe_parameters")
         self._set = client(SetParameters, "set_parameters")
         self._set_atomically = client(SetParametersAtomically, "set_parameters_atomically")
-
-    @property
-    def _clients(self) -> list[Client[Any, Any]]:
-        return [
-            self._list,
-            self._get,
-            self._get_types,
-            self._describe,
-            self._set,
-            self._set_atomically,
-        ]
 
     def services_are_ready(self) -> bool:
         """Return whether the other node offers all six parameter services."""
