@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from zbot.executor.callback_check import always, check_callback
 from zbot.node.event_handlers import LOGGED_BY_DEFAULT, InactiveHandler, ignore, make_handler
@@ -33,27 +33,24 @@ _P, _S = QoSPublisherEventType, QoSSubscriptionEventType
 class _EventCallbacks:
     """Base class of the callbacks of publishers and subscriptions."""
 
+    _kinds: ClassVar[dict[str, EventKind]]  #: the event of each callback
     use_default_callbacks: bool
 
-    def _by_kind(self) -> dict[EventKind, Callable[[Any], Any] | None]:
-        raise NotImplementedError
-
     def _check(self) -> None:
-        for argument, callback in vars(self).items():
-            if argument != "use_default_callbacks":
-                call = f"{type(self).__name__}'s {argument}"
-                check_callback(
-                    call,
-                    callback,
-                    "(info)",
-                    argument=argument,
-                    position=None,
-                    may_be_none=always,
-                )
+        for argument in self._kinds:
+            check_callback(
+                f"{type(self).__name__}'s {argument}",
+                getattr(self, argument),
+                "(info)",
+                argument=argument,
+                position=None,
+                may_be_none=always,
+            )
 
     def attach(self, endpoint: Any, ready_queue: ReadyQueue, graph: Graph) -> None:
         """Create the endpoint's event handlers. The endpoint's `destroy()` ends the handlers."""
-        for kind, callback in self._by_kind().items():
+        for argument, kind in self._kinds.items():
+            callback = getattr(self, argument)
             if callback is not None:
                 handler = make_handler(kind, callback, endpoint, ready_queue, graph)
             elif self.use_default_callbacks and kind in LOGGED_BY_DEFAULT:
@@ -81,6 +78,14 @@ class PublisherEventCallbacks(_EventCallbacks):
         WrongStateError: A callback does not take one argument.
     """
 
+    _kinds: ClassVar[dict[str, EventKind]] = {
+        "deadline": _P.RCL_PUBLISHER_OFFERED_DEADLINE_MISSED,
+        "liveliness": _P.RCL_PUBLISHER_LIVELINESS_LOST,
+        "incompatible_qos": _P.RCL_PUBLISHER_OFFERED_INCOMPATIBLE_QOS,
+        "incompatible_type": _P.RCL_PUBLISHER_INCOMPATIBLE_TYPE,
+        "matched": _P.RCL_PUBLISHER_MATCHED,
+    }
+
     def __init__(
         self,
         *,
@@ -98,15 +103,6 @@ class PublisherEventCallbacks(_EventCallbacks):
         self.matched = matched
         self.use_default_callbacks = use_default_callbacks
         self._check()
-
-    def _by_kind(self) -> dict[EventKind, Callable[[Any], Any] | None]:
-        return {
-            _P.RCL_PUBLISHER_OFFERED_DEADLINE_MISSED: self.deadline,
-            _P.RCL_PUBLISHER_LIVELINESS_LOST: self.liveliness,
-            _P.RCL_PUBLISHER_OFFERED_INCOMPATIBLE_QOS: self.incompatible_qos,
-            _P.RCL_PUBLISHER_INCOMPATIBLE_TYPE: self.incompatible_type,
-            _P.RCL_PUBLISHER_MATCHED: self.matched,
-        }
 
 
 class SubscriptionEventCallbacks(_EventCallbacks):
@@ -127,6 +123,15 @@ class SubscriptionEventCallbacks(_EventCallbacks):
         WrongStateError: A callback does not take one argument.
     """
 
+    _kinds: ClassVar[dict[str, EventKind]] = {
+        "deadline": _S.RCL_SUBSCRIPTION_REQUESTED_DEADLINE_MISSED,
+        "incompatible_qos": _S.RCL_SUBSCRIPTION_REQUESTED_INCOMPATIBLE_QOS,
+        "liveliness": _S.RCL_SUBSCRIPTION_LIVELINESS_CHANGED,
+        "message_lost": _S.RCL_SUBSCRIPTION_MESSAGE_LOST,
+        "incompatible_type": _S.RCL_SUBSCRIPTION_INCOMPATIBLE_TYPE,
+        "matched": _S.RCL_SUBSCRIPTION_MATCHED,
+    }
+
     def __init__(
         self,
         *,
@@ -146,13 +151,3 @@ class SubscriptionEventCallbacks(_EventCallbacks):
         self.matched = matched
         self.use_default_callbacks = use_default_callbacks
         self._check()
-
-    def _by_kind(self) -> dict[EventKind, Callable[[Any], Any] | None]:
-        return {
-            _S.RCL_SUBSCRIPTION_REQUESTED_DEADLINE_MISSED: self.deadline,
-            _S.RCL_SUBSCRIPTION_REQUESTED_INCOMPATIBLE_QOS: self.incompatible_qos,
-            _S.RCL_SUBSCRIPTION_LIVELINESS_CHANGED: self.liveliness,
-            _S.RCL_SUBSCRIPTION_MESSAGE_LOST: self.message_lost,
-            _S.RCL_SUBSCRIPTION_INCOMPATIBLE_TYPE: self.incompatible_type,
-            _S.RCL_SUBSCRIPTION_MATCHED: self.matched,
-        }
