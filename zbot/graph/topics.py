@@ -157,8 +157,8 @@ def _with_problems(found: Mapping[str, list[End]], kind: BoxKind) -> Iterator[To
     for name, ends in found.items():
         topic = TopicView(name, tuple(sorted(set(ends))), kind)
         guess = None if name in offered else known.nearest(name)
-        problem = _clash(topic) if len(topic.types) > 1 else _typo(topic, guess)
         has_clash = len(topic.types) > 1
+        problem = _clash(topic) if has_clash else _typo(topic, guess)
         yield replace(topic, has_clash=has_clash, guess=guess, problem=problem)
 
 

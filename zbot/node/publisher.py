@@ -14,9 +14,9 @@ from zbot.interfaces.same_type import is_message_of
 from zbot.memory import LARGE_BYTES, keep_freed_memory
 from zbot.names import ROSOUT_TOPIC
 from zbot.node.endpoint import TopicEndpoint
-from zbot.node.zenoh_declaration import can_block, declare_publisher
+from zbot.node.zenoh_declaration import can_block, declare_publisher, is_reliable
 from zbot.process import blocked_put, fork, signals
-from zbot.qos import DurabilityPolicy, ReliabilityPolicy
+from zbot.qos import DurabilityPolicy
 from zbot.threads.wakeup import activity
 from zbot.wire.attachment import GID_LENGTH, LAYOUT
 from zbot.wire.errors import CodecError
@@ -214,11 +214,11 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
             puts each message into the queues of the subscriptions. In all other cases, the result
             is False, because a message may have been lost.
         """
-        if not self.sent_count or not _is_reliable(self._token):
+        if not self.sent_count or not is_reliable(self._token.qos):
             return True
         subscriptions = self._context.graph.snapshot().subscriptions(self.topic_name)
         return not any(
-            _is_reliable(token) and token.zid != self._token.zid for token in subscriptions
+            is_reliable(token.qos) and token.zid != self._token.zid for token in subscriptions
         )
 
     def assert_liveliness(self) -> None:
@@ -261,10 +261,6 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
         if self._context.is_inherited:
             self._context.require_valid(f"the publisher of {self.topic_name}")
         raise InvalidHandleError(f"the publisher of {self.topic_name}")
-
-
-def _is_reliable(token: EndpointToken) -> bool:
-    return token.qos.reliability is not ReliabilityPolicy.BEST_EFFORT
 
 
 def _named(msg: Any) -> str:

@@ -23,16 +23,20 @@ _HEARTBEAT_S = 0.5
 _KEEP_ALL_CACHE = 1000
 
 
+def is_reliable(qos: QoSProfile) -> bool:
+    """Return whether lost messages are sent again."""
+    return qos.reliability is not ReliabilityPolicy.BEST_EFFORT
+
+
 def can_block(qos: QoSProfile) -> bool:
     """Return whether a publisher waits for subscribers whose queues are full."""
-    reliable = qos.reliability is not ReliabilityPolicy.BEST_EFFORT
-    return reliable and qos.history is HistoryPolicy.KEEP_ALL
+    return is_reliable(qos) and qos.history is HistoryPolicy.KEEP_ALL
 
 
 def declare_publisher(context: Context, token: EndpointToken) -> Any:
     """Return a Zenoh publisher with the reliability, history and durability in a token."""
     qos = token.qos
-    reliable = qos.reliability is not ReliabilityPolicy.BEST_EFFORT
+    reliable = is_reliable(qos)
     keep_all = qos.history is HistoryPolicy.KEEP_ALL
     block = can_block(qos)
     options: dict[str, Any] = {
