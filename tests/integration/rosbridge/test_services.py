@@ -53,6 +53,24 @@ def test_a_call_has_a_timeout(web: WebProgram, node: zbot.Node) -> None:
     assert (answer["result"], answer["values"]) == (False, "/busy did not answer within 0.2 s")
 
 
+def test_a_call_that_has_ended_has_no_timeout(
+    web: WebProgram, node: zbot.Node, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    timeouts: list[str] = []
+
+    def call_later(_delay_s: float, _function: Callable[[], None]) -> Callable[[], None]:
+        timeouts.append("runs")
+        return timeouts.clear
+
+    monkeypatch.setattr(web.session, "call_later", call_later)
+    node.create_service(AddTwoInts, "busy", lambda _request, response: response)  # nobody spins
+    assert wait_until(lambda: bool(dict(web.session.bridge.graph().services()).get("/busy")), 10)
+    web.send("call_service", service="/busy", timeout=3600)
+    assert timeouts
+    web.dispatcher.close()
+    assert not timeouts
+
+
 def test_a_call_beyond_the_most_gets_an_answer(
     web: WebProgram, node: zbot.Node, monkeypatch: pytest.MonkeyPatch
 ) -> None:

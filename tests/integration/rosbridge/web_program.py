@@ -25,8 +25,10 @@ class WebProgram:
         self.received: list[dict[str, Any]] = []
 
     @staticmethod
-    def _call_later(delay_s: float, function: Callable[[], None]) -> None:
-        threading.Timer(delay_s, function).start()
+    def _call_later(delay_s: float, function: Callable[[], None]) -> Callable[[], None]:
+        timer = threading.Timer(delay_s, function)
+        timer.start()
+        return timer.cancel
 
     def send(self, op: str, **fields: Any) -> None:
         if not self.dispatcher.take(json.dumps({"op": op, **fields})):

@@ -42,8 +42,12 @@ def endpoint(bridge: Bridge) -> Callable[[WebSocket], Awaitable[None]]:
         def wake() -> None:
             run(has_news.set)
 
-        def call_later(delay_s: float, function: Callable[[], None]) -> None:
-            run(loop.call_later, delay_s, function)
+        def call_later(delay_s: float, function: Callable[[], None]) -> Callable[[], None]:
+            timers: list[
+                asyncio.TimerHandle
+            ] = []  # filled and read only in the loop, in this order
+            run(lambda: timers.append(loop.call_later(delay_s, function)))
+            return lambda: run(lambda: timers.pop().cancel())
 
         machine = other_machine("" if socket.client is None else socket.client.host)
         try:

@@ -120,6 +120,7 @@ class _Call:
             int(message.number("fragment_size", 0)) or None,
         )
         self._client: EntityReference[Any] | None = None
+        self._stop_timeout: Callable[[], None] | None = None
 
     def start(self) -> None:
         bridge = self._session.bridge
@@ -146,7 +147,7 @@ class _Call:
         timeout_s = self._message.number("timeout", DEFAULT_TIMEOUT_S, least=-1e9)
         if timeout_s > 0:
             text = f"{name} did not answer within {timeout_s:g} s"
-            self._session.call_later(timeout_s, partial(self.fail, text))
+            self._stop_timeout = self._session.call_later(timeout_s, partial(self.fail, text))
         self._client.entity.call_server_async(request).add_done_callback(self._finish)
 
     def _run(self, procedure: rosapi.Procedure, args: Any) -> None:
@@ -188,6 +189,8 @@ class _Call:
             self._calls.remove(self)
         except KeyError:
             return False  # another thread was faster, e.g. a response came at the timeout
+        if self._stop_timeout is not None:
+            self._stop_timeout()  # a timeout of hours would keep the call in memory
         if self._client is not None and self._session.bridge.node.context.ok():
             self._client.release()
         return True

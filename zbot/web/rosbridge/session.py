@@ -31,8 +31,8 @@ class Session:
     Args:
         bridge: The node and the executor of all clients.
         wake: A quick function, called by any thread when `outbox` has something to send.
-        call_later: Function that calls a quick function after a delay in seconds. Any thread may
-            call `call_later`.
+        call_later: Function that calls a quick function after a delay in seconds. It returns a
+            function that prevents this call: call it at most once. Any thread may call both.
 
     Attributes:
         bridge: The node and the executor of all clients.
@@ -46,7 +46,7 @@ class Session:
         self,
         bridge: Bridge,
         wake: Callable[[], None],
-        call_later: Callable[[float, Callable[[], None]], None],
+        call_later: Callable[[float, Callable[[], None]], Callable[[], None]],
     ) -> None:
         self.bridge = bridge
         self.call_later = call_later

@@ -5,9 +5,10 @@ from __future__ import annotations
 import asyncio
 import json
 import threading
+import weakref
 from concurrent.futures import ThreadPoolExecutor
 from types import SimpleNamespace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import pytest
 
@@ -75,9 +76,9 @@ class FakeBridge:
 
 
 def test_news_after_the_end_of_the_server_are_dropped(monkeypatch: pytest.MonkeyPatch) -> None:
-    given: list[Callable[..., None]] = []
+    given: list[Callable[..., Any]] = []
 
-    def session(_bridge: Any, *functions: Callable[..., None]) -> None:
+    def session(_bridge: Any, *functions: Callable[..., Any]) -> None:
         given.extend(functions)
         raise RosbridgeError("enough")
 
@@ -90,7 +91,37 @@ def test_news_after_the_end_of_the_server_are_dropped(monkeypatch: pytest.Monkey
     loop.close()
     wake, call_later = given
     wake()
-    call_later(1.0, wake)
+    call_later(1.0, wake)()
+
+
+def test_a_stopped_timeout_keeps_nothing_in_memory(monkeypatch: pytest.MonkeyPatch) -> None:
+    given: list[Callable[..., Any]] = []
+
+    def session(_bridge: Any, *functions: Callable[..., Any]) -> None:
+        given.extend(functions)
+        raise RosbridgeError("enough")
+
+    class Call:
+        def fail(self) -> None:
+            raise AssertionError
+
+    async def run() -> None:
+        with pytest.raises(RosbridgeError, match="enough"):
+            await endpoint.endpoint(cast("Any", SimpleNamespace(clients=Clients())))(
+                cast("Any", Socket())
+            )
+        call = Call()
+        held = weakref.ref(call)
+        stop = given[1](3600.0, call.fail)
+        del call
+        await asyncio.sleep(0)
+        assert held() is not None
+        stop()
+        await asyncio.sleep(0)
+        assert held() is None
+
+    monkeypatch.setattr(endpoint, "Session", session)
+    asyncio.run(run())
 
 
 @pytest.mark.parametrize(
