@@ -152,6 +152,20 @@ def test_a_rejected_or_running_goal_is_shown(
     expect(page.locator(".zb-goal-state")).to_have_text("accepted")
     page.get_by_role("button", name="Cancel").click()
     expect(page.get_by_text("The server refused to cancel")).to_be_visible()
+    expect(page.get_by_role("button", name="Cancel")).to_be_enabled()
     ended.set_result(True)
     expect(page.locator(".zb-goal-state")).to_have_text("succeeded")
     expect(page.locator(".zb-message").nth(1)).to_contain_text("sequence")
+
+
+def test_a_goal_without_a_server_fails(server: Server, page: Page, node: zbot.Node) -> None:
+    action: ActionServer[Any, Any, Any]
+    action = ActionServer(node, Fibonacci, "count", lambda _: Fibonacci.Result())
+    page.goto(f"{server.address}/actions?action=/count")
+    button = page.get_by_role("button", name="Send goal")
+    expect(button).to_be_enabled()
+    action.destroy()
+    button.click()
+    expect(page.locator(".zb-message").nth(1)).to_contain_text("/count: no server is running")
+    expect(page.locator(".zb-goal-state")).to_have_text("failed")
+    expect(button).to_be_enabled()

@@ -64,6 +64,7 @@ class _ActionFuture(Future[T]):
     def __init__(self, node: Node) -> None:
         super().__init__()
         self._node = node
+        self.fails_without_server = False  #: otherwise it is never done, as in rclpy
 
     def _run(self, callback: Callable[[Any], Any]) -> None:
         outcome = callback(self)
@@ -223,10 +224,31 @@ class ActionClient(ActionEndpoint[GoalT, ResultT, FeedbackT]):
             position=1,
             may_be_none=unless_called,
         )
-        request = self._request(goal, goal_uuid)
-        self._remember(request.goal_id, feedback_callback)
+        return self._start_goal(goal, feedback_callback, goal_uuid, _ActionFuture(self._node))
+
+    def send_goal_to_server_async(
+        self, goal: GoalT, feedback_callback: Callable[[Any], Any] | None = None
+    ) -> Future[ClientGoalHandle[GoalT, ResultT, FeedbackT]]:
+        """Send a goal as in `send_goal_async`. If there is no server within 3 s, the future fails.
+
+        Returns:
+            A future as that of `send_goal_async`. Its exception is a `ServiceError` with the kind
+            `no_server` if there is no server.
+        """
         future: _ActionFuture[ClientGoalHandle[GoalT, ResultT, FeedbackT]]
         future = _ActionFuture(self._node)
+        future.fails_without_server = True
+        return self._start_goal(goal, feedback_callback, None, future)
+
+    def _start_goal(
+        self,
+        goal: GoalT,
+        feedback_callback: Callable[[Any], Any] | None,
+        goal_uuid: UUID | None,
+        future: _ActionFuture[ClientGoalHandle[GoalT, ResultT, FeedbackT]],
+    ) -> Future[ClientGoalHandle[GoalT, ResultT, FeedbackT]]:
+        request = self._request(goal, goal_uuid)
+        self._remember(request.goal_id, feedback_callback)
         self._send(request, future, Deadline(_SERVER_TIMEOUT_S))
         return future
 
@@ -310,10 +332,13 @@ class ActionClient(ActionEndpoint[GoalT, ResultT, FeedbackT]):
             self._send_later(request, future, deadline)
         else:
             self._forget(bytes(request.goal_id.uuid))
-            if _is_server_missing(error):
-                self._warn_of_lost_goal()
-            else:
+            if not _is_server_missing(error):
                 future.set_exception(error)
+            elif future.fails_without_server:
+                text = "no server is running; start it, and send the goal again"
+                future.set_exception(ServiceError(self._action_name, "no_server", text))
+            else:
+                self._warn_of_lost_goal()
 
     def _warn_of_lost_goal(self) -> None:
         if not self._has_warned:

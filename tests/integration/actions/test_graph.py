@@ -162,6 +162,17 @@ def test_a_goal_without_a_server_is_lost(
     assert not client._goals
 
 
+def test_a_goal_that_needs_a_server_fails_without_one(
+    make_context: MakeContext, spin: Spin, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("zbot.action.client._SERVER_TIMEOUT_S", 0.1)
+    client = client_without_server(make_context, spin)
+    sent = client.send_goal_to_server_async(Fibonacci.Goal())
+    with pytest.raises(ServiceError, match="/fibonacci: no server is running; start it"):
+        done(sent)
+    assert not client._goals
+
+
 # -- names and the graph -----------------------------------------------------------------------
 
 

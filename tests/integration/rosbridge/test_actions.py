@@ -7,11 +7,14 @@ from typing import TYPE_CHECKING, Any
 import zbot
 from tests.conftest import wait_until
 from zbot.action import ActionClient, ActionServer, CancelResponse
+from zbot.web.rosbridge import action_operations
 
 from example_interfaces.action import Fibonacci
 
 if TYPE_CHECKING:
     from collections.abc import Callable
+
+    import pytest
 
     from tests.conftest import Spinner
     from tests.integration.rosbridge.web_program import WebProgram
@@ -70,6 +73,28 @@ def test_a_goal_has_one_answer(
     web.wait_for("action_result", id="g")
     goal.fail("too late")
     assert not [answer for answer in web.read() if answer["op"] == "action_result"]
+
+
+def test_a_goal_without_an_answer_fails(
+    web: WebProgram, node: zbot.Node, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(action_operations, "ACCEPT_TIMEOUT_S", 0.2)
+    ActionServer(node, Fibonacci, "busy", lambda _goal: Fibonacci.Result())  # nobody spins
+    graph = web.session.bridge.graph
+    assert wait_until(lambda: bool(dict(graph().actions()).get("/busy")), 10)
+    web.send("send_action_goal", action="/busy", action_type="example_interfaces/Fibonacci")
+    answer = web.wait_for("action_result", action="/busy")
+    assert (answer["result"], answer["values"]) == (False, "/busy did not answer within 0.2 s")
+    assert not web.dispatcher._actions._goals
+
+
+def test_a_goal_without_a_server_fails(web: WebProgram, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("zbot.action.client._SERVER_TIMEOUT_S", 0.1)
+    web.send("send_action_goal", action="/a", action_type="example_interfaces/Fibonacci", id="g")
+    answer = web.wait_for("action_result", id="g")
+    text = "/a: no server is running; start it, and send the goal again"
+    assert (answer["result"], answer["values"]) == (False, text)
+    assert not web.dispatcher._actions._goals
 
 
 def test_serve_an_action(web: WebProgram, node: zbot.Node, spin: Callable[..., Spinner]) -> None:

@@ -13,7 +13,7 @@ from zbot.observer.system import PATIENCE_S
 from zbot.remote.service_calls import NoAnswerError
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Coroutine
+    from collections.abc import Awaitable, Callable, Coroutine
 
     from zbot.observer.system import System
 
@@ -49,11 +49,25 @@ async def call(
     # This runs in a thread, because the type's definition may have to come from another machine.
     reference = await run_in_thread(connect, name, type_name)
     with reference:
-        try:
-            future = reference.entity.call_server_async(request)
-            return await asyncio.wait_for(future, timeout_s)
-        except asyncio.TimeoutError:
-            raise NoAnswerError(name, timeout_s) from None
+        return await answer(reference.entity.call_server_async(request), name, timeout_s)
+
+
+async def answer(future: Awaitable[T], name: str, timeout_s: float = PATIENCE_S) -> T:
+    """Wait in NiceGUI's loop for the answer of a node, and return the answer.
+
+    Args:
+        future: The future of the answer.
+        name: The name of the service or action, for the error.
+        timeout_s: The longest wait, in seconds.
+
+    Raises:
+        NoAnswerError: The node did not answer in time.
+        ServiceError: There is no server, its callback raised an error, or the server ended.
+    """
+    try:
+        return await asyncio.wait_for(future, timeout_s)
+    except asyncio.TimeoutError:
+        raise NoAnswerError(name, timeout_s) from None
 
 
 async def run_in_thread(function: Callable[..., T], *arguments: Any) -> T:

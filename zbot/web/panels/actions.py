@@ -14,7 +14,7 @@ from zbot.web.page.list_panel import ListPanel
 from zbot.web.page.message_view import MessageView
 from zbot.web.page.panel import Page, Panel
 from zbot.web.page.served_details import ServedDetails, served_columns, served_row
-from zbot.web.page.service_call import show_error
+from zbot.web.page.service_call import answer, show_error, with_errors_shown
 from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:
@@ -60,6 +60,7 @@ class _ActionDetails(ServedDetails):
         super().__init__(section, name)
         self.client: EntityReference[ActionClient[Any, Any, Any]] | None = None
         self.goal: Any = None
+        self.is_sending = False  #: whether a goal is sent that has no result yet
         self.feedback: Any = None
         self.count = 0
 
@@ -79,7 +80,8 @@ class _ActionDetails(ServedDetails):
         with ui.element("div").classes("zb-row"):
             self.send_button = ui.button("Send goal", on_click=self.send)
             self.send_button.props("unelevated dense")
-            self.cancel_button = ui.button("Cancel", on_click=self.cancel).props("outline dense")
+            self.cancel_button = ui.button("Cancel", on_click=with_errors_shown(self.cancel))
+            self.cancel_button.props("outline dense")
             self.state = ui.label().classes("zb-goal-state")
         self.feedback_view = MessageView(self.section, "Feedback")
         self.result_view = MessageView(self.section, "Result")
@@ -91,7 +93,7 @@ class _ActionDetails(ServedDetails):
         if self.client is None:
             return
         is_right = not self.form.problems
-        self.send_button.set_enabled(is_right and self.goal is None)
+        self.send_button.set_enabled(is_right and not self.is_sending)
         if is_right:
             words = ["action", "send_goal", "--feedback", self.name, self.type_name]
             self.section.page.show_command(command_line(*words, self.form.yaml()))
@@ -107,14 +109,15 @@ class _ActionDetails(ServedDetails):
             self.feedback_view.show(feedback, f"number {self.count}")
 
     def follow(self, goal: Any) -> None:
-        """Set the active goal. Enable `Cancel` if there is a goal, otherwise enable `Send goal`."""
+        """Set the active goal. Enable `Cancel` if there is a goal."""
         self.goal = goal
         self.cancel_button.set_enabled(goal is not None)
-        self.send_button.set_enabled(goal is None)
 
     async def send(self) -> None:
-        if self.client is None or self.form.problems:
+        if self.client is None or self.form.problems or self.is_sending:
             return
+        self.is_sending = True
+        self.send_button.set_enabled(False)
         self.count, self.feedback = 0, None
         self.feedback_view.clear()
         self.result_view.clear()
@@ -126,12 +129,14 @@ class _ActionDetails(ServedDetails):
             self.say("failed", "zb-bad")
             self.result_view.show_error(error)
         finally:
+            self.is_sending = False
             self.follow(None)
+            self.send_button.set_enabled(not self.form.problems)
 
     async def run_goal(self, client: ActionClient[Any, Any, Any]) -> None:
         """Send a goal, wait for its result, and show the result."""
-        self.send_button.set_enabled(False)
-        goal: Any = await client.send_goal_async(self.form.message(), self.take)
+        sent = client.send_goal_to_server_async(self.form.message(), self.take)
+        goal: Any = await answer(sent, self.name)
         if not goal.accepted:
             self.say("refused", "zb-bad")
             return
@@ -148,8 +153,13 @@ class _ActionDetails(ServedDetails):
         if goal is None:
             return
         self.cancel_button.set_enabled(False)
-        response: Any = await goal.cancel_goal_async()
+        try:
+            response: Any = await answer(goal.cancel_goal_async(), self.name)
+        except ZbotError:
+            self.cancel_button.set_enabled(self.goal is goal)  # the user may try again
+            raise
         if not response.goals_canceling:
+            self.cancel_button.set_enabled(self.goal is goal)
             ui.notify("The server refused to cancel: the goal goes on.", type="warning")
 
     def say(self, text: str, classes: str = "") -> None:

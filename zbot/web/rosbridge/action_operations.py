@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from zbot.action import ActionClient, ActionServer, CancelResponse
@@ -26,6 +27,8 @@ if TYPE_CHECKING:
 MAX_GOALS = 100
 #: The largest number of actions that one client may serve.
 MAX_ACTIONS = 50
+#: Longest wait for the server to accept or reject a goal, in seconds.
+ACCEPT_TIMEOUT_S = 10.0
 _numbers = itertools.count(1)
 
 
@@ -135,6 +138,7 @@ class _SentGoal:
         )
         self._client: EntityReference[Any] | None = None
         self._handle: Any = None
+        self._stop_timeout: Callable[[], None] | None = None
         self._is_cancel_wanted = False
 
     def start(self) -> None:
@@ -152,7 +156,9 @@ class _SentGoal:
             ActionClient.destroy,
         )
         wants_feedback = self._message.flag("feedback")
-        future = self._client.entity.send_goal_async(
+        text = f"{name} did not answer within {ACCEPT_TIMEOUT_S:g} s"
+        self._stop_timeout = self._session.call_later(ACCEPT_TIMEOUT_S, partial(self._expire, text))
+        future = self._client.entity.send_goal_to_server_async(
             goal, self._on_feedback if wants_feedback else None
         )
         future.add_done_callback(self._on_accepted)
@@ -189,6 +195,10 @@ class _SentGoal:
         if self.end():
             self._answer(json_value(response.result), response.status, is_success=True)
 
+    def _expire(self, text: str) -> None:
+        if self._handle is None:
+            self.fail(text)
+
     def fail(self, text: str) -> None:
         """End the goal, and answer with an error. A goal that has ended gets no second answer."""
         if self.end():
@@ -210,6 +220,8 @@ class _SentGoal:
         """Forget the goal. Return False if it was forgotten before."""
         if self._goals.get(self._key) is not self or self._goals.pop(self._key, None) is None:
             return False  # another thread was faster
+        if self._stop_timeout is not None:
+            self._stop_timeout()  # the timeout would keep the goal in memory
         if self._client is not None and self._session.bridge.node.context.ok():
             self._client.release()
         return True

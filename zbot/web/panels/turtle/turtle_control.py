@@ -14,7 +14,7 @@ from zbot.observer.system import read_only_error
 from zbot.parameters.parameter import Parameter
 from zbot.web.forms.form import Form
 from zbot.web.page.command_line import command_line
-from zbot.web.page.service_call import call, run_in_thread
+from zbot.web.page.service_call import answer, call, run_in_thread
 
 if TYPE_CHECKING:
     from zbot.action import ActionClient
@@ -153,6 +153,7 @@ class TurtleControl:
         Raises:
             ViewerError: The page is read-only.
             ServiceError: The turtle does not exist any more.
+            NoAnswerError: The simulator did not answer in time.
         """
         if self._system.read_only:
             raise read_only_error("turning")
@@ -160,15 +161,16 @@ class TurtleControl:
         self._show("action", "send_goal", self._rotation(turtle), _ROTATE, values)
         self.prepare(turtle)
         goal = get_action(_ROTATE).Goal(theta=theta)  # type: ignore[attr-defined] # each action has it
-        self._goals[turtle] = self._clients[turtle].entity.send_goal_async(goal)
-        await self._goals[turtle]
+        sent = self._clients[turtle].entity.send_goal_to_server_async(goal)
+        self._goals[turtle] = sent
+        await answer(sent, self._rotation(turtle))
 
     async def cancel(self, turtle: str) -> None:
         """Stop a turtle's rotation."""
         sent = self._goals.pop(turtle, None)
         if sent is not None:
-            goal: Any = await sent
-            await goal.cancel_goal_async()
+            goal: Any = await answer(sent, self._rotation(turtle))
+            await answer(goal.cancel_goal_async(), self._rotation(turtle))
 
     async def call(self, relative: str, type_name: str, **values: Any) -> Any:
         """Call a service of the simulator. The keyword arguments are the fields of the request."""
