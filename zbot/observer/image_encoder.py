@@ -178,7 +178,8 @@ def _rows(image: Any, pixel: int) -> tuple[bytes, int]:
         ImageError: The data is too short.
     """
     data, length = bytes(image.data), image.width * pixel
-    row = image.step or length
+    # The step is the distance of two rows. With one row it may have any value, up to 4 GB.
+    row = length if image.height == 1 else image.step or length
     if row < length or len(data) < row * (image.height - 1) + length:
         raise ImageError(
             f"{image.width} x {image.height} pixels in {image.encoding} do not fit into "

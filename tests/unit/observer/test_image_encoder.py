@@ -3,6 +3,7 @@ from __future__ import annotations
 import io
 import math
 import struct
+import tracemalloc
 from array import array
 
 import PIL.Image
@@ -148,11 +149,21 @@ def test_large_images_become_small(encoding: str, width: int, height: int) -> No
     assert last > 180
 
 
+@pytest.mark.parametrize(("encoding", "pixel"), [("mono8", b"\xc8"), ("16UC1", b"\1\0")])
+def test_the_step_of_one_row_does_not_need_memory(encoding: str, pixel: bytes) -> None:
+    one_row = image(encoding, 2, 1, 2 * pixel, step=100_000_000)
+    tracemalloc.start()
+    encode_jpeg(one_row)
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert peak < 50_000_000
+
+
 @pytest.mark.parametrize(
     ("wrong", "reason"),
     [
         (image("rgb8", 2, 2, bytes(11)), "do not fit"),
-        (image("rgb8", 4, 1, bytes(12), step=3), "do not fit"),
+        (image("rgb8", 4, 2, bytes(24), step=3), "do not fit"),
         (image("32FC1", 2, 2, bytes(15)), "do not fit"),
         (image("rgb8", 0, 2, b""), "empty"),
         (image("secret", 1, 1, b"1"), "'secret' cannot be shown"),
