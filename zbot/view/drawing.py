@@ -59,6 +59,7 @@ class _Node:
 
     path: str
     handle: Any
+    is_reused: bool  #: whether there were other nodes or shapes at its paths
     item: Item | None = None
     shapes: list[tuple[Shape, Any]] = field(default_factory=list)
     pose: Rigid = field(default_factory=Rigid)
@@ -82,6 +83,7 @@ class Drawing:
         self._scene = server.scene
         self._nodes: dict[tuple[str, str], _Node] = {}
         self._count = 0
+        self._free: dict[str, list[str]] = {}  #: paths of erased items, by display
         self._back = Rigid()
         self._root = self._scene.add_frame(_ROOT, show_axes=False)
         server.initial_camera.position = (-2.4, -2.4, 2.0)
@@ -160,10 +162,11 @@ class Drawing:
         key = (display, name)
         node = self._nodes.get(key)
         if node is None:
-            self._count += 1
-            path = f"{_ROOT}/{display.replace('/', ' ').strip() or 'display'}/{self._count}"
+            path, is_reused = self._free_path(display)
             handle = self._scene.add_frame(path, show_axes=False, visible=False)
-            node = self._nodes[key] = _Node(path, handle)
+            node = self._nodes[key] = _Node(path, handle, is_reused)
+            if is_reused:
+                _tell_pose(handle)
         if node.item is item:
             return
         node.item = item
@@ -174,6 +177,15 @@ class Drawing:
         for _, handle in node.shapes[len(new) :]:
             handle.remove()
         del node.shapes[len(new) :]
+        node.is_reused = True
+
+    def _free_path(self, display: str) -> tuple[str, bool]:
+        """Return a path for a new node, and whether another node had it before."""
+        # viser keeps a message for each path that was removed and not used again.
+        if free := self._free.get(display):
+            return free.pop(), True
+        self._count += 1
+        return f"{_ROOT}/{display.replace('/', ' ').strip() or 'display'}/{self._count}", False
 
     def _put(self, node: _Node, place: int, shape: Shape) -> None:
         known = node.shapes[place] if place < len(node.shapes) else None
@@ -184,6 +196,8 @@ class Drawing:
             if known is not None:
                 known[1].remove()
             handle = self._add(shape, f"{node.path}/{place}")
+            if node.is_reused:
+                _tell_pose(handle)
         node.shapes[place : place + 1] = [(shape, handle)]
 
     @staticmethod
@@ -220,7 +234,11 @@ class Drawing:
 
     def erase(self, display: str, name: str) -> None:
         """Remove an item."""
-        self._nodes.pop((display, name)).handle.remove()
+        node = self._nodes.pop((display, name))
+        node.handle.remove()
+        # What a user drags keeps its path: the next messages of the browser must move nothing else.
+        if not any(isinstance(shape, Gizmo) for shape, _ in node.shapes):
+            self._free.setdefault(display, []).append(node.path)
 
     @singledispatchmethod
     def _add(self, shape: Any, path: str) -> Any:
@@ -371,6 +389,16 @@ class Drawing:
 
         handle.on_update(tell)
         return handle
+
+
+def _tell_pose(handle: Any) -> None:
+    """Send the pose of a new node also if it is viser's default.
+
+    A browser that has not read the removal of a former node with this path keeps its pose.
+    """
+    position, wxyz = tuple(handle.position), tuple(handle.wxyz)
+    handle.position, handle.wxyz = (1.0, 2.0, 3.0), (0.5, 0.5, 0.5, 0.5)  # only a change is sent
+    handle.position, handle.wxyz = position, wxyz
 
 
 def _wxyz(rotation: Quaternion) -> tuple[float, float, float, float]:

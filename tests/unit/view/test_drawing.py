@@ -15,7 +15,7 @@ from zbot.view.displays.image import Image
 from zbot.view.displays.point_cloud import PointCloud2
 from zbot.view.displays.tf import TF
 from zbot.view.frames import Tree
-from zbot.view.shape import Item, Mesh, Note, Picture
+from zbot.view.shape import Item, Mesh, Note, Picture, Points
 
 from sensor_msgs.msg import CameraInfo
 
@@ -23,6 +23,8 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from zbot.view.drawing import Drawing
+
+PLATE = Mesh(np.eye(3, dtype=np.float32), np.array([[0, 1, 2]], np.uint32), (1, 2, 3))
 
 
 @pytest.fixture(scope="module")
@@ -90,6 +92,40 @@ def test_an_item_without_a_pose_is_hidden(drawing: Drawing) -> None:
     for pose in (None, Rigid(), None):
         drawing.place("a", "", pose)
         assert handle(drawing, "/a/1").visible is (pose is not None)
+
+
+def test_erased_items_leave_nothing_behind(server: Any, drawing: Drawing) -> None:
+    def draw_and_erase(number: int) -> None:
+        points = Points(np.zeros((1, 3), np.float32), np.zeros((1, 3), np.uint8))
+        drawing.draw("a", str(number), Item("map", 0, (points,)))
+        drawing.place("a", str(number), Rigid((number, 0, 0)))
+        drawing.erase("a", str(number))
+
+    buffer = server._websock_server._broadcast_buffer
+    draw_and_erase(0)
+    count = len(buffer.message_from_id)
+    for number in range(1, 10):
+        draw_and_erase(number)
+    assert len(buffer.message_from_id) == count
+
+
+def test_an_item_at_the_path_of_an_erased_item_sends_its_pose(
+    server: Any, drawing: Drawing
+) -> None:
+    drawing.draw("a", "far", Item("map", 0, (PLATE,)))
+    drawing.place("a", "far", Rigid((9, 9, 9)))
+    drawing.erase("a", "far")
+    drawing.draw("a", "here", Item("map", 0, (PLATE,)))
+    drawing.place("a", "here", Rigid())
+    sent = list(server._websock_server._broadcast_buffer.message_from_id.values())
+    for path in ("/scene/a/1", "/scene/a/1/0"):
+        poses = [
+            list(getattr(message, name))
+            for message in sent
+            for name in ("wxyz", "position")
+            if getattr(message, "name", "") == path and hasattr(message, name)
+        ]
+        assert sorted(poses) == [[0, 0, 0], [1, 0, 0, 0]]
 
 
 def test_only_the_guard_reaches_visers_server() -> None:
