@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from zbot.graph.snapshot import Snapshot
     from zbot.node.subscription import Subscription
     from zbot.observer.system import System
+    from zbot.web.foxglove.type_search import TypeSearch
 
 _DEPTH = 100
 
@@ -35,14 +36,16 @@ class Channels:
     Args:
         system: The running system.
         context: The SDK's context, to which the server belongs.
+        types: The search for the types of topics.
     """
 
-    def __init__(self, system: System, context: Any) -> None:
+    def __init__(self, system: System, context: Any, types: TypeSearch) -> None:
         self._system = system
         self._context = context
+        self._types = types
         self._lock = threading.RLock()
         self._topics: dict[str, _Topic] = {}
-        self._unknown: dict[str, str] = {}  #: types that were not found, by topic
+        self._unknown: dict[str, str] = {}  #: types that are not found, by topic
 
     def update(self, graph: Snapshot) -> None:
         """Offer the topics of a graph.
@@ -56,8 +59,9 @@ class Channels:
             ]
         for name in gone:
             self._remove(name)
+        self._unknown = {name: kind for name, kind in self._unknown.items() if name in found}
         for name, type_name in found.items():
-            if name not in self._topics and self._unknown.get(name) != type_name:
+            if name not in self._topics:
                 self._add(name, type_name)
 
     def subscribe(self, topic: str, client: int) -> None:
@@ -84,12 +88,14 @@ class Channels:
         from foxglove import Channel, Schema  # noqa: PLC0415 - an extra
 
         try:
-            self._system.interface(type_name)
+            self._types.find(type_name)
             text = definition_text(type_name)
         except ZbotError as error:
-            self._unknown[name] = type_name
-            get_logger("zbot.foxglove").warning(f"{name} is not shown: {error}")
+            if self._unknown.get(name) != type_name:  # the warning comes once
+                self._unknown[name] = type_name
+                get_logger("zbot.foxglove").warning(f"{name} is not shown: {error}")
             return
+        self._unknown.pop(name, None)
         schema = Schema(name=type_name, encoding=ENCODING, data=text.encode())
         channel = Channel(name, schema=schema, message_encoding="cdr", context=self._context)
         with self._lock:

@@ -25,6 +25,7 @@ from zbot.web.foxglove.listener import Listener
 from zbot.web.foxglove.parameters import Parameters
 from zbot.web.foxglove.publishing import Publishing
 from zbot.web.foxglove.services import Services
+from zbot.web.foxglove.type_search import TypeSearch
 from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:
@@ -97,7 +98,8 @@ def _sdk_server(system: System) -> Iterator[tuple[str, int]]:
 
     foxglove.set_log_level("CRITICAL")  # the SDK would report each client that closes its window
     context = foxglove.Context()
-    channels, parameters = Channels(system, context), Parameters(system)
+    types = TypeSearch(system.interface)
+    channels, parameters = Channels(system, context, types), Parameters(system)
     capabilities = [Capability.ConnectionGraph, Capability.Parameters]
     if not system.read_only:
         capabilities += [Capability.ClientPublish, Capability.Services]
@@ -111,15 +113,16 @@ def _sdk_server(system: System) -> Iterator[tuple[str, int]]:
         supported_encodings=["cdr", "json"],
         context=context,
     )
-    services = None if system.read_only else Services(system, server)
+    services = None if system.read_only else Services(system, server, types)
 
     def follow(is_over: Event) -> None:
         seen = -1
         while not is_over.is_set():
-            if system.revision != seen:
+            if system.revision != seen or types.is_due:
                 seen = system.revision
                 try:
                     graph = system.snapshot()
+                    types.forget_unused({end.type_name for end in graph.endpoints})
                     channels.update(graph)
                     if services is not None:
                         services.update(graph)

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.bag.definition import ENCODING, definition_text
 from zbot.errors import ZbotError
+from zbot.log import get_logger
 from zbot.names import is_hidden
 from zbot.wire.serialization import deserialize_message, serialize_message
 
@@ -14,6 +15,7 @@ if TYPE_CHECKING:
 
     from zbot.graph.snapshot import Snapshot
     from zbot.observer.system import System
+    from zbot.web.foxglove.type_search import TypeSearch
 
 _OF_EVERY_NODE = ("rcl_interfaces/", "type_description_interfaces/")
 _PATIENCE_S = 10.0
@@ -27,12 +29,15 @@ class Services:
     Args:
         system: The running system.
         server: The SDK's server.
+        types: The search for the types of services.
     """
 
-    def __init__(self, system: System, server: Any) -> None:
+    def __init__(self, system: System, server: Any, types: TypeSearch) -> None:
         self._system = system
         self._server = server
+        self._types = types
         self._offered: dict[str, str] = {}
+        self._unknown: dict[str, str] = {}  #: types that are not found, by service
 
     def update(self, graph: Snapshot) -> None:
         """Offer the services of a graph.
@@ -45,6 +50,7 @@ class Services:
             self._server.remove_services(gone)
         for name in gone:
             del self._offered[name]
+        self._unknown = {name: kind for name, kind in self._unknown.items() if name in found}
         for name, kind in found.items():
             if name not in self._offered:
                 self._offer(name, kind)
@@ -52,16 +58,20 @@ class Services:
     def _offer(self, name: str, kind: str) -> None:
         from foxglove import Service, ServiceSchema  # noqa: PLC0415 - an extra
 
-        self._offered[name] = kind
         try:
-            service: Any = self._system.interface(kind)
+            service: Any = self._types.find(kind)
             schema = ServiceSchema(
                 name=kind,
                 request=_schema(f"{kind}_Request"),
                 response=_schema(f"{kind}_Response"),
             )
-        except ZbotError:
-            return  # the type's definition was not found
+        except ZbotError as error:
+            if self._unknown.get(name) != kind:  # the warning comes once
+                self._unknown[name] = kind
+                get_logger("zbot.foxglove").warning(f"{name} cannot be called: {error}")
+            return
+        self._unknown.pop(name, None)
+        self._offered[name] = kind
         handler = self._handler(name, kind, service)
         self._server.add_services([Service(name, schema=schema, handler=handler)])
 
