@@ -1,4 +1,4 @@
-"""Files of surfaces (STL, DAE, OBJ, GLB, PLY), read in a thread of their own."""
+"""Files of surfaces (STL, DAE, OBJ, GLB, PLY), read in a thread and kept while they are used."""
 
 from __future__ import annotations
 
@@ -10,26 +10,35 @@ import numpy as np
 
 from zbot.libraries.robot_description.mesh_address import path_of
 from zbot.libraries.robot_description.xml_text import DescriptionError
+from zbot.threads.on_demand_thread import OnDemandThread
 from zbot.view.errors import DisplayError
 from zbot.view.shape import Mesh
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from pathlib import Path
 
 _ENDINGS = frozenset({".stl", ".dae", ".obj", ".glb", ".ply"})
 _MOST_BYTES = 100_000_000
 _MOST_TRIANGLES = 500_000
+_MOST_WANTED = 100
+_MOST_KEPT = 500
+_MOST_KEPT_BYTES = 200_000_000
 
 
 class MeshFiles:
-    """Store of surfaces by the address of their file. Each file is read only once."""
+    """Store of surfaces by the address of their file. A file that is used is read only once."""
 
     def __init__(self) -> None:
-        self._files: dict[str, tuple[Mesh, ...] | DisplayError | None] = {}
-        self._reading = threading.Lock()
+        self._lock = threading.Lock()
+        self._files: dict[str, tuple[Mesh, ...] | DisplayError] = {}  # the last used one is last
+        self._bytes = 0
+        self._wanted: dict[str, None] = {}  # addresses in the order of their reading
+        # One file at a time: the view needs the processor, too.
+        self._reading = OnDemandThread(_start, self._read_next)
 
     def get(self, address: str) -> tuple[Mesh, ...] | None:
-        """Return the surfaces of a file, or None as long as the file is read.
+        """Return the surfaces of a file, or None as long as the file is read. Ask again then.
 
         Args:
             address: `package://PACKAGE/PATH`, `file:///PATH` or a path.
@@ -37,22 +46,49 @@ class MeshFiles:
         Raises:
             DisplayError: The file does not exist or cannot be read.
         """
-        if address not in self._files:
-            self._files[address] = None
-            threading.Thread(
-                target=self._read, args=(address,), name="zbot view mesh", daemon=True
-            ).start()
-        found = self._files[address]
+        with self._lock:
+            found = self._files.pop(address, None)
+            if found is not None:
+                self._files[address] = found
+            elif len(self._wanted) < _MOST_WANTED:
+                self._wanted[address] = None
+        if found is None:
+            self._reading.wake()
         if isinstance(found, DisplayError):
             raise found
         return found
 
-    def _read(self, address: str) -> None:
-        with self._reading:  # one file at a time: the view needs the processor, too
-            try:
-                self._files[address] = read_mesh_file(address)
-            except DisplayError as error:
-                self._files[address] = error
+    def _read_next(self) -> float | None:
+        with self._lock:
+            address = next(iter(self._wanted), None)
+        if address is None:
+            return None
+        found: tuple[Mesh, ...] | DisplayError
+        try:
+            found = read_mesh_file(address)
+        except DisplayError as error:
+            found = error
+        except Exception as error:  # noqa: BLE001 - otherwise the address would wait for ever
+            found = DisplayError(f"{address} cannot be read: {error}")
+        with self._lock:
+            del self._wanted[address]
+            self._files[address] = found
+            self._bytes += _size(found)
+            while len(self._files) > 1 and (
+                len(self._files) > _MOST_KEPT or self._bytes > _MOST_KEPT_BYTES
+            ):
+                self._bytes -= _size(self._files.pop(next(iter(self._files))))
+        return 0.0
+
+
+def _start(run: Callable[[], None]) -> None:
+    threading.Thread(target=run, name="zbot view mesh", daemon=True).start()
+
+
+def _size(found: tuple[Mesh, ...] | DisplayError) -> int:
+    if isinstance(found, DisplayError):
+        return 0
+    return sum(mesh.vertices.nbytes + mesh.faces.nbytes for mesh in found)
 
 
 def read_mesh_file(address: str) -> tuple[Mesh, ...]:

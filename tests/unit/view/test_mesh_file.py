@@ -4,14 +4,18 @@ from __future__ import annotations
 
 import os
 import sys
+import threading
 from typing import TYPE_CHECKING
 
+import numpy as np
 import pytest
 
 from tests.conftest import wait_until
 from zbot.libraries.robot_description.mesh_address import path_of
+from zbot.view import mesh_file
 from zbot.view.errors import DisplayError
 from zbot.view.mesh_file import MeshFiles, read_mesh_file
+from zbot.view.shape import Mesh
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -100,3 +104,65 @@ def test_a_damaged_file_has_a_sentence_and_is_read_once(tmp_path: Path) -> None:
     assert wait_until(is_read)
     with pytest.raises(DisplayError, match="cannot be read"):
         files.get(address)
+
+
+def triangles(count: int) -> tuple[Mesh, ...]:
+    return (Mesh(np.zeros((3, 3), np.float32), np.zeros((count, 3), np.uint32)),)
+
+
+def test_many_files_are_read_in_one_thread(monkeypatch: pytest.MonkeyPatch) -> None:
+    may_read = threading.Event()
+    readers = set()
+
+    def read(_address: str) -> tuple[Mesh, ...]:
+        may_read.wait(10.0)
+        readers.add(threading.get_ident())
+        return triangles(1)
+
+    monkeypatch.setattr(mesh_file, "read_mesh_file", read)
+    files, addresses = MeshFiles(), {f"/mesh_{number}.stl" for number in range(150)}
+    assert all(files.get(address) is None for address in addresses)
+    may_read.set()
+
+    def are_read() -> bool:  # as the displays do, it asks again for those that are not read
+        addresses.difference_update({one for one in addresses if files.get(one) is not None})
+        return not addresses
+
+    assert wait_until(are_read)
+    assert len(readers) == 1
+
+
+@pytest.mark.parametrize(("limit", "most"), [("_MOST_KEPT", 2), ("_MOST_KEPT_BYTES", 300)])
+def test_the_files_that_were_not_used_longest_are_forgotten(
+    monkeypatch: pytest.MonkeyPatch, limit: str, most: int
+) -> None:
+    read: list[str] = []
+
+    def note(address: str) -> tuple[Mesh, ...]:
+        read.append(address)
+        return triangles(8)  # 132 bytes with the corners
+
+    monkeypatch.setattr(mesh_file, "read_mesh_file", note)
+    monkeypatch.setattr(mesh_file, limit, most)
+    files = MeshFiles()
+    for address in ("a", "b", "a", "c", "a", "b"):
+        assert wait_until(lambda one=address: files.get(one) is not None)  # type: ignore[misc]
+    assert read == ["a", "b", "c", "b"]
+
+
+def test_a_defect_of_a_reader_is_a_sentence(monkeypatch: pytest.MonkeyPatch) -> None:
+    def fail(_address: str) -> tuple[Mesh, ...]:
+        raise KeyError("defect")
+
+    monkeypatch.setattr(mesh_file, "read_mesh_file", fail)
+    files, errors = MeshFiles(), []
+
+    def has_failed() -> bool:
+        try:
+            files.get("a.stl")
+        except DisplayError as error:
+            errors.append(str(error))
+        return bool(errors)
+
+    assert wait_until(has_failed)
+    assert errors == ["a.stl cannot be read: 'defect'"]
