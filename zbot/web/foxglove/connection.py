@@ -11,7 +11,7 @@ import contextlib
 import struct
 import time
 import traceback
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
 from zbot.errors import ZbotError
 from zbot.log import get_logger
@@ -40,6 +40,8 @@ if TYPE_CHECKING:
     from concurrent.futures import Executor
 
     from zbot.web.foxglove.publishing import Publishing
+
+T = TypeVar("T")
 
 _MESSAGE, _CALL, _ANSWER = 1, 2, 3  # first bytes of binary messages
 _CHANNEL = struct.Struct("<BI")
@@ -185,7 +187,7 @@ class Connection:
         if message.opcode == TEXT:
             if message.size > _MOST_TEXT_BYTES:
                 raise OverBudgetError(f"an operation has more than {_MOST_TEXT_BYTES} bytes")
-            await self._operate(read_json_object(message.content()))
+            await self._operate(await self._work(self._threads, _fields, message))
             return
         head = message.frames[0].content(_CALL_HEAD.size)
         if head[:1] == bytes((_MESSAGE,)):
@@ -226,7 +228,7 @@ class Connection:
         elif op in {"getParameters", "setParameters"}:
             self._budget.check_request()
         # The text is written again, so that both sides read the same operation in it.
-        await self._pass_on(text_frame(fields, is_masked=True))
+        await self._pass_on(await self._work(self._threads, _frame_of, fields))
 
     async def _advertise(self, channels: list[Any]) -> None:
         for channel in channels:
@@ -250,21 +252,22 @@ class Connection:
             self._outbox.put_status(text)
         return {**fields, "subscriptions": allowed}
 
-    async def _work(
-        self, threads: Executor, function: Callable[[Any], None], argument: Any
-    ) -> None:
-        """Call a function in a thread. After that, a client that needs too much has to wait."""
+    async def _work(self, threads: Executor, function: Callable[[Any], T], argument: Any) -> T:
+        """Return the result of a function, called in a thread.
 
-        def work() -> None:
+        After that, a client that needs too much has to wait.
+        """
+
+        def work() -> T:
             began_s = time.thread_time()
             try:
-                function(argument)
+                return function(argument)
             finally:
                 used.append(time.thread_time() - began_s)
 
         used: list[float] = []
         try:
-            await asyncio.get_running_loop().run_in_executor(threads, work)
+            return await asyncio.get_running_loop().run_in_executor(threads, work)
         finally:
             if used:
                 await asyncio.sleep(self._budget.note_work(used[0]))
@@ -273,6 +276,14 @@ class Connection:
         for block in blocks:
             self._server.writer.write(block)
         await self._server.writer.drain()
+
+
+def _fields(message: _Message) -> dict[str, Any]:
+    return read_json_object(message.content())
+
+
+def _frame_of(fields: dict[str, Any]) -> bytes:
+    return text_frame(fields, is_masked=True)
 
 
 def _list(fields: dict[str, Any], name: str) -> list[Any]:

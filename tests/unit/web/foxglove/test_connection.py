@@ -5,16 +5,25 @@ from __future__ import annotations
 import asyncio
 import threading
 from concurrent.futures import ThreadPoolExecutor
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
+from zbot.text.json_reader import read_json_object
+from zbot.web.foxglove import connection
 from zbot.web.foxglove.connection import Connection, Streams
 from zbot.web.foxglove.frame import text_frame
+
+if TYPE_CHECKING:
+    import pytest
 
 
 class Writer:
     """One direction of a connection, without a network."""
 
-    def write(self, data: bytes) -> None: ...
+    def __init__(self) -> None:
+        self.has_written = asyncio.Event()
+
+    def write(self, _data: bytes) -> None:
+        self.has_written.set()
 
     async def drain(self) -> None: ...
 
@@ -60,3 +69,33 @@ def test_a_client_that_advertises_an_unknown_type_does_not_delay_others() -> Non
             assert await asyncio.to_thread(publishing.closed.wait, 5.0)
 
     asyncio.run(run())
+
+
+def test_operations_are_read_and_written_in_threads(monkeypatch: pytest.MonkeyPatch) -> None:
+    used: list[int] = []
+
+    def noted(function: Any) -> Any:
+        def call(*arguments: Any, **more: Any) -> Any:
+            used.append(threading.get_ident())
+            return function(*arguments, **more)
+
+        return call
+
+    monkeypatch.setattr(connection, "read_json_object", noted(read_json_object))
+    monkeypatch.setattr(connection, "text_frame", noted(text_frame))
+
+    async def run() -> None:
+        pools = ThreadPoolExecutor(1), ThreadPoolExecutor(1)
+        reader, server = asyncio.StreamReader(), Writer()
+        writers: Any = Writer(), server
+        publishing: Any = FakePublishing(threading.Event())
+        streams = Streams(reader, writers[0]), Streams(asyncio.StreamReader(), writers[1])
+        task = asyncio.create_task(Connection(*streams, publishing, *pools).run())
+        reader.feed_data(text_frame({"op": "subscribe", "subscriptions": []}, is_masked=True))
+        await asyncio.wait_for(server.has_written.wait(), 5.0)
+        reader.feed_eof()
+        await task
+
+    asyncio.run(run())
+    assert len(used) == 2
+    assert threading.get_ident() not in used
