@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+from operator import attrgetter
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ArgumentTypeError, WrongTypeError, described
@@ -29,6 +30,8 @@ if TYPE_CHECKING:
     from collections.abc import Container
 
 _CACHE_S = 10.0
+_MOST_FRAMES = 10_000  # a program may give each transform another name
+_MOST_REFUSED = 100
 
 
 class BufferCore:
@@ -75,18 +78,41 @@ class BufferCore:
         stamp = Time.from_msg(transform.header.stamp).nanoseconds
         sample = Sample(stamp, parent, _rigid(transform.transform))
         with self._changed:
-            frame = self._frames.setdefault(child, Frame(child, self._cache_ns))
-            frame.authority = authority
-            is_kept = frame.add(sample, is_static=is_static)
-            self._changed.notify_all()
+            frame = self._frames.get(child)
+            if frame is None and self._has_room():
+                frame = self._frames[child] = Frame(child, self._cache_ns)
+            if frame is not None:
+                frame.authority = authority
+                is_kept = frame.add(sample, is_static=is_static)
+                self._changed.notify_all()
+        if frame is None:
+            self._log_once(
+                f"new frames from {authority} are ignored: there are {_MOST_FRAMES} frames already"
+            )
+            return
         if not is_kept and stamp < frame.oldest_ns:
             self._log_once(
                 f"old transforms of the frame {child!r} from {authority} are ignored: their time "
                 "is before the oldest time in the buffer"
             )
 
+    def _has_room(self) -> bool:
+        """Return whether a new frame can be kept. If necessary, drop half of the moving frames.
+
+        They are those with the oldest samples. Static frames stay, as they are published only once.
+        """
+        if len(self._frames) < _MOST_FRAMES:
+            return True
+        moving = [frame for frame in self._frames.values() if not frame.is_static]
+        if len(moving) < _MOST_FRAMES // 2:
+            return False
+        moving.sort(key=attrgetter("latest_ns"))
+        for frame in moving[: (len(moving) + 1) // 2]:
+            del self._frames[frame.name]
+        return True
+
     def _log_once(self, text: str) -> None:
-        if text not in self._refused:
+        if text not in self._refused and len(self._refused) < _MOST_REFUSED:
             self._refused.add(text)
             get_logger("tf2").error(text)
 

@@ -16,6 +16,7 @@ from zbot.tf2 import (
     ExtrapolationException,
     InvalidArgumentException,
     LookupException,
+    buffer_core,
 )
 from zbot.tf2.rigid import Rigid, normalized, slerp
 
@@ -184,6 +185,41 @@ def test_invalid_transforms_are_refused_with_one_warning(
     core.set_transform(message)
     (line,) = (record.message for record in logged)
     assert reason in line
+
+
+def test_a_program_that_invents_names_does_not_fill_the_memory(
+    core: BufferCore, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(buffer_core, "_MOST_FRAMES", 10)
+    core.set_transform_static(make_transform("base", "lidar"))
+    for number in range(100):
+        core.set_transform(make_transform("map", "base", at_s=number + 1))
+        core.set_transform(make_transform("map", f"object_{number}", at_s=number + 1))
+        assert core.can_transform_core("map", "lidar", NOW) == (True, "")
+    assert len(core._frames) <= 10
+    assert core.can_transform_core("map", "object_99", NOW) == (True, "")
+
+
+def test_static_frames_beyond_the_most_are_refused(
+    core: BufferCore, monkeypatch: pytest.MonkeyPatch, logged: list[Record]
+) -> None:
+    monkeypatch.setattr(buffer_core, "_MOST_FRAMES", 10)
+    core.set_transform(make_transform("map", "base"))
+    for number in range(20):
+        core.set_transform_static(make_transform("base", f"lidar_{number}"))
+    core.set_transform(make_transform("map", "base", 3.0, at_s=2))
+    assert place(core.lookup_transform_core("map", "lidar_0", NOW)) == (3, 0, 0)
+    assert len(core._frames) == 10
+    (line,) = (record.message for record in logged)
+    assert "there are 10 frames already" in line
+
+
+def test_a_program_with_many_mistakes_does_not_fill_the_log(
+    core: BufferCore, logged: list[Record]
+) -> None:
+    for number in range(200):
+        core.set_transform(make_transform(f"base_{number}", f"base_{number}"))
+    assert len(logged) == 100
 
 
 def test_the_tree_can_be_printed(core: BufferCore) -> None:
