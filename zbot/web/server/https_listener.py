@@ -15,6 +15,7 @@ _TLS_HANDSHAKE = b"\x16"  # the first byte of each connection with TLS
 #: Browsers open connections in advance. One that says nothing for this time is closed.
 _SILENCE_S = 15.0
 _MOST_SILENT = 256
+_FULL_S = 0.1
 _TEXT = "This page needs https: write https:// in place of http:// in its address.\n"
 _HINT = (
     "HTTP/1.1 400 Bad Request\r\nContent-Type: text/plain; charset=utf-8\r\n"
@@ -65,8 +66,11 @@ class HttpsListener:
     def _take(self) -> None:
         try:
             connection, _ = self._listener.accept()
-        except OSError:
+        except (BlockingIOError, ConnectionError):
             return  # the browser has given up
+        except OSError:  # the process has too many open files: the connection waits for one
+            time.sleep(_FULL_S)
+            return
         connection.setblocking(False)
         self._silent[connection] = time.monotonic()
         self._selector.register(connection, selectors.EVENT_READ)

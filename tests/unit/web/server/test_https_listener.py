@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import errno
 import queue
 import socket
-from typing import TYPE_CHECKING
+import time
+from types import SimpleNamespace
+from typing import TYPE_CHECKING, Any
 
 import pytest
 
@@ -80,6 +83,34 @@ def test_of_too_many_silent_connections_the_oldest_ends(
     listening.accepted.get(timeout=PATIENCE_S).close()
     for one in silent:
         one.close()
+
+
+class FullSocket(socket.socket):
+    """Listening socket that cannot accept its first connection: too many files are open."""
+
+    is_full = True
+
+    def accept(self) -> tuple[socket.socket, Any]:
+        if self.is_full:
+            self.is_full = False
+            raise OSError(errno.EMFILE, "Too many open files")
+        return super().accept()
+
+
+def test_a_process_with_too_many_open_files_waits(monkeypatch: pytest.MonkeyPatch) -> None:
+    pauses: list[float] = []
+    clock = SimpleNamespace(sleep=pauses.append, monotonic=time.monotonic)
+    monkeypatch.setattr(https_listener, "time", clock)
+    accepted: queue.Queue[socket.socket] = queue.Queue()
+    with FullSocket() as full:
+        full.bind(("127.0.0.1", 0))
+        full.listen()
+        listener = HttpsListener(full, accepted.put)
+        with socket.create_connection(full.getsockname(), timeout=PATIENCE_S) as browser:
+            browser.sendall(b"\x16")
+            accepted.get(timeout=PATIENCE_S).close()
+        listener.close()
+    assert pauses == [0.1]
 
 
 def test_a_closed_listener_closes_what_it_holds() -> None:
