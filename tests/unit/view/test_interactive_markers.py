@@ -10,6 +10,7 @@ import pytest
 import zbot  # noqa: F401 - makes the messages importable
 from tests.unit.view.messages import framed, marker
 from zbot.tf2.rigid import Rigid
+from zbot.view.displays import interactive_markers
 from zbot.view.displays.interactive_markers import InteractiveMarkers
 from zbot.view.errors import DisplayError
 from zbot.view.shape import Gizmo
@@ -200,6 +201,28 @@ def test_an_entry_of_a_menu_is_sent_by_its_number() -> None:
     assert (chosen.menu_entry_id, chosen.control_name) == (2, "menu")
     display.choose("m", "Gone")
     assert not sent(display)
+
+
+def test_only_the_menus_of_new_markers_are_made(monkeypatch: pytest.MonkeyPatch) -> None:
+    made: list[str] = []
+
+    def title(entry: Any, _titles: Any) -> str:
+        made.append(entry.title)
+        return str(entry.title)
+
+    monkeypatch.setattr(interactive_markers, "_title", title)
+    display = shown(
+        *(
+            interactive(name=name, menu_entries=[MenuEntry(id=1, title=name)])
+            for name in ("a", "b", "c")
+        )
+    )
+    assert made == ["a", "b", "c"]
+    update = InteractiveMarkerUpdate(type=InteractiveMarkerUpdate.UPDATE, seq_num=6, erases=["b"])
+    update.markers = [interactive(name="d", menu_entries=[MenuEntry(id=1, title="d")])]
+    display.take(update)
+    assert made == ["a", "b", "c", "d"]
+    assert display.menus == {"a": ("a",), "c": ("c",), "d": ("d",)}
 
 
 def test_a_marker_without_a_frame_says_so() -> None:

@@ -26,6 +26,8 @@ from visualization_msgs.msg import (
 from visualization_msgs.srv import GetInteractiveMarkers
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from zbot.tf2.rigid import Vector
     from zbot.view.mesh_file import MeshFiles
 
@@ -34,6 +36,7 @@ _MOST_MARKERS = 500
 _MOST_PARTS = 5000
 _LONGEST_PAUSE_S = 10.0  #: between two movements of a user who holds a handle
 _MOST_ENTRIES = 200
+_MOST_LEVELS = 20
 _ASK_PERIOD_S = 2.0
 _FEEDBACK = "visualization_msgs/msg/InteractiveMarkerFeedback"
 _SERVICE = "visualization_msgs/srv/GetInteractiveMarkers"
@@ -90,6 +93,12 @@ class InteractiveMarkers(Display):
     def take(self, message: Any) -> None:
         """Take an update of the server, or its answer with all markers."""
         self.notice = ""
+        try:
+            self._take(message)
+        finally:
+            self.menus = {name: tuple(entries) for name, entries in self._menus.items()}
+
+    def _take(self, message: Any) -> None:
         if isinstance(message, GetInteractiveMarkers.Response):
             self._number = message.sequence_number
             for name in [*self._markers]:
@@ -121,16 +130,17 @@ class InteractiveMarkers(Display):
             except DisplayError as error:
                 self._forget(marker.name)
                 mistakes.append(f"interactive marker {marker.name}: {error}")
-        self._offer_menus()
+            else:
+                self._offer_menu(marker)
         if mistakes:
             raise DisplayError(mistakes[0])
 
     def _forget(self, name: str) -> None:
-        self._markers.pop(name, None)
+        marker = self._markers.pop(name, None)
         self._waiting.discard(name)
-        for key in [key for key in self.items if key.rsplit("/", 2)[0] == name]:
-            del self.items[key]
-        self._offer_menus()
+        self._menus.pop(name, None)
+        for key in () if marker is None else _keys(marker):
+            self.items.pop(key, None)
 
     def tick(self, now_ns: int) -> None:
         """Ask for the markers if necessary, and send what the user has done."""
@@ -260,16 +270,12 @@ class InteractiveMarkers(Display):
             return f"The menu of {marker.name} is in the list, below {self.topic}."
         return f"{marker.name} is no button. Drag its arrows and rings."
 
-    def _offer_menus(self) -> None:
-        menus = {}
-        for marker in self._markers.values():
-            titles = {entry.id: entry for entry in marker.menu_entries[:_MOST_ENTRIES]}
-            parents = {entry.parent_id for entry in titles.values()}
-            leaves = [entry for entry in titles.values() if entry.id not in parents]
-            if leaves:
-                menus[marker.name] = {_title(entry, titles): entry.id for entry in leaves}
-        self._menus = menus
-        self.menus = {name: tuple(entries) for name, entries in menus.items()}
+    def _offer_menu(self, marker: Any) -> None:
+        titles = {entry.id: entry for entry in marker.menu_entries[:_MOST_ENTRIES]}
+        parents = {entry.parent_id for entry in titles.values()}
+        leaves = [entry for entry in titles.values() if entry.id not in parents]
+        if leaves:
+            self._menus[marker.name] = {_title(entry, titles): entry.id for entry in leaves}
 
     def choose(self, menu: str, entry: str) -> None:
         """Choose an entry of the menu of a marker."""
@@ -298,6 +304,15 @@ class InteractiveMarkers(Display):
         self.outgoing.append(Outgoing(f"{self._namespace}/feedback", _FEEDBACK, feedback))
 
 
+def _keys(marker: Any) -> Iterator[str]:
+    """Yield the keys of all items that a marker may have."""
+    yield f"{marker.name}/0/name"
+    for number, control in enumerate(marker.controls):
+        yield f"{marker.name}/{number}/handle"
+        for place in range(len(control.markers)):
+            yield f"{marker.name}/{number}/{place}"
+
+
 def _pose_of_handle(pose: Rigid, control: Any) -> Rigid:
     """Return the pose of a control's handle: the axis of a control is its x."""
     turn = pose_of(Pose(orientation=control.orientation)).rotation
@@ -315,7 +330,7 @@ def _set_pose(message: Any, pose: Rigid) -> None:
 def _title(entry: Any, titles: dict[int, Any]) -> str:
     """Return the titles on the way to an entry, e.g. `Size / Large`."""
     words, seen = [entry.title], {entry.id}
-    while entry.parent_id in titles and entry.parent_id not in seen:
+    while entry.parent_id in titles and entry.parent_id not in seen and len(seen) < _MOST_LEVELS:
         entry = titles[entry.parent_id]
         seen.add(entry.id)
         words.insert(0, entry.title)
