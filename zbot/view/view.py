@@ -17,7 +17,6 @@ from zbot.log import get_logger
 from zbot.names import expand_topic_name
 from zbot.tf2.rigid import Rigid
 from zbot.view.arrangement.arrangement import Arrangement, PointerTopics
-from zbot.view.arrangement.errors import ArrangementError
 from zbot.view.arrangement.link import PARAMETER, link_text, read_link
 from zbot.view.arrangement.rviz_writer import rviz_text
 from zbot.view.budget import Budget
@@ -118,16 +117,17 @@ class View:
 
         def answer() -> None:
             if asked.set_running_or_notify_cancel():
-                asked.set_result(rviz_text(self._present()))
+                try:
+                    asked.set_result(rviz_text(self._present()))
+                except Exception as error:
+                    asked.set_exception(error)
+                    raise
 
         self._wishes.put(answer)
         return asked
 
     def _open_link(self, text: str) -> None:
-        try:
-            self.open(read_link(text))
-        except ArrangementError as error:
-            self._panel.note(str(error))
+        self.open(read_link(text))
 
     def open(self, arrangement: Arrangement) -> str:
         """Show the displays of an arrangement, or the usual ones if it has none.
@@ -171,7 +171,7 @@ class View:
             try:
                 self.tick()
             except Exception as error:  # noqa: BLE001 - the next drawing may succeed
-                get_logger("zbot.view").error("".join(traceback.format_exception(error)))
+                _report(error)
             # At least half of the time is for other threads, e.g. those of viser.
             used_s = time.monotonic() - start_s
             is_over.wait(max(1 / RATE_HZ - used_s, used_s))
@@ -179,7 +179,7 @@ class View:
     def tick(self) -> None:
         """Draw once."""
         while not self._wishes.empty():
-            self._wishes.get()()
+            self._carry_out(self._wishes.get())
         self._look()
         shown = [(listed, listed.shown) for listed in self._list if listed.shown is not None]
         if self._is_paused:
@@ -199,6 +199,15 @@ class View:
         if time.monotonic() - self._said_s > _SAY_PERIOD_S:
             self._said_s = time.monotonic()
             self._say(shown)
+
+    def _carry_out(self, wish: Callable[[], None]) -> None:
+        try:
+            wish()
+        except ZbotError as error:
+            self._panel.note(str(error))
+        except Exception as error:  # noqa: BLE001 - the view goes on
+            _report(error)
+            self._panel.note(f"The view could not do this: {error!r}")
 
     def _look(self) -> None:
         """Look for new topics, and for what a jump of the time has changed."""
@@ -293,13 +302,9 @@ class View:
         )
 
     def _make_link(self, _: object) -> None:
-        try:
-            text = link_text(self._present())
-        except ArrangementError as error:
-            self._panel.note(str(error))
-        else:
-            mark = "&" if "?" in self._address else "?"
-            self._panel.show_link(f"{self._address}{mark}{PARAMETER}={text}")
+        text = link_text(self._present())
+        mark = "&" if "?" in self._address else "?"
+        self._panel.show_link(f"{self._address}{mark}{PARAMETER}={text}")
 
     def _follow(self) -> None:
         pose, _ = self._frames.pose(self._camera.target, 0)
@@ -403,6 +408,10 @@ class View:
         roots = tree.roots
         trees = f"{len(roots)} trees: {', '.join(sorted(roots))}" if len(roots) > 1 else "one tree"
         return f"{len(tree.names)} frames in {trees}"
+
+
+def _report(error: Exception) -> None:
+    get_logger("zbot.view").error("".join(traceback.format_exception(error)))
 
 
 def _content(shown: Shown) -> list[Picture | Note]:

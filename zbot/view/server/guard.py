@@ -106,6 +106,8 @@ class Guard:
             text = await asyncio.wait_for(asyncio.wrap_future(self.rviz_file()), _PATIENCE_S)
         except asyncio.TimeoutError:
             return Answer(503, "the view is busy: try again")
+        except Exception:  # noqa: BLE001 - the view has logged it
+            return Answer(503, "the view could not write this arrangement: its log says why")
         is_file = ("Content-Disposition", f'attachment; filename="{FILE_NAME}"')
         return Answer(200, text.rstrip("\n"), (is_file,))
 

@@ -208,6 +208,17 @@ def test_the_displays_are_a_download() -> None:
     assert (len(asked), behind) == (1, [])
 
 
+def test_an_arrangement_that_cannot_be_written_is_told_at_once() -> None:
+    failed: Future[str] = Future()
+    failed.set_exception(KeyError("defect"))
+    guard = Guard("127.0.0.1", PORT, "secret")
+    guard.rviz_file = lambda: failed
+    sent = f"GET /view.rviz HTTP/1.1\r\nHost: {OWN}\r\nCookie: zbot_view_8090=secret\r\n\r\n"
+    answer = asyncio.run(_answers(sent.encode(), [], guard))
+    assert answer.startswith(b"HTTP/1.1 503 ")
+    assert b"could not write this arrangement" in answer
+
+
 @pytest.mark.parametrize(
     "fields",
     [
