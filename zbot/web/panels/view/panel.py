@@ -29,6 +29,7 @@ class _View:
         self.student = page.query.get("student", "")
         self.view: SharedView | None = None
         self.is_shown = False
+        self.is_starting = False
         with ui.element("div").classes("zb-fill zb-view"):
             self.said = ui.label().classes("zb-empty").props("role=status")
             with ui.element("div").classes("zb-row zb-view-again") as self.again:
@@ -44,6 +45,9 @@ class _View:
         if self.page.server.scheme == "https":
             self.say(_NO_HTTPS)  # the view has no https, and browsers do not mix both
             return
+        if self.is_starting:
+            return  # a second click: the page would hold the view twice and release it once
+        self.is_starting = True
         self.say("The 3D view starts.")
         background_tasks.create(self.show(), name="zbot view")
 
@@ -55,6 +59,8 @@ class _View:
         except ZbotError as error:
             self.say(str(error), may_start=True)
             return
+        finally:
+            self.is_starting = False
         self.is_shown = True
         self.said.set_visibility(False)
         self.frame.set_visibility(True)
