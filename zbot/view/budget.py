@@ -46,6 +46,7 @@ class Budget:
         """
         if self.total is not None:
             self._shares = fair_shares(self.total, demands)
+            self._due_s = {name: due_s for name, due_s in self._due_s.items() if name in demands}
 
     def is_due(self, display: str, now_s: float) -> bool:
         """Return whether a display may be drawn now."""

@@ -59,6 +59,14 @@ def test_a_display_waits_until_its_share_allows_more() -> None:
     assert budget.is_due("a", 5.95)
 
 
+def test_displays_that_are_gone_are_forgotten() -> None:
+    budget = Budget(1000)
+    for number in range(10):
+        budget.plan({str(number): 1e6})
+        budget.spend(str(number), 1e6, 0.0)
+    assert [*budget._due_s] == ["9"]
+
+
 def test_without_a_budget_nothing_waits_or_is_thinned() -> None:
     budget = Budget(None)
     budget.plan({"a": 1e9})

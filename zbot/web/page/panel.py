@@ -62,10 +62,15 @@ class Section:
     """Section of a page, such as the details of a topic. It can be closed before the page.
 
     Its methods must be called in NiceGUI's loop.
+
+    Args:
+        page: The page.
+        forget: Called at the end of an inner section.
     """
 
-    def __init__(self, page: Page) -> None:
+    def __init__(self, page: Page, forget: Callable[[], object] | None = None) -> None:
         self.page = page
+        self._forget = forget
         self._endings: dict[object, Callable[[], object]] = {}
         self._is_closed = False
 
@@ -145,13 +150,15 @@ class Section:
 
     def section(self) -> Section:
         """Return an inner section. Its own `close` closes it, or the end of this section."""
-        section = Section(self.page)
+        section = Section(self.page, lambda: self._endings.pop(section, None))
         self._endings[section] = section.close
         return section
 
     def close(self) -> None:
         """Release all watches and references, and end all calls. A second call does nothing."""
         self._is_closed = True
+        if self._forget is not None:
+            self._forget()
         while self._endings:
             thing, end = self._endings.popitem()
             self.page.watches.pop(thing, None)

@@ -42,3 +42,16 @@ def test_what_comes_after_the_end_is_released_at_once() -> None:
     one.close()
     assert one.keep(late) is late
     assert late.releases == 1
+
+
+def test_an_inner_section_ends_with_its_outer_one_and_leaves_nothing_in_it() -> None:
+    first, second = Watch(), Watch()
+    outer = section()
+    closed, present = outer.section(), outer.section()
+    closed.keep(first)
+    present.keep(second)
+    closed.close()
+    assert list(outer._endings) == [present]
+    outer.close()
+    outer.close()
+    assert (first.releases, second.releases) == (1, 1)
