@@ -108,6 +108,7 @@ class SensorsPanel:
         key, number, reading = _words(words, 3)
         card = self._cards.get(str(key))
         if card is not None:
+            self._hold_name()  # a short loss of the connection has dropped it
             card.take(reading)
             self._page.call("zbotSensors.taken", card.kind.key, number)
 
