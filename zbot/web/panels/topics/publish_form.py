@@ -43,7 +43,8 @@ def add_publish_form(section: Section, watch: Watch) -> None:
         if watch.type_name is not None:
             type_name = watch.type_name
             undo()
-            ui.timer(0, update, once=True)
+            with expansion:  # the end of the details ends the timer
+                ui.timer(0, update, once=True)
 
     undo = section.live(look, 5.0)
 
