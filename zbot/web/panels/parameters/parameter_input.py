@@ -160,7 +160,8 @@ class ParameterInput:
                 value, self._waiting = self._waiting, None
                 await self._send(value)
         finally:
-            self._is_setting = False
+            # After an error, a value that waits is old: the next value must be the last one.
+            self._is_setting, self._waiting = False, None
 
     async def _send(self, value: Any) -> None:
         parameter = self._parameter
