@@ -5,15 +5,13 @@ from __future__ import annotations
 from decimal import Decimal
 from typing import TYPE_CHECKING, Any, Union
 
-import yaml
-
 from zbot.errors import shortened
 from zbot.interfaces.message_reader import FieldMisfitError, number_with_comma
 from zbot.interfaces.plain_value import items_of, octets_of
 from zbot.interfaces.slot import Slot, walk
 from zbot.interfaces.spec import INTEGER_RANGES
 from zbot.interfaces.yaml_message import Tree, Word, YamlReader, tree_of
-from zbot.interfaces.yaml_text import CollectionNode, ScalarNode, YamlError, compose
+from zbot.interfaces.yaml_text import CollectionNode, ScalarNode, YamlError, compose, dump
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -27,7 +25,10 @@ TIME = "builtin_interfaces/msg/Time"
 DURATION = "builtin_interfaces/msg/Duration"
 NOW = "now"
 
+#: Longest array of zeros that is shown.
 _LONGEST_SHOWN_ARRAY = 16
+#: Longest list whose elements are shown. That takes 5 ms, and other pages wait meanwhile.
+_MOST_SHOWN = 1000
 #: Longest text that is read as YAML. That takes 50 ms, and other pages wait meanwhile.
 _MOST_CHARACTERS = 10_000
 _NANOSECONDS = 10**9
@@ -126,10 +127,11 @@ def _nanoseconds(text: str, path: str) -> int:
 def show(kind: FieldType, value: Any) -> str:
     """Return the text that an input shows for a value. `read` converts the text back.
 
-    The text is empty for a long fixed-size array of zeros.
+    The text is empty for a long fixed-size array of zeros. For other lists that are too long (see
+    `is_too_long`), the text is the number of elements, which cannot be converted back.
     """
     if kind.kind != "scalar":
-        return _shown_list(kind, plain(kind, value))
+        return _shown_list(kind, value)
     if kind.base in {TIME, DURATION}:
         return _shown_instant(value.sec * _NANOSECONDS + value.nanosec)
     return _shown_scalar(plain(kind, value))
@@ -141,10 +143,23 @@ def _shown_instant(nanoseconds: int) -> str:
     return f"{sign}{sec}.{nanosec:09}".rstrip("0").rstrip(".")
 
 
-def _shown_list(kind: FieldType, values: list[Any]) -> str:
-    if kind.kind == "array" and len(values) > _LONGEST_SHOWN_ARRAY and not any(values):
+def is_too_long(kind: FieldType, value: Any) -> bool:
+    """Return whether a value is a list that has too many elements to be shown and changed."""
+    return kind.kind != "scalar" and len(value) > _MOST_SHOWN
+
+
+def _shown_list(kind: FieldType, value: Any) -> str:
+    is_long_array = kind.kind == "array" and len(value) > _LONGEST_SHOWN_ARRAY
+    if is_long_array and _has_only_zeros(kind, value):
         return ""
-    return flow(values)
+    return f"[{len(value):,} elements]" if is_too_long(kind, value) else flow(plain(kind, value))
+
+
+def _has_only_zeros(kind: FieldType, value: Any) -> bool:
+    if not kind.is_message:
+        return not any(plain(kind, value))
+    zero = _zero(Slot("", kind))
+    return all(item == zero for item in value)
 
 
 def _shown_scalar(value: Any) -> str:
@@ -153,10 +168,7 @@ def _shown_scalar(value: Any) -> str:
 
 def flow(value: Any) -> str:
     """Return a plain value (see `plain`) as YAML on one line, e.g. for a command line."""
-    text = yaml.safe_dump(
-        value, default_flow_style=True, allow_unicode=True, sort_keys=False, width=2**31 - 1
-    )
-    return text.removesuffix("\n").removesuffix("\n...")
+    return dump(value, flow_style=True).removesuffix("\n").removesuffix("\n...")
 
 
 def plain(kind: FieldType, value: Any) -> Any:

@@ -12,7 +12,7 @@ from zbot.web.forms.form_value import read, show
 
 from builtin_interfaces.msg import Duration, Time
 from example_interfaces.action import Fibonacci
-from geometry_msgs.msg import Polygon, PoseStamped, PoseWithCovariance, Twist
+from geometry_msgs.msg import Point32, Polygon, PoseStamped, PoseWithCovariance, Twist
 from sensor_msgs.msg import JointState, LaserScan
 from std_msgs.msg import Bool, Byte, ByteMultiArray, Empty, Header, Int8, String, UInt8MultiArray
 from turtlesim.srv import SetPen, Spawn
@@ -183,6 +183,25 @@ def test_a_long_array_of_zeros_is_left_empty() -> None:
     covariance = next(input_ for input_ in Form(PoseWithCovariance).inputs if "cov" in input_.path)
     assert covariance.default == ""
     assert covariance.max_length == 36
+
+
+@pytest.mark.parametrize(
+    ("kind", "value", "text"),
+    [
+        (FieldType("float64", "sequence"), [0.5] * 1000, "[0.5, 0.5, "),
+        (FieldType("float64", "sequence"), [0.5] * 1_000_000, "[1,000,000 elements]"),
+        (FieldType("byte", "sequence"), [b"\x01"] * 1001, "[1,001 elements]"),
+        (FieldType("int8", "array", 2000), [1] * 2000, "[2,000 elements]"),
+        (FieldType("int8", "array", 2000), [0] * 2000, ""),
+        (FieldType("geometry_msgs/msg/Point32", "array", 2000), [Point32()] * 2000, ""),
+        (FieldType("geometry_msgs/msg/Point32", "array", 2), [Point32()] * 2, "[{x: 0.0, "),
+    ],
+)
+def test_of_a_long_list_only_the_number_of_elements_is_shown(
+    kind: FieldType, value: object, text: str
+) -> None:
+    shown = show(kind, value)
+    assert shown.startswith(text) if text else not shown
 
 
 def test_yaml_has_only_changed_fields() -> None:

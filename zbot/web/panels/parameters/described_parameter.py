@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from zbot.interfaces import FieldType
 from zbot.interfaces.message_reader import FieldMisfitError
 from zbot.parameters.parameter import Parameter
-from zbot.web.forms.form_value import Entry, read, show
+from zbot.web.forms.form_value import Entry, is_too_long, read, show
 
 if TYPE_CHECKING:
     from zbot.observer.system import System
@@ -76,6 +76,12 @@ def show_value(type_: Parameter.Type, value: Any) -> str:
     """Return the text that an input shows for a value."""
     kind = _TYPES.get(type_)
     return "" if kind is None else show(kind, value)
+
+
+def has_long_value(type_: Parameter.Type, value: Any) -> bool:
+    """Return whether a value is a list that is too long for an input."""
+    kind = _TYPES.get(type_)
+    return kind is not None and is_too_long(kind, value)
 
 
 def load(parameters: RemoteParameters, node: str, prefix: str = "") -> list[DescribedParameter]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 from typing import TYPE_CHECKING, Any
 
 from nicegui import ui
@@ -30,6 +31,8 @@ _EVENTS_KEPT = 200
 _LIVE_HZ = 15.0
 # Shortest time between two loads. A program may publish thousands of events with new parameters.
 _LOAD_PAUSE_S = 1.0
+#: Rows that are made at once. More would stop the other pages: a node may have 300 parameters.
+_ROWS_AT_ONCE = 10
 #: Names of parameters that every node has. They are shown last.
 _EVERY_NODE_HAS = ("start_type_description_service", "use_sim_time", "qos_overrides.")
 
@@ -62,7 +65,8 @@ class NodeParameters:
         self.server: frozenset[str] = frozenset()
         self.is_stale = self.is_loading = False
         self.load_pause = Deadline(0)
-        self.place = ui.element("div").classes("zb-parameters")
+        with ui.element("div") as self.frame:
+            self.place = ui.element("div").classes("zb-parameters")
         section.page.show_command(command_line("param", "dump", node))
         self.load()
         section.live(self.update, _LIVE_HZ)
@@ -79,7 +83,7 @@ class NodeParameters:
         # Events before the load may be those of a former node of this name.
         self.last = self.watch.count
         self.server = self.read_server()
-        with self.place:
+        with self.frame:  # not `place`, whose `clear` would cancel the load
             ui.timer(0, self.fill, once=True)
 
     async def fill(self) -> None:
@@ -105,18 +109,19 @@ class NodeParameters:
         found.sort(
             key=lambda parameter: (parameter.name.startswith(_EVERY_NODE_HAS), parameter.name)
         )
+        self.inputs = {}
         self.place.clear()
         with self.place:
-            self.inputs = {
-                parameter.name: ParameterInput(
+            for number, parameter in enumerate(found, 1):
+                self.inputs[parameter.name] = ParameterInput(
                     self.section,
                     self.node,
                     parameter,
                     label=parameter.name.removeprefix(self.prefix),
                     beside=self.beside,
                 )
-                for parameter in found
-            }
+                if number % _ROWS_AT_ONCE == 0:
+                    await asyncio.sleep(0)
             if not found:
                 ui.label(self.empty).classes("zb-muted")
 

@@ -11,7 +11,11 @@ from zbot.interfaces.message_reader import FieldMisfitError
 from zbot.parameters.parameter import Parameter
 from zbot.web.page.command_line import command_line
 from zbot.web.page.service_call import run_in_thread, with_errors_shown
-from zbot.web.panels.parameters.described_parameter import set_value, show_value
+from zbot.web.panels.parameters.described_parameter import (
+    has_long_value,
+    set_value,
+    show_value,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Awaitable, Callable
@@ -49,6 +53,7 @@ class ParameterInput:
         self._section, self._node, self._parameter = section, node, parameter
         self._label = label
         self._value = parameter.value
+        self._is_long = has_long_value(parameter.type, parameter.value)
         self._is_setting = False
         self._waiting: Any = None  # the next value to send, while the node has not answered yet
         self._showers: list[Callable[[Any], object]] = []
@@ -72,8 +77,8 @@ class ParameterInput:
             self._refusal.set_visibility(False)
 
     def show(self, type_: Parameter.Type, value: Any) -> bool:
-        """Show a new value. If the parameter's type has changed, show nothing and return False."""
-        if type_ != self._parameter.type:
+        """Show a new value. If it needs another kind of input, show nothing and return False."""
+        if type_ != self._parameter.type or has_long_value(type_, value) != self._is_long:
             return False
         self._value = value
         for shower in self._showers:
@@ -82,9 +87,11 @@ class ParameterInput:
 
     def _build(self) -> None:
         parameter = self._parameter
-        if parameter.is_read_only or self._section.page.read_only:
+        if parameter.is_read_only or self._section.page.read_only or self._is_long:
             label = ui.label().classes("zb-mono")
             self._showers.append(lambda value: label.set_text(self._text(value)))
+            if self._is_long:
+                ui.label("too long for the page: use zbot param get").classes("zb-muted")
         elif parameter.type is Parameter.Type.BOOL:
             self._add_switch()
         else:
@@ -165,9 +172,9 @@ class ParameterInput:
 
     async def _send(self, value: Any) -> None:
         parameter = self._parameter
-        text = show_value(parameter.type, value)
-        words = ("param", "set", self._node, parameter.name, text)
-        self._section.page.show_command(command_line(*words))
+        if not has_long_value(parameter.type, value):
+            words = ("param", "set", self._node, parameter.name, self._text(value))
+            self._section.page.show_command(command_line(*words))
         message = Parameter(parameter.name, parameter.type, value)
         try:
             refusal = await run_in_thread(set_value, self._section.system, self._node, message)
