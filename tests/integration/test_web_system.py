@@ -12,6 +12,7 @@ from tests.conftest import wait_until
 from zbot.node.errors import ServiceError
 from zbot.observer.errors import ViewerError
 from zbot.observer.system import System
+from zbot.package.user_folders import definitions_folder
 from zbot.remote.types import UnknownTypeError
 
 from std_msgs.msg import Float64, String
@@ -171,6 +172,15 @@ def test_unknown_type_is_reported_with_a_sentence(system: System) -> None:
         assert wait_until(lambda: "no definition of" in watch.problem, 10)
     with pytest.raises(UnknownTypeError, match="nobody_msgs"):
         system.interface("nobody_msgs/msg/Thing")
+
+
+def test_a_wrong_definition_on_this_machine_is_reported_with_a_sentence(system: System) -> None:
+    file = definitions_folder() / "broken_msgs" / "msg" / "Broken.msg"
+    file.parent.mkdir(parents=True)
+    file.write_text("int32\n")
+    with system.watch("/broken", "broken_msgs/msg/Broken") as watch:
+        assert f"{file}:1" in watch.problem
+    assert system.watched_topics == []
 
 
 def test_message_of_another_type_is_not_shown(

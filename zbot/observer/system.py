@@ -201,6 +201,9 @@ class System:
             except LookupError:
                 self._learn(feed)
                 return
+            except ZbotError as error:  # the definition on this machine is wrong
+                feed.problem = str(error)
+                return
             self._open_subscription(
                 feed, message_type, profile_to_show([end.qos for end in publishers], QUEUE_DEPTH)
             )

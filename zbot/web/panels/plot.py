@@ -134,8 +134,9 @@ class _Plot:
         for topic, types in self.page.system.snapshot().topics():
             try:
                 message: Any = get_message(types[0])()
-            except LookupError:
-                continue  # no definition on this machine, but the user can type a field's name
+            except ZbotError:
+                # No definition on this machine, or a wrong one. The user can type a field's name.
+                continue
             found[topic] = numeric_fields(message)
         return found
 

@@ -8,6 +8,7 @@ from nicegui import ui
 
 from zbot.bag.columns import fields_of, topic_columns
 from zbot.bag.player import PlayerStatus
+from zbot.errors import ZbotError
 from zbot.observer.curve import thinned
 from zbot.observer.errors import ViewerError
 from zbot.time import S_TO_NS
@@ -136,8 +137,8 @@ class BagDetails:
         for information in self.metadata.topics if self.metadata else ():
             try:
                 fields = fields_of(information.topic.type_name, only_numbers=True)
-            except LookupError:
-                continue  # the type's definition is only in the bag
+            except ZbotError:
+                continue  # the type's definition is only in the bag, or it is wrong on this machine
             found += [f"{information.topic.name}.{field}" for field in fields]
         return found
 
