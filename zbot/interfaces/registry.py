@@ -63,9 +63,23 @@ def get_spec(name: str) -> InterfaceSpec:
         UnknownInterfaceError: The package has no such interface. The error suggests similar names.
         InterfaceSyntaxError: The definition is wrong.
     """
+    spec = find_spec(name)
+    if spec is None:
+        parts = name.split("/")
+        raise _unknown(name, parts[0], parts[-1])
+    return spec
+
+
+def find_spec(name: str) -> InterfaceSpec | None:
+    """Return the spec with a name, or None if there is no such spec.
+
+    This is faster than `get_spec`, whose error has suggestions from all folders with packages.
+
+    Raises:
+        InterfaceSyntaxError: The definition is wrong.
+    """
     with _lock:
-        spec = _specs.get(name)
-        return spec if spec is not None else _find_spec(name)
+        return _specs.get(name) or _known_spec(name)
 
 
 def get_interface(name: str) -> type[Any]:
@@ -140,8 +154,7 @@ def register_spec(spec: InterfaceSpec) -> None:
         WrongValueError: A different definition with the same name is known.
     """
     with _lock:
-        # This look-up suggests no similar names, because that takes long for many definitions.
-        known = _specs.get(spec.name) or _known_spec(spec.name)
+        known = find_spec(spec.name)
         if known is None:
             _add(spec, spec.name)
             _registered.append(spec.name)
@@ -167,15 +180,6 @@ def _of_kind(name: str, kind: str, spec_type: type[InterfaceSpec]) -> Any:
     if not isinstance(spec, spec_type):
         raise UnknownInterfaceError(f"{name} as a {kind}", (spec.name,))
     return get_interface(spec.name)
-
-
-def _find_spec(name: str) -> InterfaceSpec:
-    """Load and return the spec with a full or a short name."""
-    spec = _known_spec(name)
-    if spec is None:
-        parts = name.split("/")
-        raise _unknown(name, parts[0], parts[-1])
-    return spec
 
 
 def _known_spec(name: str) -> InterfaceSpec | None:

@@ -11,7 +11,8 @@ from zbot.action import ActionClient
 from zbot.context import Context
 from zbot.errors import NotInitializedError, ZbotError
 from zbot.executor.spin_thread import SpinThread
-from zbot.interfaces import get_interface
+from zbot.interfaces import get_interface, get_message
+from zbot.interfaces.registry import find_spec
 from zbot.log import LoggingSeverity, get_logger, set_logger_level
 from zbot.names import ROSOUT_TOPIC
 from zbot.node.node import Node
@@ -197,10 +198,10 @@ class System:
             if feed.type_name is None:
                 return
             try:
-                message_type = get_interface(feed.type_name)
-            except LookupError:
-                self._learn(feed)
-                return
+                if find_spec(feed.type_name) is None:
+                    self._learn(feed)
+                    return
+                message_type = get_message(feed.type_name)
             except ZbotError as error:  # the definition on this machine is wrong
                 feed.problem = str(error)
                 return
@@ -225,6 +226,9 @@ class System:
 
     def _learn(self, feed: Feed) -> None:
         name = str(feed.type_name)
+        if feed.learned_type == name:
+            return  # the thread of an earlier call asks the nodes now
+        feed.learned_type = name
         feed.problem = f"waiting for the definition of {name} from another node"
 
         def learn() -> None:
@@ -233,6 +237,8 @@ class System:
             except ZbotError as error:
                 feed.problem = str(error)
                 return
+            finally:
+                feed.learned_type = None
             self._spinner.executor.create_task(self._subscribe, feed)
 
         self.context.start_thread(f"zbot type {name}", learn)

@@ -73,6 +73,7 @@ class Feed:
         self.asked_type = type_name
         self.type_name = type_name
         self.problem = ""  #: a sentence about why there are no messages
+        self.learned_type: str | None = None  #: the type whose definition a thread asks for now
         self.subscription: Any = None
         self.decode: Callable[[bytes], Any] | None = None
         self.meter = RateMeter()

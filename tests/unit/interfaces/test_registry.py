@@ -18,6 +18,7 @@ from zbot.interfaces import (
     interface_names,
     packages,
     register_spec,
+    registry,
     type_name,
 )
 from zbot.interfaces.errors import InterfaceSyntaxError, UnknownInterfaceError, UnknownPackageError
@@ -299,3 +300,10 @@ def test_threads_get_the_same_class(workspace: Path) -> None:
 
     in_threads(look_up, 8)
     assert len(set(found)) == 1
+
+
+def test_a_spec_is_looked_up_without_suggestions(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(registry, "packages", lambda: pytest.fail("all folders are scanned"))
+    assert registry.find_spec("std_msgs/String") is get_spec("std_msgs/msg/String")
+    for name in ("nobody_msgs/msg/Thing", "std_msgs/msg/Thing", "Thing", "../msg/Thing"):
+        assert registry.find_spec(name) is None

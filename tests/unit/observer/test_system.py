@@ -7,9 +7,12 @@ from typing import TYPE_CHECKING, Any
 
 from tests.unit.tokens import endpoint_token
 from zbot.observer.system import System
+from zbot.remote.types import UnknownTypeError
 from zbot.wire.tokens import NodeToken
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from zbot.graph.snapshot import Token
 
 
@@ -48,3 +51,23 @@ def test_a_new_endpoint_concerns_only_watches_of_its_topic_that_lack_a_type() ->
     assert tasks == [feeds["/b"]]
     assert [feed.questions for feed in feeds.values()] == [0, 1, 0]
     assert system.revision == 4
+
+
+def test_one_thread_at_a_time_asks_for_the_definition_of_a_topic() -> None:
+    runs: list[Callable[[], None]] = []
+
+    def interface(name: str) -> None:
+        raise UnknownTypeError(name)
+
+    system: Any = SimpleNamespace(
+        context=SimpleNamespace(start_thread=lambda _name, run: runs.append(run)),
+        interface=interface,
+    )
+    feed: Any = SimpleNamespace(type_name="a/msg/B", learned_type=None, problem="")
+    for _ in range(3):
+        System._learn(system, feed)
+    assert len(runs) == 1
+    runs[0]()
+    assert "no definition of a/msg/B" in feed.problem
+    System._learn(system, feed)
+    assert len(runs) == 2

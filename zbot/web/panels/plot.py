@@ -11,6 +11,7 @@ from nicegui import ui
 
 from zbot.errors import ZbotError
 from zbot.interfaces import get_message
+from zbot.interfaces.registry import find_spec
 from zbot.observer.curve import Curves, curve_tree, numeric_fields, split_curve
 from zbot.observer.value_text import number
 from zbot.web.page.panel import Page, Panel
@@ -45,6 +46,7 @@ class _Plot:
         self.paused = False
         self.sent: list[str] = []
         self.listed: list[str] = []
+        self.known: dict[str, list[str] | None] = {}  # the fields of each type
         self.values: dict[str, ui.label] = {}
         self.rows: dict[str, ui.element] = {}
         self.dots: dict[str, ui.element] = {}
@@ -132,13 +134,24 @@ class _Plot:
         """Return the paths of each topic's numbers, without elements of arrays of variable size."""
         found = {}
         for topic, types in self.page.system.snapshot().topics():
-            try:
-                message: Any = get_message(types[0])()
-            except ZbotError:
-                # No definition on this machine, or a wrong one. The user can type a field's name.
-                continue
-            found[topic] = numeric_fields(message)
+            fields = self.fields_of(types[0])
+            if fields is not None:
+                found[topic] = fields
         return found
+
+    def fields_of(self, type_name: str) -> list[str] | None:
+        """Return the paths of a type's numbers, or None without a right definition on this machine.
+
+        The user can type a field's name nevertheless.
+        """
+        if type_name not in self.known:
+            try:
+                if find_spec(type_name) is None:
+                    return None  # this machine may learn the type later
+                self.known[type_name] = numeric_fields(get_message(type_name)())
+            except ZbotError:
+                self.known[type_name] = None
+        return self.known[type_name]
 
     def names(self) -> list[str]:
         """Return the names of the curves, and the topics whose first message has not come."""
