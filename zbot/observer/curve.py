@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 from zbot.interfaces.field_path import FieldPath, FieldPathError
 from zbot.observer.errors import ViewerError
 from zbot.observer.value_text import tree
+from zbot.threads.deadline import Deadline
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping, Sequence
@@ -19,6 +20,8 @@ if TYPE_CHECKING:
 KEPT_MESSAGES = 20_000
 #: The largest number of curves for a topic, if the user gives no field.
 _MOST_FIELDS = 8
+#: Longest time for one `take`: a page that waits stops all pages.
+_TAKE_S = 0.01
 Branch = dict[str, Any]
 
 
@@ -197,13 +200,15 @@ class Curves:
         return watch.problem or curve.problem
 
     def take(self) -> Points:
-        """Return each curve's new points: [time in s since the epoch, value, time, value, ...]."""
+        """Return each curve's new points: [time in s since the epoch, value, time, value, ...].
+
+        If there are many new messages, the next calls return the rest.
+        """
         found: Points = {}
+        deadline = Deadline(_TAKE_S)
         for name, topic in self._topics.items():
-            records = topic.watch.since(topic.read_count)
-            for record in records:
+            for record, message in topic.watch.read_since(topic.read_count, deadline):
                 topic.read_count = record.number
-                message = topic.watch.read(record)
                 if message is None:
                     continue
                 if name in self._wholes:

@@ -15,7 +15,7 @@ from zbot.threads.on_demand_thread import OnDemandThread
 from zbot.wire.errors import CodecError
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable, Iterator, Sequence
 
     from typing_extensions import Self
 
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from zbot.node.node import Node
     from zbot.node.subscription import Subscription
     from zbot.qos import QoSProfile
+    from zbot.threads.deadline import Deadline
 
 #: A page is drawn at most 30 times a second. Between two drawings, the last decoded message is used
 #: again.
@@ -87,6 +88,7 @@ class Feed:
         self._decoded: tuple[Record | None, Any] = (None, None)
         self._decoded_ns = 0
         self._seconds_for_byte = _SLOWEST_S
+        self._is_measured = False  # whether a message was decoded
         self._decoder = OnDemandThread(_start, self._decode_newest)
         self._history: deque[Record] = deque(maxlen=0)
         self._history_bytes = 0
@@ -156,17 +158,26 @@ class Feed:
             is_due = now_ns - self._decoded_ns >= _DECODE_PERIOD_NS
             if self._decoded[0] is not newest and (is_due or self._decoded[1] is None):
                 self._decoded_ns = now_ns
-                if len(newest.payload) * self._seconds_for_byte <= _QUICK_S:
-                    self._decode(newest)
-                else:
+                if self._is_slow(newest):
                     self._decoder.wake()
+                else:
+                    self._decode(newest)
             return self._decoded
 
+    def _is_slow(self, record: Record) -> bool:
+        return len(record.payload) * self._seconds_for_byte > _QUICK_S
+
     def _decode(self, record: Record) -> None:
+        self._decoded = (record, self._measured(record))
+
+    def _measured(self, record: Record) -> Any:
+        """Decode and return a message, and note the time that this takes."""
         began_s = time.thread_time()
-        self._decoded = (record, self.read(record))
+        message = self.read(record)
         measured_s = (time.thread_time() - began_s) / max(len(record.payload), 1)
-        self._seconds_for_byte = max(measured_s, self._seconds_for_byte * _FORGETTING)
+        known_s = self._seconds_for_byte * _FORGETTING if self._is_measured else 0.0
+        self._seconds_for_byte, self._is_measured = max(measured_s, known_s), True
+        return message
 
     def _decode_newest(self) -> None:
         newest = self.newest
@@ -182,6 +193,20 @@ class Feed:
         except CodecError as error:
             self.problem = f"a message cannot be decoded: {error}"
             return None
+
+    def read_since(self, number: int, deadline: Deadline) -> Iterator[tuple[Record, Any]]:
+        """Yield kept messages after a number, decoded. See `Watch.read_since`."""
+        for record in self.since(number):
+            if self._is_slow(record):
+                is_measured = self._is_measured
+                newest, message = self.latest()
+                if is_measured and newest is not None and newest.number > number:
+                    yield newest, message
+                return
+            yield record, self._measured(record)
+            number = record.number
+            if deadline.is_over:
+                return
 
     def since(self, number: int) -> Sequence[Record]:
         """Return the kept messages after a number. The oldest message is the first."""
@@ -269,6 +294,15 @@ class Watch:
     def read(self, record: Record) -> Any:
         """Decode and return a kept message. If decoding fails, set `problem` and return None."""
         return self._feed.read(record)
+
+    def read_since(self, number: int, deadline: Deadline) -> Iterator[tuple[Record, Any]]:
+        """Yield kept messages after a number, decoded: the first one, and more until a deadline.
+
+        The rest comes with the next call, so that other pages do not wait. If the decoding of a
+        message takes long, the newest message follows, which is decoded in a thread as for
+        `latest`. The messages between them are left out.
+        """
+        return self._feed.read_since(number, deadline)
 
     def pause(self) -> None:
         """Receive no messages until `resume`. Kept messages stay."""

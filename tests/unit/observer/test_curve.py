@@ -7,6 +7,7 @@ import pytest
 
 import zbot  # noqa: F401 - makes the message packages importable
 from zbot.interfaces.field_path import FieldPath, FieldPathError
+from zbot.observer import curve as curve_module
 from zbot.observer.curve import Curves, curve_tree, numeric_fields, split_curve, value_at
 from zbot.observer.errors import ViewerError
 from zbot.observer.watch import Record
@@ -16,7 +17,10 @@ from sensor_msgs.msg import LaserScan
 from std_msgs.msg import Bool, String
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from zbot.observer.watch import Watch
+    from zbot.threads.deadline import Deadline
 
 TOPICS = ["/turtle1", "/turtle1/pose", "/scan"]
 
@@ -80,14 +84,12 @@ class FakeWatch:
     def count(self) -> int:
         return len(self.messages)
 
-    def since(self, number: int) -> list[Record]:
-        return [
-            Record(index + 1, index * 10**9, 0, b"") for index in range(number, len(self.messages))
-        ]
-
-    def read(self, record: Record) -> Any:
-        self.reads += 1
-        return self.messages[record.number - 1]
+    def read_since(self, number: int, deadline: Deadline) -> Iterator[tuple[Record, Any]]:
+        for index in range(number, len(self.messages)):
+            self.reads += 1
+            yield Record(index + 1, index * 10**9, 0, b""), self.messages[index]
+            if deadline.is_over:
+                return
 
     def release(self) -> None:
         self.is_released = True
@@ -116,6 +118,19 @@ def test_curves_of_a_topic_read_each_message_once() -> None:
     watch.messages += [twist(1, 2), twist(3, 4)]
     assert curves.take() == {"/cmd.linear.x": [0, 1, 1, 3], "/cmd.linear.y": [0, 2, 1, 4]}
     assert watch.reads == 2
+    assert curves.take() == {}
+
+
+def test_many_messages_are_read_in_several_calls(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(curve_module, "_TAKE_S", 0.0)
+    watcher = FakeWatcher()
+    curves = Curves(watcher)
+    curves.add("/a", "data")
+    curves.add("/b", "data")
+    for name in ("/a", "/b"):
+        watcher.watches[name].messages += [Bool(data=False), Bool(data=True)]
+    assert curves.take() == {"/a.data": [0, 0], "/b.data": [0, 0]}
+    assert curves.take() == {"/a.data": [1, 1], "/b.data": [1, 1]}
     assert curves.take() == {}
 
 

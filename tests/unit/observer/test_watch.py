@@ -6,7 +6,8 @@ import threading
 from typing import Any
 
 from tests.conftest import wait_until
-from zbot.observer.watch import Feed
+from zbot.observer.watch import Feed, Watch
+from zbot.threads.deadline import Deadline
 
 
 def nothing(_feed: Feed) -> None:
@@ -48,3 +49,46 @@ def test_a_page_does_not_wait_for_a_large_message() -> None:
     record, _ = feed.latest()
     assert record is not None
     assert len(record.payload) == 1_000_000
+
+
+def numbers(feed: Feed, after: int, seconds: float) -> list[int]:
+    return [record.number for record, _ in feed.read_since(after, Deadline(seconds))]
+
+
+def keeping(feed: Feed) -> Feed:
+    Watch(feed, keep=100, is_active=True, forget=nothing)
+    return feed
+
+
+def test_kept_messages_are_read_until_the_deadline_but_at_least_one() -> None:
+    feed = keeping(feed_of([]))
+    for _ in range(5):
+        take(feed, 100)
+    assert numbers(feed, 0, 60) == [1, 2, 3, 4, 5]
+    assert numbers(feed, 3, 60) == [4, 5]
+    assert numbers(feed, 0, 0) == [1]
+    assert numbers(feed, 1, 0) == [2]
+    assert numbers(feed, 5, 60) == []
+
+
+def test_after_a_message_that_takes_long_the_newest_follows_from_a_thread() -> None:
+    threads: list[threading.Thread] = []
+    feed = keeping(feed_of(threads))
+    take(feed, 100)
+    assert numbers(feed, 0, 60) == [1]
+    feed._seconds_for_byte = 1e-6
+    threads.clear()
+    for _ in range(3):
+        take(feed, 1_000_000)
+    assert wait_until(lambda: numbers(feed, 1, 60) == [4])
+    assert threads
+    assert threading.current_thread() not in threads
+    assert numbers(feed, 4, 60) == []
+
+
+def test_no_message_is_left_out_while_the_time_of_decoding_is_unknown() -> None:
+    feed = keeping(feed_of([]))
+    for _ in range(3):
+        take(feed, 1_000_000)
+    assert numbers(feed, 0, 60) == []
+    assert wait_until(lambda: numbers(feed, 0, 60) == [1, 2, 3])

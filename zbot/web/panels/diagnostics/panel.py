@@ -9,6 +9,7 @@ from nicegui import ui
 
 from zbot.errors import counted
 from zbot.observer.value_text import duration
+from zbot.threads.deadline import Deadline
 from zbot.web.page.command_line import command_line
 from zbot.web.page.list_panel import ListPanel
 from zbot.web.page.panel import Page, Panel
@@ -29,8 +30,8 @@ _USUAL = ("/diagnostics_agg", "/diagnostics")
 _HZ = 2.0
 #: Messages that wait while the page is hidden.
 _KEPT = 3000
-#: Messages that are read at once. More would delay other panels.
-_MOST_AT_ONCE = 200
+#: Longest time to read messages at once. More would delay other panels.
+_LOOK_S = 0.03
 _COLUMNS = (
     Column("Name", "zb-cut"),
     Column("Level", "", "72px"),
@@ -100,10 +101,10 @@ class _Diagnostics:
         if self.revision != self.page.system.revision:
             self.revision = self.page.system.revision
             self.match(diagnostics_topics(self.page.system.snapshot()))
+        deadline = Deadline(_LOOK_S)
         for topic, watch in self.watches.items():
-            for record in watch.since(self.seen[topic])[:_MOST_AT_ONCE]:
+            for record, message in watch.read_since(self.seen[topic], deadline):
                 self.seen[topic] = record.number
-                message = watch.read(record)
                 if message is not None:
                     self.logs[topic].take(message, record.received_ns)
         self.number += 1

@@ -21,7 +21,7 @@ from zbot.web.panels.parameters.parameter_input import ParameterInput
 from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Mapping
 
     from zbot.web.page.panel import Section
     from zbot.web.panels.parameters.described_parameter import DescribedParameter
@@ -29,6 +29,8 @@ if TYPE_CHECKING:
 _EVENTS = "/parameter_events"
 _EVENTS_KEPT = 200
 _LIVE_HZ = 15.0
+#: Longest time to read events at once. More would stop the other pages.
+_READ_S = 0.01
 # Shortest time between two loads. A program may publish thousands of events with new parameters.
 _LOAD_PAUSE_S = 1.0
 #: Rows that are made at once. More would stop the other pages: a node may have 300 parameters.
@@ -128,16 +130,21 @@ class NodeParameters:
     def update(self) -> None:
         """Show the values of new events, or load all parameters again.
 
-        They are loaded again if `follow` returns False, or if the node was started again. Events
-        during a load are shown after it.
+        They are loaded again if there are new or deleted parameters, if an event was missed, if
+        `follow` returns False, or if the node was started again. Events during a load are shown
+        after it.
         """
         if self.is_loading:
             return
-        for record in self.watch.since(self.last):
+        changed: dict[str, Any] = {}
+        for record, event in self.watch.read_since(self.last, Deadline(_READ_S)):
+            # Events are left out if they come too fast, or if they are too large.
+            self.is_stale |= record.number > self.last + 1
             self.last = record.number
-            event = self.watch.read(record)
             if event is not None and event.node == self.node:
-                self.is_stale |= not self.follow(event)
+                self.is_stale |= bool(event.new_parameters or event.deleted_parameters)
+                changed |= {message.name: message.value for message in event.changed_parameters}
+        self.is_stale |= not self.follow(changed)
         server = self.read_server()
         self.is_stale |= bool(server) and server != self.server
         if self.is_stale and self.load_pause.is_over:
@@ -149,13 +156,13 @@ class NodeParameters:
         servers = graph.on(f"{self.node}/set_parameters_atomically", EntityKind.SERVICE)
         return frozenset(token.key for token in servers)
 
-    def follow(self, event: Any) -> bool:
-        """Show an event's values. Return False if a parameter is new, deleted or of a new type."""
-        is_complete = not (event.new_parameters or event.deleted_parameters)
-        for message in event.changed_parameters:
-            known = self.inputs.get(message.name)
+    def follow(self, changed: Mapping[str, Any]) -> bool:
+        """Show new values by name. Return False if a value needs another kind of input."""
+        is_complete = True
+        for name, value in changed.items():
+            known = self.inputs.get(name)
             try:
-                kind, value = parameter_type(message.value.type), message.value
+                kind = parameter_type(value.type)
                 shown = known is None or known.show(kind, parameter_value_to_python(value))
             except UnknownParameterTypeError:
                 shown = False
