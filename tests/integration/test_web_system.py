@@ -194,6 +194,31 @@ def test_message_of_another_type_is_not_shown(
         assert watch.latest.data == "text"
 
 
+def test_a_watch_follows_a_new_type_of_the_topic(system: System, node: zbot.Node) -> None:
+    text = node.create_publisher(String, "changing", 10)
+    with system.watch("/changing", keep=10) as watch:
+        publish_until(text, String(data="text"), lambda: watch.latest is not None)
+        node.destroy_publisher(text)
+        number = node.create_publisher(Float64, "changing", 10)
+        assert wait_until(lambda: watch.type_name == "std_msgs/msg/Float64")
+        assert watch.latest_record == (None, None)
+        assert not watch.since(0)
+        publish_until(number, Float64(data=2.0), lambda: watch.latest is not None)
+        assert watch.latest.data == 2.0
+
+
+def test_a_watch_keeps_its_type_while_a_node_publishes_it(
+    system: System, node: zbot.Node, make_context: Callable[[], zbot.Context]
+) -> None:
+    text = node.create_publisher(String, "mixed", 10)
+    with system.watch("/mixed") as watch:
+        publish_until(text, String(data="text"), lambda: watch.latest is not None)
+        zbot.Node("other", context=make_context()).create_publisher(Float64, "mixed", 10)
+        assert wait_until(lambda: len(system.snapshot().publishers("/mixed")) == 2)
+        publish_until(text, String(data="again"), lambda: watch.latest.data == "again")
+        assert watch.type_name == "std_msgs/msg/String"
+
+
 def test_publisher_is_shared_and_destroyed_with_its_last_user(system: System) -> None:
     first = system.publisher("/cmd", "std_msgs/msg/String")
     second = system.publisher("/cmd", "std_msgs/msg/String")

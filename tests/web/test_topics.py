@@ -95,6 +95,23 @@ def test_details_show_the_tree_and_open_the_plot(
     page.wait_for_selector(".zb-tree tr[data-key='linear.x']")
 
 
+def test_details_follow_a_new_type_of_the_topic(
+    server: Server, page: Page, node: zbot.Node, spin: Callable[..., Spinner]
+) -> None:
+    text = node.create_publisher(String, "changing", 10)
+    timer = node.create_timer(0.05, lambda: text.publish(String(data="old text")))
+    spin(node)
+    page.goto(f"{server.address}/topics?topic=/changing")
+    page.wait_for_selector(".zb-tree tr[data-key='data']:has-text('old text')")
+    node.destroy_timer(timer)
+    node.destroy_publisher(text)
+    number = node.create_publisher(Twist, "changing", 10)
+    page.wait_for_selector("input[aria-label='linear.x']", state="attached")
+    page.wait_for_selector(".zb-side:has-text('old text')", state="detached")
+    node.create_timer(0.05, lambda: number.publish(Twist()))
+    page.wait_for_selector(".zb-tree tr[data-key='linear.x']")
+
+
 def test_publish_form_publishes_once_and_again(
     server: Server, page: Page, node: zbot.Node, spin: Callable[..., Spinner]
 ) -> None:

@@ -156,7 +156,7 @@ class System:
         self.revision += 1
         topic = token.name if isinstance(token, EndpointToken) else None
         for feed in list(self._feeds.values()):
-            if feed.topic == topic and feed.type_name is None and feed.is_wanted:
+            if feed.topic == topic and feed.asked_type is None and feed.is_wanted:
                 self._spinner.executor.create_task(self._subscribe, feed)
         for callback in list(self._callbacks):
             callback()
@@ -190,11 +190,16 @@ class System:
             )
 
     def _subscribe(self, feed: Feed) -> None:
+        """Subscribe. If all other nodes use another type now, subscribe again with that type."""
         with self._lock:
-            if feed.subscription is not None or not feed.is_wanted:
+            if not feed.is_wanted:
                 return
-            publishers = self.snapshot().publishers(feed.topic)
-            feed.type_name = feed.asked_type or self._type_of(feed.topic)
+            types = self._types_of(feed.topic) if feed.asked_type is None else [feed.asked_type]
+            if feed.subscription is not None:
+                if not types or feed.type_name in types:
+                    return
+                self.node.destroy_subscription(feed.forget_subscription())
+            feed.set_type(types[0] if types else None)
             if feed.type_name is None:
                 return
             try:
@@ -205,11 +210,11 @@ class System:
             except ZbotError as error:  # the definition on this machine is wrong
                 feed.problem = str(error)
                 return
-            self._open_subscription(
-                feed, message_type, profile_to_show([end.qos for end in publishers], QUEUE_DEPTH)
-            )
+            self._open_subscription(feed, message_type)
 
-    def _open_subscription(self, feed: Feed, message_type: Any, profile: Any) -> None:
+    def _open_subscription(self, feed: Feed, message_type: Any) -> None:
+        publishers = self.snapshot().publishers(feed.topic)
+        profile = profile_to_show([end.qos for end in publishers], QUEUE_DEPTH)
         feed.problem = ""
         feed.decode = self.context.dialect.codec_for(message_type).decode
         try:
@@ -219,10 +224,14 @@ class System:
         except NotInitializedError:
             return  # the program has ended meanwhile
 
-    def _type_of(self, topic: str) -> str | None:
+    def _types_of(self, topic: str) -> list[str]:
+        """Return the types of other nodes' publishers, or of their subscriptions."""
         graph, own = self.snapshot(), self.node.get_name()
-        ends = [*graph.publishers(topic), *graph.subscriptions(topic)]
-        return next((end.type_name for end in ends if end.node != own), None)
+        for ends in (graph.publishers(topic), graph.subscriptions(topic)):
+            types = [end.type_name for end in ends if end.node != own]
+            if types:
+                return types
+        return []
 
     def _learn(self, feed: Feed) -> None:
         name = str(feed.type_name)

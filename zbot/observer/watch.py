@@ -77,6 +77,7 @@ class Feed:
         self.learned_type: str | None = None  #: the type whose definition a thread asks for now
         self.subscription: Any = None
         self.decode: Callable[[bytes], Any] | None = None
+        self._last_type: str | None = None
         self.meter = RateMeter()
         self.newest: Record | None = None
         self.count = 0
@@ -148,6 +149,17 @@ class Feed:
         subscription, self.subscription = self.subscription, None
         return subscription
 
+    def set_type(self, type_name: str | None) -> None:
+        """Note the topic's type. Forget the messages of a former type. None means no node."""
+        self.type_name = type_name
+        with self._lock:
+            if type_name not in {None, self._last_type}:
+                self._last_type = type_name
+                self.newest = self.decode = None
+                self._decoded = None, None
+                self._history.clear()
+                self._history_bytes = 0
+
     def latest(self) -> tuple[Record | None, Any]:
         """Return the newest decoded message with its record. See `Watch.latest_record`."""
         newest = self.newest
@@ -168,7 +180,10 @@ class Feed:
         return len(record.payload) * self._seconds_for_byte > _QUICK_S
 
     def _decode(self, record: Record) -> None:
-        self._decoded = (record, self._measured(record))
+        decode = self.decode
+        message = self._measured(record)
+        if decode is self.decode:  # otherwise the message may have another type than the topic
+            self._decoded = (record, message)
 
     def _measured(self, record: Record) -> Any:
         """Decode and return a message, and note the time that this takes."""

@@ -23,8 +23,8 @@ def nothing(_feed: Any) -> None:
 class Feed:
     """Topic that a page may watch. It counts the questions whether a page watches it."""
 
-    def __init__(self, topic: str, type_name: str | None) -> None:
-        self.topic, self.type_name = topic, type_name
+    def __init__(self, topic: str, asked_type: str | None) -> None:
+        self.topic, self.asked_type = topic, asked_type
         self.questions = 0
 
     @property
@@ -33,7 +33,7 @@ class Feed:
         return True
 
 
-def test_a_new_endpoint_concerns_only_watches_of_its_topic_that_lack_a_type() -> None:
+def test_a_new_endpoint_concerns_only_watches_of_its_topic_that_follow_the_type() -> None:
     feeds = {name: Feed(name, None) for name in ("/a", "/b")} | {"/c": Feed("/c", "a/msg/B")}
     tasks: list[Any] = []
     executor = SimpleNamespace(create_task=lambda _function, feed: tasks.append(feed))

@@ -92,3 +92,21 @@ def test_no_message_is_left_out_while_the_time_of_decoding_is_unknown() -> None:
         take(feed, 1_000_000)
     assert numbers(feed, 0, 60) == []
     assert wait_until(lambda: numbers(feed, 0, 60) == [1, 2, 3])
+
+
+def test_a_new_type_forgets_the_messages_of_the_former_one() -> None:
+    feed = keeping(feed_of([]))
+    decode = feed.decode
+    feed.set_type("a/msg/A")
+    feed.decode = decode
+    take(feed, 100)
+    assert feed.latest()[1] == 100
+    feed.set_type(None)
+    feed.set_type("a/msg/A")
+    assert feed.latest()[1] == 100
+    feed.set_type("a/msg/B")
+    assert feed.latest() == (None, None)
+    assert not feed.since(0)
+    feed.decode = decode
+    take(feed, 200)
+    assert feed.latest()[1] == 200

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from zbot.web.page.panel import Section
 
 _TREE_HZ = 10.0
+_TYPE_HZ = 5.0
 
 
 def show_topic(section: Section, topic: str, close: Callable[[], None]) -> None:
@@ -37,11 +38,30 @@ def show_topic(section: Section, topic: str, close: Callable[[], None]) -> None:
     with ui.element("div").classes("zb-side-head"):
         ui.label(topic).classes("zb-mono zb-name").tooltip(topic)
         ui.button(icon="close", on_click=close).props('flat round dense aria-label="Close"')
-    _add_facts(section, watch)
-    add_picture(section, watch)
-    _add_tree(section, watch)
-    if not section.page.read_only:
-        add_publish_form(section, watch)
+    place = ui.element("div").classes("zb-col")
+    inner, shown = section.section(), watch.type_name
+
+    def fill() -> None:
+        with place:
+            _add_facts(inner, watch)
+            add_picture(inner, watch)
+            _add_tree(inner, watch)
+            if not section.page.read_only:
+                add_publish_form(inner, watch)
+
+    def follow_type() -> None:
+        nonlocal inner, shown
+        if watch.type_name in {None, shown}:
+            return
+        if shown is not None:  # the picture and the form are for another type
+            inner.close()
+            place.clear()
+            inner = section.section()
+            fill()
+        shown = watch.type_name
+
+    fill()
+    section.live(follow_type, _TYPE_HZ)
 
 
 def _add_facts(section: Section, watch: Watch) -> None:
