@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from zbot.web.panels.diagnostics.diagnostics_log import DiagnosticsLog, Level
 
-from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
+from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus, KeyValue
 
 S = 10**9
 OK, WARN, ERROR, STALE = b"\0", b"\1", b"\2", b"\3"
@@ -96,3 +96,19 @@ def test_odd_names_and_levels_have_a_place() -> None:
         ("a", 0, Level.OK),
         ("a/b", 1, Level.OK),
     ]
+
+
+def test_long_names_and_texts_are_cut() -> None:
+    log = DiagnosticsLog()
+    pairs = [KeyValue(key="k" * 1000, value="v" * 1000)] * 1000
+    deep = DiagnosticStatus(
+        name="a/" * 50_000, message="m" * 1000, hardware_id="h" * 1000, values=pairs
+    )
+    long = DiagnosticStatus(name=f"{'b' * 1000}/c")
+    log.take(DiagnosticArray(status=[deep, long]), S)
+    paths = [branch.path for branch in log.tree(S).worst_first()]
+    assert paths[9:] == ["a/a/a/a/a/a/a/a/a/a", "b" * 100, f"{'b' * 100}/c"]
+    status = log.entries[paths[9]].status
+    assert (len(status.message), len(status.hardware_id)) == (500, 100)
+    assert status.values == (("k" * 100, "v" * 500),) * 200
+    assert log.entries[paths[9]].changes[0].message == "m" * 500

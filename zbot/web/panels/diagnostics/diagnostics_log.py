@@ -14,6 +14,12 @@ if TYPE_CHECKING:
 STALE_S = 5.0
 _MOST_CHANGES = 100
 _MOST_NAMES = 2000
+# Longest parts of a status. Names, messages and values come from other programs.
+_MOST_PARTS = 10
+_LONGEST_NAME = 100
+_LONGEST_TEXT = 500
+_LONGEST_PATH = 2 * _MOST_PARTS * _LONGEST_NAME  # before the parts are cut
+_MOST_VALUES = 200
 _S_TO_NS = 10**9
 
 
@@ -34,6 +40,38 @@ class Level(IntEnum):
 
 
 @dataclass(frozen=True, slots=True)
+class Status:
+    """The parts of a `DiagnosticStatus` that are shown. Long texts and lists are cut."""
+
+    level: Level
+    message: str
+    hardware_id: str
+    values: tuple[tuple[str, str], ...]  #: keys and values; a key may occur twice
+
+    @classmethod
+    def of(cls, status: Any) -> Status:
+        """Return the parts of a `DiagnosticStatus`."""
+        return cls(
+            Level.of(status),
+            status.message[:_LONGEST_TEXT],
+            status.hardware_id[:_LONGEST_NAME],
+            tuple(
+                (one.key[:_LONGEST_NAME], one.value[:_LONGEST_TEXT])
+                for one in status.values[:_MOST_VALUES]
+            ),
+        )
+
+
+def path_of(name: str) -> str:
+    """Return the path of a status in the tree: its name without outer slashes.
+
+    Long parts and the parts after the tenth are cut: each part has a branch with its own path.
+    """
+    parts = [part[:_LONGEST_NAME] for part in name[:_LONGEST_PATH].split("/") if part]
+    return "/".join(parts[:_MOST_PARTS]) or "(no name)"
+
+
+@dataclass(frozen=True, slots=True)
 class Change:
     """Begin of a level or a message of a status."""
 
@@ -46,7 +84,7 @@ class Change:
 class Entry:
     """The newest status of a name."""
 
-    status: Any
+    status: Status
     received_ns: int
     changes: deque[Change] = field(default_factory=lambda: deque(maxlen=_MOST_CHANGES))
 
@@ -56,7 +94,7 @@ class Entry:
 
     def level(self, now_ns: int) -> Level:
         """Return the level of the status, or STALE if the status is too old."""
-        return Level.STALE if self.age_s(now_ns) > STALE_S else Level.of(self.status)
+        return Level.STALE if self.age_s(now_ns) > STALE_S else self.status.level
 
 
 @dataclass(slots=True)
@@ -81,7 +119,7 @@ class DiagnosticsLog:
     """Statuses of one topic. It keeps at most 2000 names and 100 changes of each."""
 
     def __init__(self) -> None:
-        self.entries: dict[str, Entry] = {}  #: by path, which is the name without outer slashes
+        self.entries: dict[str, Entry] = {}  #: by path, see `path_of`
 
     def take(self, message: Any, received_ns: int) -> None:
         """Keep the statuses of a `DiagnosticArray`.
@@ -91,13 +129,13 @@ class DiagnosticsLog:
             received_ns: Its time of arrival, in nanoseconds since the epoch.
         """
         for status in message.status:
-            path = "/".join(filter(None, status.name.split("/"))) or "(no name)"
+            path = path_of(status.name)
             entry = self.entries.get(path)
             if entry is None and len(self.entries) >= _MOST_NAMES:
                 continue
-            self._keep(path, entry, status, received_ns)
+            self._keep(path, entry, Status.of(status), received_ns)
 
-    def _keep(self, path: str, entry: Entry | None, status: Any, received_ns: int) -> None:
+    def _keep(self, path: str, entry: Entry | None, status: Status, received_ns: int) -> None:
         if entry is None:
             entry = self.entries[path] = Entry(status, received_ns)
         elif entry.age_s(received_ns) > STALE_S:
@@ -105,7 +143,7 @@ class DiagnosticsLog:
             entry.changes.append(Change(since_ns, Level.STALE, f"no status for {STALE_S:g} s"))
         entry.status, entry.received_ns = status, received_ns
         last = entry.changes[-1] if entry.changes else None
-        change = Change(received_ns, Level.of(status), status.message)
+        change = Change(received_ns, status.level, status.message)
         if last is None or (last.level, last.message) != (change.level, change.message):
             entry.changes.append(change)
 

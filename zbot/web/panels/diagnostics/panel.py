@@ -32,6 +32,8 @@ _HZ = 2.0
 _KEPT = 3000
 #: Longest time to read messages at once. More would delay other panels.
 _LOOK_S = 0.03
+#: How many topics of the graph are received. The user can choose any other topic.
+_MOST_TOPICS = 10
 _COLUMNS = (
     Column("Name", "zb-cut"),
     Column("Level", "", "72px"),
@@ -112,12 +114,17 @@ class _Diagnostics:
         self.summary.set_text(_summary(counts))
 
     def match(self, topics: list[str]) -> None:
-        """Offer the topics of the graph. The first choice is the first topic."""
-        for topic in topics:
-            if topic not in self.watches:
-                self.add(topic)
+        """Offer the topics of the graph, and receive them. The first choice is the first topic."""
         if not self.topic and topics:
             self.show(topics[0])
+        # The shown topic stays when its publisher ends. A name of the address may be no topic.
+        shown = {self.topic} & {*topics, *self.watches}
+        wanted = {*_USUAL, *topics[:_MOST_TOPICS], *shown}
+        for topic in self.watches.keys() - wanted:
+            self.page.drop(self.watches.pop(topic))
+            del self.seen[topic], self.logs[topic]
+        for topic in sorted(wanted - self.watches.keys()):
+            self.add(topic)
         offered = list(dict.fromkeys([*topics, *([self.topic] if self.topic else [])]))
         self.chooser.set_options(offered, value=self.topic or None)
         self.chooser.set_visibility(len(offered) > 1)
@@ -127,6 +134,7 @@ class _Diagnostics:
         chosen = str(self.chooser.value or "")
         if chosen and chosen != self.topic:
             self.show(chosen)
+            self.revision = -1  # so that the topic is received
             self.page.set_query(**{**self.page.query, "topic": chosen})
 
     def show(self, topic: str) -> None:

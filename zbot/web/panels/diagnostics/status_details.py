@@ -77,7 +77,7 @@ class StatusDetails:
         self._labels["Level"].classes(replace=f"zb-wrap {CLASSES[level]}")
         # A node may give one key twice.
         pairs = enumerate(status.values)
-        self._values.show({f"{number} {one.key}": [one.key, one.value] for number, one in pairs})
+        self._values.show({f"{number} {key}": [key, value] for number, (key, value) in pairs})
         self._history.show(
             {
                 f"{change.time_ns} {change.level}": _history_row(change)
