@@ -78,13 +78,9 @@ class Input:
         """
         return read(self.type, entry, self.path, now_ns)
 
-    def problem(self, entry: Entry) -> str | None:
-        """Return a sentence about a wrong entry, or None if the entry is valid."""
-        try:
-            self.read(entry)
-        except FieldMisfitError as error:
-            return error.sentence
-        return None
+    def has_now(self, entry: Entry) -> bool:
+        """Return whether the value for an entry may depend on the time, e.g. for `now`."""
+        return self.type.is_message and NOW in str(entry)
 
 
 @dataclass(frozen=True, slots=True)
@@ -112,16 +108,15 @@ class Form:
 
     Attributes:
         members: Inputs and groups of inputs, in the order of the definition.
+        inputs: All inputs, including the inputs in groups.
     """
 
     def __init__(self, message_type: type[Any]) -> None:
         self._type = message_type
         self.members = _members(message_type(), "", "")
-
-    @property
-    def inputs(self) -> tuple[Input, ...]:
-        """All inputs, including the inputs in groups."""
-        return tuple(_inputs(self.members))
+        self.inputs = tuple(_inputs(self.members))
+        # The last entry of each input with its value or error. Reading a long list takes 50 ms.
+        self._known: dict[str, tuple[Entry, Any]] = {}
 
     def message(
         self, entries: Mapping[str, Entry], now_ns: Callable[[], int] = time.time_ns
@@ -136,22 +131,62 @@ class Form:
             FieldMisfitError: An entry does not fit its field.
         """
         message = self._type()
-        for input_ in self.inputs:
-            value = input_.read(entries.get(input_.path, input_.default), now_ns)
-            *path, last = input_.path.split(".")
-            target = message
-            for name in path:
-                target = getattr(target, name)
-            setattr(target, last, value)
+        for input_, entry in self._changed(entries):
+            _set(message, input_.path, self._value(input_, entry, now_ns))
         return message
+
+    def maker(
+        self, entries: Mapping[str, Entry], now_ns: Callable[[], int] = time.time_ns
+    ) -> Callable[[], Any]:
+        """Return a quick function that returns the message for the entries of all inputs.
+
+        The function always returns the same message, with the present time for `now`. Any thread
+        may call it. The arguments are those of `message`.
+
+        Raises:
+            FieldMisfitError: An entry does not fit its field.
+        """
+        message = self.message(entries, now_ns)
+        moving = [pair for pair in self._changed(entries) if pair[0].has_now(pair[1])]
+
+        def make() -> Any:
+            for input_, entry in moving:
+                _set(message, input_.path, input_.read(entry, now_ns))
+            return message
+
+        return make
+
+    def problem(self, input_: Input, entry: Entry) -> str | None:
+        """Return a sentence about a wrong entry, or None if the entry is valid."""
+        try:
+            self._value(input_, entry)
+        except FieldMisfitError as error:
+            return error.sentence
+        return None
 
     def problems(self, entries: Mapping[str, Entry]) -> dict[str, str]:
         """Return a sentence about each wrong entry, by path."""
         found = {
-            input_.path: input_.problem(entries.get(input_.path, input_.default))
-            for input_ in self.inputs
+            input_.path: self.problem(input_, entry) for input_, entry in self._changed(entries)
         }
         return {path: problem for path, problem in found.items() if problem is not None}
+
+    def _changed(self, entries: Mapping[str, Entry]) -> Iterator[tuple[Input, Entry]]:
+        """Yield the inputs with another value than a new message, and their entries."""
+        for input_ in self.inputs:
+            entry = entries.get(input_.path, input_.default)
+            if entry != input_.default or input_.has_now(entry):
+                yield input_, entry
+
+    def _value(self, input_: Input, entry: Entry, now_ns: Callable[[], int] = time.time_ns) -> Any:
+        if input_.has_now(entry):
+            return input_.read(entry, now_ns)
+        known = self._known.get(input_.path)
+        if known is None or known[0] != entry:
+            known = self._known[input_.path] = entry, _value_or_error(input_, entry)
+        if isinstance(known[1], FieldMisfitError):
+            raise known[1].with_traceback(None)
+        return known[1]
 
     def entries(self, message: Any) -> dict[str, str]:
         """Return the texts that the inputs show for a message, by path."""
@@ -168,9 +203,11 @@ class Form:
             FieldMisfitError: An entry does not fit its field.
         """
         new, tree = self._type(), dict[str, Any]()
-        for input_ in self.inputs:
-            entry = entries.get(input_.path, input_.default)
-            value, is_now = input_.read(entry), input_.kind is InputKind.TIME and entry == NOW
+        for input_, entry in self._changed(entries):
+            value, is_now = (
+                self._value(input_, entry),
+                input_.kind is InputKind.TIME and entry == NOW,
+            )
             shown = NOW if is_now else plain(input_.type, value)
             if is_now or shown != plain(input_.type, _follow(new, input_.path)):
                 _put(tree, input_.path, shown)
@@ -181,6 +218,20 @@ def _follow(message: Any, path: str) -> Any:
     for name in path.split("."):
         message = getattr(message, name)
     return message
+
+
+def _set(message: Any, path: str, value: Any) -> None:
+    *names, last = path.split(".")
+    for name in names:
+        message = getattr(message, name)
+    setattr(message, last, value)
+
+
+def _value_or_error(input_: Input, entry: Entry) -> Any:
+    try:
+        return input_.read(entry)
+    except FieldMisfitError as error:
+        return error
 
 
 def _put(tree: dict[str, Any], path: str, value: Any) -> None:

@@ -56,11 +56,14 @@ class FormView:
         return self.form.message(self._entries)
 
     def maker(self) -> Callable[[], Any]:
-        """Return a function that makes a message with the present values of the inputs.
+        """Return a quick function that returns a message with the present values of the inputs.
 
-        Any thread may call the returned function.
+        Any thread may call the returned function. See `Form.maker`.
+
+        Raises:
+            FieldMisfitError: An entry does not fit its field.
         """
-        return partial(self.form.message, dict(self._entries))
+        return self.form.maker(self._entries)
 
     def yaml(self) -> str:
         """Return the message as YAML for a command line: `{linear: {x: 2.0}}`.
@@ -92,7 +95,7 @@ class FormView:
             value=input_.default,
             placeholder=_HINTS.get(input_.kind, ""),
             on_change=changed,
-            validation=input_.problem,
+            validation=partial(self.form.problem, input_),
         )
         made.props("dense outlined hide-bottom-space")
         made.props["aria-label"] = input_.path

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import pytest
 
 import zbot  # noqa: F401 - makes the message packages importable
 from zbot.interfaces import FieldType
 from zbot.interfaces.message_reader import FieldMisfitError
-from zbot.web.forms.form import Entry, Form, Group, InputKind
+from zbot.web.forms import form as form_module
+from zbot.web.forms.form import Entry, Form, Group, Input, InputKind
 from zbot.web.forms.form_value import read, show
 
 from builtin_interfaces.msg import Duration, Time
@@ -16,6 +19,9 @@ from geometry_msgs.msg import Point32, Polygon, PoseStamped, PoseWithCovariance,
 from sensor_msgs.msg import JointState, LaserScan
 from std_msgs.msg import Bool, Byte, ByteMultiArray, Empty, Header, Int8, String, UInt8MultiArray
 from turtlesim.srv import SetPen, Spawn
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
 
 _NO_FIELD = "'Point32' object has no attribute 'w'; its fields are x, y, z"
 _POINT_WANTED = (
@@ -155,6 +161,49 @@ def test_a_stamp_is_now_by_default() -> None:
     assert form.yaml({}) == "{header: {stamp: now}}"
     assert form.message({"header.stamp": "12.5"}).header.stamp == Time(sec=12, nanosec=500_000_000)
     assert form.yaml({"header.stamp": "12.5"}) == "{header: {stamp: {sec: 12, nanosec: 500000000}}}"
+
+
+def counted_reads(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """Return a list to which the path of each entry that is read is added."""
+    reads: list[str] = []
+
+    def counting(kind: FieldType, entry: Entry, path: str, now_ns: Callable[[], int]) -> object:
+        reads.append(path)
+        return read(kind, entry, path, now_ns)
+
+    monkeypatch.setattr(form_module, "read", counting)
+    return reads
+
+
+def test_only_a_changed_entry_is_read_and_only_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    reads, form = counted_reads(monkeypatch), Form(Twist)
+    speed = next(input_ for input_ in form.inputs if input_.path == "linear.x")
+    for entry, problems in (("2", []), ("x", ["linear.x"]), ("3", [])):
+        entries = {"linear.x": entry, "angular.z": "1.5"}
+        assert (form.problem(speed, entry) is None) == (not problems)
+        assert list(form.problems(entries)) == problems
+        if not problems:
+            assert form.yaml(entries).startswith(f"{{linear: {{x: {entry}.0}}")
+            assert form.message(entries).linear.x == float(entry)
+    assert sorted(reads) == ["angular.z", *["linear.x"] * 3]
+
+
+def test_a_repeated_message_is_made_once_with_new_stamps(monkeypatch: pytest.MonkeyPatch) -> None:
+    times = iter([10**9, 2 * 10**9, 3 * 10**9])
+    make = Form(PoseStamped).maker({"pose.position.x": "2"}, lambda: next(times))
+    reads = counted_reads(monkeypatch)
+    first = make()
+    assert (first.header.stamp.sec, first.pose.position.x) == (2, 2.0)
+    assert make().header.stamp.sec == 3
+    assert set(reads) == {"header.stamp"}
+
+
+def test_lists_of_times_have_the_present_time_too() -> None:
+    kind = FieldType("builtin_interfaces/msg/Time", "sequence")
+    times = Input("times", kind, InputKind.LIST, "[]")
+    assert times.has_now("[now]")
+    assert not times.has_now("[1]")
+    assert not Input("name", FieldType("string"), InputKind.TEXT, "").has_now("now")
 
 
 def test_times_are_exact_to_the_nanosecond() -> None:

@@ -92,6 +92,8 @@ class _PublishForm:
 
     def toggle(self) -> None:
         if self.repetition is None:
+            if self.view.problems:
+                return
             repeat, make = self.section.system.repeat, self.view.maker()
             repetition = repeat(self.topic, self.type_name, make, self.rate_hz)
             self.repetition = self.section.keep(repetition)
