@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from nicegui import ui
 
+from zbot.interfaces import type_name
 from zbot.observer.image_encoder import ImageError, encode_jpeg, media_type
 
 if TYPE_CHECKING:
@@ -74,12 +75,15 @@ def image_address(message: Any) -> tuple[str, str]:
     Raises:
         ImageError: The image cannot be shown.
     """
-    if hasattr(message, "encoding"):
+    name = type_name(type(message))
+    if name == _IMAGE:
         data, kind = encode_jpeg(message), "image/jpeg"
         text = f"{message.width} x {message.height}, {message.encoding}"
-    else:
+    elif name == _COMPRESSED:
         data = bytes(message.data)
         kind, text = media_type(data), message.format
+    else:
+        raise ImageError(f"{name} is no type of images: choose another topic")
     return f"data:{kind};base64,{base64.b64encode(data).decode()}", text
 
 
@@ -91,7 +95,8 @@ def _add_scan(section: Section, watch: Watch) -> None:
     def update() -> None:
         nonlocal shown
         message = watch.latest
-        if message is None or message is shown:
+        # The topic may have another type since the last look.
+        if message is None or message is shown or watch.type_name != _SCAN:
             return
         shown = message
         points, reach = points_of(message)
@@ -118,6 +123,8 @@ def points_of(scan: Any) -> tuple[list[float], float]:
         if not scan.range_min <= distance <= scan.range_max or math.isinf(distance):
             continue
         angle = scan.angle_min + index * scan.angle_increment
+        if not math.isfinite(angle):
+            continue
         points += (round(distance * math.cos(angle), 3), round(distance * math.sin(angle), 3))
         farthest = max(farthest, distance)
     return points, round(farthest, 3)

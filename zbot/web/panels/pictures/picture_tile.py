@@ -77,13 +77,13 @@ class PictureTile:
         if record is None or record is self._record or message is None:
             return
         self._record = record
-        is_simulated = has_simulated_time(self._page.system.snapshot())
-        self._latency = latency_text(message, record.received_ns, is_simulated=is_simulated)
         try:
             address, self._size = image_address(message)
         except ImageError as error:
-            self._size = str(error)
+            self._latency, self._size = "", str(error)
             return
+        is_simulated = has_simulated_time(self._page.system.snapshot())
+        self._latency = latency_text(message, record.received_ns, is_simulated=is_simulated)
         self._picture.set_visibility(True)
         self._page.call("zbot.showPicture", self._picture.id, address)
 
@@ -98,4 +98,4 @@ class PictureTile:
             return watch.problem
         if self._record is None:
             return "No picture yet"
-        return f"{watch.rate_hz:.1f} Hz, {self._latency}, {self._size}"
+        return ", ".join(filter(None, (f"{watch.rate_hz:.1f} Hz", self._latency, self._size)))
