@@ -252,7 +252,7 @@ class Page(Section):
         if element_id in self._choosers:
             self._choosers[element_id](str(key))
 
-    def set_query(self, **query: str) -> None:
+    def set_query(self, /, **query: str) -> None:
         """Set the parameters of the address, so that the page shows the same after a reload."""
         self.query = query
         self.call("zbot.setQuery", query)
