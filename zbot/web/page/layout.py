@@ -59,7 +59,7 @@ class Layout:
         return self._with_row(row, self.rows[row][:place] + self.rows[row][place + 1 :])
 
     def with_address(self, row: int, place: int, address: str) -> Layout:
-        """Return the layout with another address in a tile."""
+        """Return the layout with another address in a tile, unless its text gets too long."""
         tiles = self.rows[row]
         return self._with_row(row, (*tiles[:place], address, *tiles[place + 1 :]))
 
@@ -110,9 +110,13 @@ class Layout:
         return self._with_rows(*self.rows[:number], row, *self.rows[number + 1 :])
 
     def _with_rows(self, *rows: Row) -> Layout:
-        """Return the layout with other rows. If they are not allowed, return it as it is."""
+        """Return the layout with other rows. If they are not allowed, return it as it is.
+
+        `read_layout` refuses a text that is too long, so the text must not become so.
+        """
         changed = replace(self, rows=tuple(row for row in rows if row))
-        return changed if changed.is_allowed else self
+        is_short = len(changed.text()) <= max(_MOST_CHARACTERS, len(self.text()))
+        return changed if changed.is_allowed and is_short else self
 
 
 def read_layout(text: str, panels: Collection[str]) -> Layout:

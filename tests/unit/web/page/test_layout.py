@@ -132,3 +132,11 @@ def test_a_tile_is_closed_or_gets_another_address() -> None:
     assert rows(layout.without(0, 0)) == "b c de"
     assert rows(layout.without(1, 0)) == "ab de"
     assert rows(layout.with_address(2, 1, "f")) == "ab c df"
+
+
+def test_a_layout_that_is_too_long_to_be_read_again_keeps_its_former_tiles() -> None:
+    layout = Layout((("plot", "graph"),)).with_address(0, 0, f"plot?curve={'x' * 7900}")
+    assert read_layout(layout.text(), PANELS) == layout
+    assert layout.with_address(0, 1, f"graph?topics={'x' * 100}") is layout
+    assert layout.with_tile(f"topics?filter={'x' * 100}") is layout
+    assert layout.with_address(0, 0, "plot").rows == (("plot", "graph"),)

@@ -186,8 +186,12 @@ class LayoutPanel:
             return  # the frame shows another page
         if tile == self._layout.rows[at[0]][at[1]]:
             return
+        layout = self._layout.with_address(*at, tile)
+        if layout == self._layout:
+            ui.notify("The layout keeps the former address of this panel: the new one is too long.")
+            return
         self._tiles[at[0]][at[1]].set_address(tile)
-        self._layout = self._layout.with_address(*at, tile)
+        self._layout = layout
         self._show_state()
         self._keep()
 
