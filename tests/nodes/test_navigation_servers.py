@@ -231,9 +231,11 @@ def test_a_mapper_that_nobody_configures_starts_itself(bench: Bench) -> None:
 
 
 def test_a_mapper_says_that_it_does_not_localize(bench: Bench, logged: list[Any]) -> None:
-    bench.run(Mapper).trigger_configure()
+    mapper: Any = bench.run(Mapper)
+    mapper.trigger_configure()
     assert not [record for record in logged if "is left out" in record.message]
-    bench.run(Mapper, {"mode": "localization"}).trigger_configure()
+    mapper = bench.run(Mapper, {"mode": "localization"})
+    mapper.trigger_configure()
     expected = "the mode 'localization' is left out: a new map begins where the robot is"
     assert any(record.message.startswith(expected) for record in logged)
 

@@ -98,7 +98,7 @@ def test_new_feedback_is_kept_if_the_executor_takes_the_old_one_meanwhile(
             return length
 
     node = zbot.Node("client", context=make_context())
-    client = ActionClient(
+    client: Any = ActionClient(
         node, Fibonacci, "fibonacci", feedback_sub_qos_profile=zbot.QoSProfile(depth=1)
     )
     feedback: Any = client._feedback

@@ -9,6 +9,7 @@ import pytest
 import zbot
 from tests.conftest import wait_until
 from zbot.errors import ArgumentTypeError
+from zbot.node.parameter_services import ParameterServices
 from zbot.node.service_types import PARAMETER_SERVICES
 from zbot.parameters.errors import ParameterListError, UnknownCallbackError
 from zbot.parameters.parameter import InvalidParameterTypeException, Parameter
@@ -55,10 +56,8 @@ def test_the_services_can_be_left_out(make_context: MakeContext) -> None:
 
 
 def test_a_program_may_make_the_services_itself(make_context: MakeContext) -> None:
-    from rclpy.parameter_service import ParameterService  # noqa: PLC0415 - only here
-
     node = zbot.Node("late", context=make_context(), start_parameter_services=False)
-    ParameterService(node)
+    ParameterServices(node)
     served = {service.service_name for service in node.services}
     assert {f"/late/{name}" for name in PARAMETER_SERVICES} <= served
 

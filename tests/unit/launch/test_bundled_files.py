@@ -34,7 +34,7 @@ def started(
 def test_rviz_launch_shows_the_view_of_nav2_or_another_one() -> None:
     usual = str(package_share("nav2_bringup") / "rviz" / "nav2_default_view.rviz")
     assert started("nav2_bringup", "rviz_launch.py") == {"rviz2": ["-d", usual]}
-    given = {"namespace": "", "use_namespace": "False", "rviz_config": "/a.rviz"}
+    given: Any = {"namespace": "", "use_namespace": "False", "rviz_config": "/a.rviz"}
     assert started("nav2_bringup", "rviz_launch.py", **given) == {"rviz2": ["-d", "/a.rviz"]}
 
 

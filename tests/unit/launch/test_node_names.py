@@ -64,7 +64,8 @@ def test_nodes_get_the_names_of_those_that_are_left_out() -> None:
     assert "ZBOT_LEFT_OUT" not in node.prepare(context).env
     context.find_program = refuse
     PushROSNamespace("robot").visit(context)
-    for options in ({"name": "lidar"}, {"namespace": "a"}):
+    each_options: tuple[Any, ...] = ({"name": "lidar"}, {"namespace": "a"})
+    for options in each_options:
         with pytest.raises(NotRunnableError):
             Node(package="urg_node", executable="urg", **options).visit(context)
     imu = ComposableNode(package="imu", plugin="imu::Node", name="imu", namespace="/")

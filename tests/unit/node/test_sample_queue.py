@@ -311,13 +311,15 @@ def test_a_full_latched_channel_blocks_until_a_sample_is_taken() -> None:
 class EndingChannel(LatchedChannel):
     """Latched channel that another thread ends just after each look at its room."""
 
+    _kept: Any
+
     @property
-    def _room(self) -> threading.Semaphore | None:
+    def _room(self) -> Any:
         room, self._kept = self._kept, None
         return room
 
     @_room.setter
-    def _room(self, room: threading.Semaphore | None) -> None:
+    def _room(self, room: Any) -> None:
         self._kept = room
 
 
