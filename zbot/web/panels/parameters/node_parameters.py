@@ -33,8 +33,6 @@ _LIVE_HZ = 15.0
 _READ_S = 0.01
 # Shortest time between two loads. A program may publish thousands of events with new parameters.
 _LOAD_PAUSE_S = 1.0
-#: Rows that are made at once. More would stop the other pages: a node may have 300 parameters.
-_ROWS_AT_ONCE = 10
 #: Names of parameters that every node has. They are shown last.
 _EVERY_NODE_HAS = ("start_type_description_service", "use_sim_time", "qos_overrides.")
 
@@ -114,7 +112,7 @@ class NodeParameters:
         self.inputs = {}
         self.place.clear()
         with self.place:
-            for number, parameter in enumerate(found, 1):
+            for parameter in found:
                 self.inputs[parameter.name] = ParameterInput(
                     self.section,
                     self.node,
@@ -122,8 +120,8 @@ class NodeParameters:
                     label=parameter.name.removeprefix(self.prefix),
                     beside=self.beside,
                 )
-                if number % _ROWS_AT_ONCE == 0:
-                    await asyncio.sleep(0)
+                # Other pages go on: a row takes some milliseconds, and a node may have 300.
+                await asyncio.sleep(0)
             if not found:
                 ui.label(self.empty).classes("zb-muted")
 
