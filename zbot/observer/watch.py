@@ -191,7 +191,9 @@ class Feed:
         message = self.read(record)
         measured_s = (time.thread_time() - began_s) / max(len(record.payload), 1)
         known_s = self._seconds_for_byte * _FORGETTING if self._is_measured else 0.0
-        self._seconds_for_byte, self._is_measured = max(measured_s, known_s), True
+        # The first message of a type takes longer, because its decoder is made.
+        seconds = min(max(measured_s, known_s), _SLOWEST_S)
+        self._seconds_for_byte, self._is_measured = seconds, True
         return message
 
     def _decode_newest(self) -> None:

@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import threading
-from typing import Any
+import time
+from typing import TYPE_CHECKING, Any
 
 from tests.conftest import wait_until
 from zbot.observer.watch import Feed, Watch
 from zbot.threads.deadline import Deadline
+
+if TYPE_CHECKING:
+    import pytest
 
 
 def nothing(_feed: Feed) -> None:
@@ -110,3 +114,14 @@ def test_a_new_type_forgets_the_messages_of_the_former_one() -> None:
     feed.decode = decode
     take(feed, 200)
     assert feed.latest()[1] == 200
+
+
+def test_a_small_message_is_not_left_out_after_a_slow_first_one(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    feed = keeping(feed_of([]))
+    times = iter([0.0, 5.0, 5.0, 5.0, 5.0, 5.0])
+    monkeypatch.setattr(time, "thread_time", lambda: next(times))
+    for _ in range(3):
+        take(feed, 100)
+    assert numbers(feed, 0, 60) == [1, 2, 3]
