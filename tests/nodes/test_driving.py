@@ -14,6 +14,7 @@ from zbot_nodes.driving.gamepad import without_deadzone
 from zbot_nodes.driving.joy_linux_node import JoyLinuxNode
 from zbot_nodes.driving.joy_node import JoyNode
 from zbot_nodes.driving.teleop_twist_joy import TeleopTwistJoy
+from zbot_nodes.driving.teleop_twist_keyboard import TeleopTwistKeyboard
 from zbot_nodes.driving.twist_mux import TwistMux
 from zbot_nodes.startup.program import ParameterError
 
@@ -23,6 +24,8 @@ from sensor_msgs.msg import Joy, JoyFeedback
 from std_msgs.msg import Bool
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from tests.conftest import Start
     from tests.nodes.conftest import Bench
 
@@ -327,3 +330,53 @@ def test_the_launch_files_of_the_packages_run(start: Start) -> None:
     program = start("zbot", "launch", "teleop_twist_joy", "teleop-launch.py", "joy_config:=xbox")
     program.wait_for("Turbo on button 5.")
     assert program.stop() == 0
+
+
+# -- teleop_twist_keyboard -----------------------------------------------------------------------
+
+
+def test_keys_drive_and_every_other_key_stops(
+    bench: Bench, capsys: pytest.CaptureFixture[str]
+) -> None:
+    messages = bench.watch(Twist, "/cmd_vel")
+    node: Any = bench.run(TeleopTwistKeyboard)
+    assert wait_until(lambda: node.publisher.get_subscription_count() > 0, 10)
+    for key in "i.Jbwc ":
+        node.press(key)
+    assert wait_until(lambda: len(messages) == 7, 10)
+    found = [(m.linear.x, m.linear.y, m.linear.z, m.angular.z) for m in messages]
+    assert found == [
+        (0.5, 0, 0, 0),
+        (-0.5, 0, 0, 1),
+        (0, 0.5, 0, 0),
+        (0, 0, -0.5, 0),
+        (0, 0, -0.55, 0),  # a key for the speeds keeps the direction
+        (0, 0, -0.55, 0),
+        (0, 0, 0, 0),
+    ]
+    assert capsys.readouterr().out.splitlines()[-1] == "speed 0.55 m/s, turn 0.9 rad/s"
+
+
+def test_the_messages_of_keys_may_have_a_stamp(bench: Bench) -> None:
+    messages = bench.watch(TwistStamped, "/cmd_vel")
+    parameters = {"stamped": True, "frame_id": "base_link"}
+    node: Any = bench.run(TeleopTwistKeyboard, parameters)
+    assert wait_until(lambda: node.publisher.get_subscription_count() > 0, 10)
+    node.press("l")
+    assert wait_until(lambda: bool(messages), 10)
+    assert (messages[0].header.frame_id, messages[0].twist.angular.z) == ("base_link", -1)
+    assert messages[0].header.stamp.sec > 0
+
+
+def test_ctrl_c_stops_the_robot(bench: Bench, monkeypatch: pytest.MonkeyPatch) -> None:
+    node: Any = TeleopTwistKeyboard(context=bench.context)
+    pressed: list[str] = []
+
+    def keys(_: Any) -> Iterator[str]:
+        yield "i"
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(node, "press", pressed.append)
+    monkeypatch.setattr("zbot_nodes.driving.teleop_twist_keyboard.pressed_keys", keys)
+    node.read_keys()
+    assert pressed == ["i", ""]

@@ -94,6 +94,7 @@ BUNDLED_NODES: Final[dict[str, dict[str, str]]] = {
         "sync_slam_toolbox_node": "navigation.slam_toolbox_node",
     },
     "teleop_twist_joy": {"teleop_node": "driving.teleop_twist_joy"},
+    "teleop_twist_keyboard": {"teleop_twist_keyboard": "driving.teleop_twist_keyboard"},
     **{name: {name: "page.rqt"} for name in _RQT},
     "ros2_controllers_test_nodes": {
         "publisher_forward_position_controller": "control.forward_position_publisher",

@@ -106,8 +106,7 @@ _MOVEIT = Unavailable(
 )
 _KEYS = Unavailable(
     "a program that reads keys",
-    "hold the keys W A S D in the panel Drive of `zbot web`, or put its sources into the folder "
-    "src of your workspace",
+    "`zbot run teleop_twist_keyboard teleop_twist_keyboard` does the same",
     "is not here",
 )
 _GRAPHICS = Unavailable(
@@ -354,7 +353,7 @@ _PACKAGES: Final = (
         vesc_ackermann odrive_can serial_driver phidgets_drivers
         """,
     ),
-    (_KEYS, "key_teleop teleop_twist_keyboard turtlebot3_teleop"),
+    (_KEYS, "key_teleop turtlebot3_teleop"),
     (_MOVEIT, "moveit_configs_utils launch_param_builder srdfdom urdf_parser_py"),
     (
         _OTHER,
