@@ -64,10 +64,10 @@ def test_nodes_get_the_names_of_those_that_are_left_out() -> None:
     assert "ZBOT_LEFT_OUT" not in node.prepare(context).env
     context.find_program = refuse
     PushROSNamespace("robot").visit(context)
-    each_options: tuple[Any, ...] = ({"name": "lidar"}, {"namespace": "a"})
-    for options in each_options:
+    for name, namespace in (("lidar", None), (None, "a")):
+        left_out = Node(package="urg_node", executable="urg", name=name, namespace=namespace)
         with pytest.raises(NotRunnableError):
-            Node(package="urg_node", executable="urg", **options).visit(context)
+            left_out.visit(context)
     imu = ComposableNode(package="imu", plugin="imu::Node", name="imu", namespace="/")
     container = ComposableNodeContainer(name="c", composable_node_descriptions=[imu])
     container.visit(context)
