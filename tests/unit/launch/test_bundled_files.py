@@ -14,7 +14,7 @@ from zbot.package import package_share
 
 
 def started(
-    package: str, file: str, context: LaunchContext | None = None, **given: str
+    package: str, file: str, given: dict[str, str], context: LaunchContext | None = None
 ) -> dict[str, list[str]]:
     """Return the arguments of the nodes that a launch file starts, by their programs."""
     context = context or LaunchContext()
@@ -33,9 +33,9 @@ def started(
 
 def test_rviz_launch_shows_the_view_of_nav2_or_another_one() -> None:
     usual = str(package_share("nav2_bringup") / "rviz" / "nav2_default_view.rviz")
-    assert started("nav2_bringup", "rviz_launch.py") == {"rviz2": ["-d", usual]}
-    given: Any = {"namespace": "", "use_namespace": "False", "rviz_config": "/a.rviz"}
-    assert started("nav2_bringup", "rviz_launch.py", **given) == {"rviz2": ["-d", "/a.rviz"]}
+    assert started("nav2_bringup", "rviz_launch.py", {}) == {"rviz2": ["-d", usual]}
+    given = {"namespace": "", "use_namespace": "False", "rviz_config": "/a.rviz"}
+    assert started("nav2_bringup", "rviz_launch.py", given) == {"rviz2": ["-d", "/a.rviz"]}
 
 
 @pytest.mark.parametrize(
@@ -53,7 +53,8 @@ def test_the_lesson_about_urdf_shows_a_file_of_the_folder_or_of_the_package(
     monkeypatch.chdir(tmp_path)
     tmp_path.joinpath("bot.urdf").touch()
     context = LaunchContext()
-    programs = started("urdf_tutorial", "display.launch.py", context, model=model, gui="false")
+    given = {"model": model, "gui": "false"}
+    programs = started("urdf_tutorial", "display.launch.py", given, context)
     assert set(programs) == {"robot_state_publisher", "joint_state_publisher", "rviz2"}
     package = package_share("urdf_tutorial")
     assert programs["rviz2"] == ["-d", str(package / "rviz" / "urdf.rviz")]
