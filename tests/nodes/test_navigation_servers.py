@@ -234,8 +234,8 @@ def test_a_mapper_says_that_it_does_not_localize(bench: Bench, logged: list[Any]
     mapper: Any = bench.run(Mapper)
     mapper.trigger_configure()
     assert not [record for record in logged if "is left out" in record.message]
-    mapper = bench.run(Mapper, {"mode": "localization"})
-    mapper.trigger_configure()
+    localizer: Any = bench.run(Mapper, {"mode": "localization"})
+    localizer.trigger_configure()
     expected = "the mode 'localization' is left out: a new map begins where the robot is"
     assert any(record.message.startswith(expected) for record in logged)
 
