@@ -30,10 +30,11 @@ ROOT = Path(__file__).parents[2]
 ROWS = dict(
     re.findall(r"^\| `zbot (.+?)` \| (.+) \|$", (ROOT / "docs/json.md").read_text(), re.MULTILINE)
 )
-#: Commands whose rows other tests check, because they need a class, a keystore or a call.
+#: Commands whose rows other tests check, because they need a class, a robot or a call.
 ELSEWHERE = (
     "bag info",
     "class start",
+    "control",
     "class next",
     "security",
     "action echo",

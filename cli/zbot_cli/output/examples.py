@@ -34,6 +34,20 @@ EXAMPLES = {
     "class take": "zbot class take robot",
     "class stop": "zbot class stop",
     "completion": "zbot completion bash",
+    "control cleanup_controller": "zbot control cleanup_controller arm",
+    "control list_controllers": "zbot control list_controllers",
+    "control list_controller_types": "zbot control list_controller_types",
+    "control list_hardware_components": "zbot control list_hardware_components",
+    "control list_hardware_interfaces": "zbot control list_hardware_interfaces",
+    "control load_controller": "zbot control load_controller --set-state active arm",
+    "control set_controller_state": "zbot control set_controller_state arm inactive",
+    "control set_hardware_component_state": (
+        "zbot control set_hardware_component_state arm active"
+    ),
+    "control switch_controllers": (
+        "zbot control switch_controllers --deactivate arm --activate gripper --strict"
+    ),
+    "control unload_controller": "zbot control unload_controller arm",
     "daemon start": "zbot daemon start",
     "daemon status": "zbot daemon status",
     "daemon stop": "zbot daemon stop",
