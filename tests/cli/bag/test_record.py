@@ -87,7 +87,7 @@ def test_topics_that_appear_later_are_recorded(
     ("words", "expected"),
     [
         (["--topic-types", "sensor_msgs/LaserScan"], {"/scan"}),
-        (["--all-topics", "--exclude-regex", "/scan|/rosout|/param"], {"/chatter", "/map"}),
+        (["--all-topics", "-x", "/scan|/rosout|/param"], {"/chatter", "/map"}),
         (["-a", "--exclude-topic-types", "std_msgs/msg/String"], {"/scan", "/rosout"}),
         (["--topics", "/chatter", "--no-discovery"], {"/chatter"}),
     ],

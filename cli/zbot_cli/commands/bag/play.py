@@ -100,7 +100,10 @@ def play(
         str, typer.Option("-e", "--regex", help="Play names that contain this expression")
     ] = "",
     exclude_regex: Annotated[
-        str, typer.Option("-x", "--exclude-regex", help="Leave out names with this expression")
+        str,
+        typer.Option(
+            "-x", "--exclude-regex", "--exclude", help="Leave out names with this expression"
+        ),
     ] = "",
     exclude_topics: Annotated[
         list[str] | None, typer.Option("--exclude-topics", help="Leave out these topics")
