@@ -42,7 +42,8 @@ def run_scripts_with_zbot(words: Sequence[str]) -> list[str]:
     If a program of rqt or `xacro` is not on the PATH, run zbot's own program of this name instead.
     """
     package = BUNDLED_PROGRAMS.get(words[0])
-    if package is not None and shutil.which(words[0]) is None:
+    is_missing = package is not None and shutil.which(words[0]) is None
+    if package is not None and is_missing and unavailable_program(words[0]) is None:
         return [*zbot_command(), "run", package, *words]
     script = 2 if len(words) > 1 and words[1] == "-u" else 1  # zbot does not need -u
     is_python = words[0] in {sys.executable, "python", "python3"}

@@ -11,7 +11,12 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 from zbot.launch.errors import ProgramError
 from zbot.launch.substitution import describe_list, normalize, perform
-from zbot.package.zbot_command import add_ros2_to_path, find_on_path, run_scripts_with_zbot
+from zbot.package.zbot_command import (
+    add_ros2_to_path,
+    find_on_path,
+    run_scripts_with_zbot,
+    zbot_command,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping, Sequence
@@ -123,12 +128,22 @@ class Executable:
         """Return a text with the words of `cmd`."""
         return f"cmd={describe_list(self.cmd)}"
 
-    def prepare(self, context: LaunchContext, words: Sequence[str], name: str) -> Prepared:
-        """Return the command line, including its prefix, with working directory and environment."""
+    def prepare(
+        self, context: LaunchContext, words: Sequence[str], name: str, *, is_shell: bool = False
+    ) -> Prepared:
+        """Return the command line, including its prefix, with working directory and environment.
+
+        Args:
+            context: The context for substitutions.
+            words: The words of `cmd`. For a shell, one of them may be a part of a command line.
+            name: The name of the process.
+            is_shell: Whether a shell runs the command line.
+        """
         own_prefix = perform(context, self.prefix) if self.prefix else ""
         prefix = own_prefix or _common_prefix(context, name)
         cwd = perform(context, self.cwd) if self.cwd else None
-        line = [*shlex.split(prefix, posix=os.name != "nt"), *run_scripts_with_zbot(words)]
+        own = _shell_words(words) if is_shell else run_scripts_with_zbot(words)
+        line = [*shlex.split(prefix, posix=os.name != "nt"), *own]
         return Prepared(line, name, cwd, self._environment(context))
 
     def _environment(self, context: LaunchContext) -> dict[str, str]:
@@ -138,6 +153,20 @@ class Executable:
             own["RCUTILS_COLORIZED_OUTPUT"] = "1"
         added = _performed(context, self.additional_env or ())
         return add_ros2_to_path({**own, **base, **added})
+
+
+def _shell_words(words: Sequence[str]) -> list[str]:
+    """Return the words for a shell. The first may be a whole command line, e.g. `gz sim -r`."""
+    parts = [*words[0].lstrip().split(" ", 1), *words[1:]]
+    line = run_scripts_with_zbot(parts)
+    if line == parts:
+        return list(words)
+    start = len(zbot_command())
+    return [*map(_quoted, line[:start]), *line[start:]]
+
+
+def _quoted(word: str) -> str:
+    return f'"{word}"' if os.name == "nt" else shlex.quote(word)
 
 
 def _optional(value: SomeSubstitutionsType | None) -> list[Substitution] | None:

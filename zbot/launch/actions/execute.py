@@ -128,7 +128,7 @@ class ExecuteLocal(Action):
             raise ProgramError("the command to execute is empty")
         first = words[0].split()[0] if self.shell else words[0]
         name = perform(context, description.name) if description.name else _base_name(first)
-        return description.prepare(context, words, name)
+        return description.prepare(context, words, name, is_shell=self.shell)
 
     def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
         """Return the actions of `on_exit`. The list is empty if `on_exit` is a function."""
@@ -149,8 +149,7 @@ class ExecuteLocal(Action):
             return None
         try:
             prepared = self.prepare(context)
-            if not self.shell:
-                _check_known(prepared)
+            _check_known(prepared, is_shell=self.shell)
         except NotRunnableError:
             self._skip(context)
             raise
@@ -288,10 +287,11 @@ def _exit_actions(part: Any, context: LaunchContext) -> list[LaunchDescriptionEn
     return [Shutdown(reason="process ended")] if word else []
 
 
-def _check_known(prepared: Prepared) -> None:
-    kind = unavailable_program(prepared.words[0])
-    if kind is not None and find_on_path(prepared.words[0], prepared.env) is None:
-        raise NotRunnableError(prepared.words[0], kind)
+def _check_known(prepared: Prepared, *, is_shell: bool) -> None:
+    program = prepared.words[0].split()[0] if is_shell else prepared.words[0]
+    kind = unavailable_program(program)
+    if kind is not None and find_on_path(program, prepared.env) is None:
+        raise NotRunnableError(program, kind)
 
 
 def _base_name(program: str) -> str:
