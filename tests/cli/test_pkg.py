@@ -364,13 +364,16 @@ def test_a_manifest_in_another_encoding_is_printed(source: Path, zbot_command: C
     assert zbot_command("pkg", "xml", "my_robot", "-t", "a").out == "ü\n"
 
 
-def test_programs_among_data_files_are_executables(source: Path, zbot_command: Command) -> None:
+@pytest.mark.parametrize("place", ["'lib/' + name", "os.path.join('lib', name)"])
+def test_programs_among_data_files_are_executables(
+    source: Path, zbot_command: Command, place: str
+) -> None:
     folder = write_package(source, "my_robot")
     (folder / "nodes").mkdir()
     (folder / "nodes" / "wave.py").touch()
     (folder / "setup.py").write_text(
         "name = 'my_robot'\n"
-        "setup(data_files=[('lib/' + name, glob('nodes/*.py')), ('lib/other', ['setup.py'])])\n"
+        f"setup(data_files=[({place}, glob('nodes/*.py')), ('bin', ['setup.py'])])\n"
     )
     assert zbot_command("pkg", "executables", "my_robot").out == "my_robot wave.py\n"
 

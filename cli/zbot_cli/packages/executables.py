@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib.util
 import os
+import re
 import sys
 from dataclasses import dataclass, field
 from functools import cache, cached_property, partial
@@ -29,6 +30,8 @@ BUNDLED = "zbot_nodes"
 NOTED_VARIABLE = "ZBOT_COPIES_NOTED"
 _PROJECT = "zbot"
 _COMMAND = "zbot_cli."
+#: Part of each setup.py that installs files into `lib/<package>`, also by `join("lib", ...)`.
+_LIB = re.compile(r"""lib/|["']lib["']""")
 #: Short names of bundled nodes.
 _NICKNAMES = {"turtlesim": "turtlesim_node"}
 
@@ -199,7 +202,7 @@ def _scripts(folder: Path, installed: Mapping[str, Path]) -> dict[str, Path]:
 
 def _data_programs(folder: Path) -> dict[str, Path]:
     """Return the files that setup.py installs into `lib/<package>`, ROS 2's folder for programs."""
-    if "lib/" not in read_text(folder / "setup.py"):
+    if _LIB.search(read_text(folder / "setup.py")) is None:
         return {}
     place = PurePosixPath("lib", package_name(folder))
     files = (file for target, file in data_files(folder) if PurePosixPath(target) == place)
