@@ -255,12 +255,18 @@ def test_controllers_move_the_bodies(bench: Bench, tmp_path: Path) -> None:
         ("gz sim a.sdf --force-version 8 --render-engine ogre", (False, "a.sdf", True, True)),
         ("gzserver --verbose a.world -s libgazebo_ros_factory.so", (True, "a.world", True, False)),
         ("gazebo --verbose -s lib.so -s lib2.so a.world", (True, "a.world", True, True)),
+        ("gzserver -slibgazebo_ros_init.so a.world", (True, "a.world", True, False)),
         ("gzclient", (True, "empty", False, True)),
     ],
 )
 def test_command_lines_of_gazebo_are_read(line: str, expected: tuple[Any, ...]) -> None:
     program, *words = line.split()
     assert read_command(program, words)[:4] == expected
+
+
+def test_other_commands_of_gazebo_are_named() -> None:
+    with pytest.raises(SystemExit, match="zbot has no `gz service`: it has `gz sim`"):
+        read_command("gz", ["service", "-s", "/world/w/create"])
 
 
 WORLD = (

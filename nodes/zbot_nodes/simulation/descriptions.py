@@ -41,6 +41,25 @@ def from_file(path: str) -> str:
         sys.exit(f"error: the file {path} cannot be read: {error}")
 
 
+def from_models(name: str) -> str:
+    """Return the description of a model of this machine.
+
+    Raises:
+        SystemExit: There is no such model, or its file cannot be read.
+    """
+    from zbot.simulation.sdf.document import model_file  # noqa: PLC0415 - seldom used
+    from zbot.simulation.sdf.resources import find_resource  # noqa: PLC0415 - as above
+
+    folder = find_resource(f"model://{name}")
+    file = None if folder is None else model_file(folder)
+    if file is None:
+        sys.exit(
+            f"error: there is no model '{name}' on this machine: put its folder into "
+            "~/.gazebo/models, or add the folder above it to GAZEBO_MODEL_PATH"
+        )
+    return from_file(str(file))
+
+
 def wait_until(node: zbot.Node, condition: Callable[[], bool], what: str) -> None:
     """Handle messages until a condition holds. Say every few seconds what is awaited."""
     node.get_logger().info(f"Waiting for {what}")

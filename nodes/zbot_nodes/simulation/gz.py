@@ -47,9 +47,16 @@ def read_command(program: str, words: list[str]) -> Options:
     is_classic = program in _CLASSIC
     if not is_classic and words[:1] in (["sim"], ["gazebo"]):
         words = words[1:]
-    # In Gazebo Classic, `-s` and `-g` name a library.
+    elif not is_classic and words and words[0].isalpha():
+        sys.exit(
+            f"error: zbot has no `{program} {words[0]}`: it has `{program} sim`, and for the rest "
+            "the services and topics that `ros2 service list` and `ros2 topic list` show"
+        )
+    # In Gazebo Classic, `-s` and `-g` name a library, which may follow without a space.
     flags = [flag for flag in _FLAGS if not (is_classic and flag in {"s", "g", "r"})]
-    if not is_classic:
+    if is_classic:
+        words = [word for word in words if not word.startswith(("-slib", "-glib"))]
+    else:
         words = _without_verbosity(words)
     options, others = read_options(words, flags)
     worlds = [word for word in others if not word.isdecimal()]

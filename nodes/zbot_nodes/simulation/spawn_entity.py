@@ -1,9 +1,9 @@
 """Add a robot to the simulator, and exit, as Gazebo Classic's program does.
 
 Run:     zbot run gazebo_ros spawn_entity.py -entity bot -topic robot_description
-Options: -entity NAME, -file FILE, -topic TOPIC, -stdin, -x, -y, -z in metres, -R, -P, -Y in
-         radians, -robot_namespace NAMESPACE, -gazebo_namespace NAMESPACE, -timeout SECONDS,
-         -spawn_service_timeout SECONDS, -unpause
+Options: -entity NAME, -file FILE, -topic TOPIC, -database MODEL, -stdin, -x, -y, -z in metres,
+         -R, -P, -Y in radians, -robot_namespace NAMESPACE, -gazebo_namespace NAMESPACE,
+         -timeout SECONDS, -spawn_service_timeout SECONDS, -unpause
 Calls:   /spawn_entity (gazebo_msgs/SpawnEntity)
 """
 
@@ -17,7 +17,7 @@ from gazebo_msgs.srv import SpawnEntity
 import zbot
 from zbot.parameters.ros_args import remove_ros_args
 from zbot_nodes.simulation.arguments import is_set, number, pose, read_options
-from zbot_nodes.simulation.descriptions import from_file, from_topic, wait_until
+from zbot_nodes.simulation.descriptions import from_file, from_models, from_topic, wait_until
 
 from std_srvs.srv import Empty
 
@@ -36,7 +36,9 @@ def description(node: zbot.Node, options: dict[str, str]) -> str:
         return sys.stdin.read()
     if "topic" in options:
         return from_topic(node, options["topic"])
-    sys.exit("error: write -file, -topic or -stdin")
+    if "database" in options:
+        return from_models(options["database"])
+    sys.exit("error: write -file, -topic, -database or -stdin")
 
 
 def call(node: zbot.Node, kind: Any, service: str, request: Any, timeout_s: float) -> Any:

@@ -91,7 +91,7 @@ class Document:
 
     def _model(self, address: str, folder: Path | None, chain: tuple[Path, ...]) -> Element | None:
         path = find_resource(address, folder)
-        file = None if path is None else _file_of(path)
+        file = None if path is None else model_file(path)
         if file is None:
             self._notice(f"the model {address[:200]}, which is not on this machine,")
             return None
@@ -133,7 +133,7 @@ def _root(text: str) -> Element:
     return root
 
 
-def _file_of(path: Path) -> Path | None:
+def model_file(path: Path) -> Path | None:
     """Return the file of a model. A folder with a model names its files in `model.config`."""
     if path.is_file():
         return path
