@@ -222,6 +222,13 @@ class _Reader:
         end = words.index("CACHE") if "CACHE" in words else len(words)
         self._variables[words[0]] = [part for word in words[1:end] for part in word.split(";")]
 
+    def _read_list(self, words: list[str], _line: int) -> None:
+        if words[0] == "APPEND" and len(words) > 1:
+            added = [part for word in words[2:] for part in word.split(";")]
+            values = [*self._variables.get(words[1], []), *added]
+            self._count(sum(1 + len(value) for value in values))
+            self._variables[words[1]] = values
+
     def _read_file(self, words: list[str], _line: int) -> None:
         if words[0] in {"GLOB", "GLOB_RECURSE"} and len(words) > 1:
             patterns = [word for word in words[2:] if word not in {"CONFIGURE_DEPENDS", "RELATIVE"}]
@@ -288,7 +295,7 @@ class _Reader:
             if not os.path.exists(self._folder / name):  # noqa: PTH110 - any name is allowed
                 self.installation.missing[name] = line
             elif kind == "DIRECTORY":
-                self._add_folder(name, target)
+                self._add_folder(name, target, has_programs="USE_SOURCE_PERMISSIONS" in options)
             else:
                 new = options[options.index("RENAME") + 1] if "RENAME" in options[:-1] else ""
                 self._add(kind, self._folder / name, f"{target}/{new or Path(name).name}")
@@ -298,10 +305,12 @@ class _Reader:
             group = self.installation.programs if kind == "PROGRAMS" else self.installation.files
             group[target] = path
 
-    def _add_folder(self, name: str, target: str) -> None:
+    def _add_folder(self, name: str, target: str, *, has_programs: bool) -> None:
         # As in CMake, the folder `a` becomes target/a. The content of the folder `a/` goes directly
         # into target.
         source = self._folder / name
         start = target if name.endswith("/") else f"{target}/{source.name}"
         for path in self._search.below(source):
-            self.installation.files[f"{start}/{path.relative_to(source).as_posix()}"] = path
+            is_program = has_programs and start.startswith("lib/") and os.access(path, os.X_OK)
+            group = self.installation.programs if is_program else self.installation.files
+            group[f"{start}/{path.relative_to(source).as_posix()}"] = path

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import os
 import time
 from typing import TYPE_CHECKING
 
 import pytest
 
 from zbot.package.cmake_file import Installation, read_cmake
+from zbot.package.errors import SetupFileError
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -35,6 +37,7 @@ def read(folder: Path, text: str) -> Installation:
         "set(ALL nodes/a.py nodes/b.py)\ninstall(PROGRAMS ${ALL} DESTINATION lib/robot)",
         "set(ALL nodes/a.py;nodes/b.py)\ninstall(PROGRAMS ${ALL} DESTINATION lib/robot)",
         "set(D nodes)\ninstall(PROGRAMS ${D}/a.py ${D}/b.py DESTINATION lib/robot OPTIONAL)",
+        "list(APPEND A nodes/a.py nodes/b.py)\ninstall(PROGRAMS ${A} DESTINATION lib/robot)",
         "file(GLOB ALL nodes/*.py)\ninstall(PROGRAMS ${ALL} DESTINATION lib/robot)",
         "file(GLOB_RECURSE A nodes/*.py)\ninstall(PROGRAMS ${A} DESTINATION lib/robot)",
         "#[[ install(x\n) ]]\ninstall(PROGRAMS nodes/a.py nodes/b.py DESTINATION lib/robot)",
@@ -47,6 +50,21 @@ def test_installed_programs_are_found(folder: Path, text: str) -> None:
         "lib/robot/b.py": "b.py",
     }
     assert found.missing == {}
+
+
+def test_programs_of_an_installed_folder_are_found(folder: Path) -> None:
+    (folder / "nodes" / "a.py").chmod(0o755)
+    text = "install(DIRECTORY nodes/ DESTINATION lib/${PROJECT_NAME} USE_SOURCE_PERMISSIONS)"
+    found = read(folder, text)
+    if os.name != "nt":  # where each file counts as a program
+        assert {*found.programs, *found.files} == {"lib/robot/a.py", "lib/robot/b.py"}
+        assert list(found.programs) == ["lib/robot/a.py"]
+
+
+def test_a_list_that_grows_without_end_is_refused(folder: Path) -> None:
+    loop = "foreach(A " + "a " * 9000 + ")\nlist(APPEND ALL a)\nendforeach()"
+    with pytest.raises(SetupFileError, match="its variables are too large"):
+        read(folder, loop)
 
 
 @pytest.mark.parametrize(
