@@ -18,7 +18,7 @@ from zbot.errors import ZbotError
 from zbot.package.bundled_nodes import BUNDLED_PROGRAMS
 from zbot.package.cmake_file import Installation, read_cmake
 from zbot.package.finder import Origin
-from zbot.package.setup_file import data_files
+from zbot.package.setup_file import data_files, declared_scripts
 from zbot.package.user_folders import cache_folder, make_private
 from zbot.package.workspace import MANIFEST, SKIPPED
 from zbot.package.zbot_command import executable_wrapper
@@ -76,6 +76,7 @@ def prefix_folder(package: Package) -> Path:
     if package.origin is Origin.WORKSPACE:
         programs = _cmake(package.folder).programs
         files.update({target: file for target, file in programs.items() if _is_below(target)})
+        files.update(_python_programs(package))
     if package.origin is Origin.BUNDLED:
         files.update({f"bin/{file.name}": file for file in _programs(package.name)})
     try:
@@ -83,6 +84,21 @@ def prefix_folder(package: Package) -> Path:
     except OSError as exc:
         raise SymlinkInstallError(package.name, prefix, exc) from exc
     return prefix
+
+
+def _python_programs(package: Package) -> dict[str, Path]:
+    """Return what setup.py installs into `lib/<name>`, ROS 2's folder for programs."""
+    place = f"lib/{package.name}"
+    if _decisive_build_type(package.folder) in _CMAKE_TYPES:
+        return {}
+    scripts = declared_scripts(package.folder)
+    wrappers = [executable_wrapper(package.name, name) for name in scripts if _is_below(name)]
+    listed = [
+        package.folder / file
+        for target, file in data_files(package.folder)
+        if PurePosixPath(target) == PurePosixPath(place)
+    ]
+    return {f"{place}/{file.name}": file for file in (*wrappers, *listed) if os.path.isfile(file)}  # noqa: PTH113 - any name is allowed
 
 
 def _programs(package: str) -> Iterator[Path]:

@@ -130,6 +130,18 @@ def test_a_prefix_has_the_share_folder(write: Callable[..., Path]) -> None:
     assert (package_prefix("std_msgs") / "share" / "std_msgs" / "msg" / "String.msg").is_file()
 
 
+def test_a_prefix_has_the_programs_of_setup_py(write: Callable[..., Path]) -> None:
+    folder = write("scripts/wave", setup="(os.path.join('lib', name), ['scripts/wave'])")
+    setup = folder / "setup.py"
+    scripts = "entry_points={'console_scripts': ['drive = robot.drive:main']}, data_files"
+    setup.write_text(setup.read_text().replace("data_files", scripts))
+    programs = package_prefix("robot") / "lib" / "robot"
+    assert (programs / "wave").read_text() == "scripts/wave"
+    wrapper = shutil.which(programs / "drive")
+    assert wrapper is not None
+    assert "run robot drive" in Path(wrapper).read_text(encoding="utf-8")
+
+
 @pytest.mark.parametrize(
     ("package", "program"),
     [("xacro", "xacro"), ("rviz2", "rviz2"), ("rqt_gui", "rqt"), ("gazebo", "gzserver")],
