@@ -41,6 +41,8 @@ rosidl_runtime_py: import_message_from_namespaced_type get_interface_path
 ros2topic.api: get_msg_class get_topic_names get_topic_names_and_types
 ros2node.api: get_node_names get_absolute_node_name get_publisher_info get_subscriber_info
 ros2node.api: get_service_server_info get_action_server_info _is_hidden_name NodeName
+ros2launch.api: get_share_file_path_from_package
+ros2pkg.api: get_package_names get_prefix_path
 ros2service.api: get_service_names get_service_names_and_types
 ros2action.api: get_action_names get_action_names_and_types
 ros2param.api: call_get_parameters call_set_parameters call_list_parameters get_value
