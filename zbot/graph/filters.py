@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from zbot.errors import ZbotError
+from zbot.interfaces.text_pattern import PatternError, RegularExpression
 from zbot.names import ACTION_PART, is_hidden
 
 if TYPE_CHECKING:
@@ -14,6 +15,7 @@ if TYPE_CHECKING:
 
 __all__ = ["UNGROUPED", "Filters", "Grouping", "InvalidFilterError", "compile_filter"]
 
+_MOST_CHARACTERS = 2_000
 # rqt_graph treats a text of these characters as a name. Any other text is a regular expression.
 _PLAIN = re.compile(r"[a-zA-Z0-9_/]+")
 # Names that rqt_graph hides as "quiet". zbot compares whole names. rqt_graph searches for parts of
@@ -27,7 +29,7 @@ TF_TOPICS = frozenset({"/tf", "/tf_static"})
 
 
 class InvalidFilterError(ZbotError, ValueError):
-    """A part of a filter is not a regular expression.
+    """A part of a filter is not a regular expression, or the filter is too long.
 
     Attributes:
         pattern: The wrong part.
@@ -93,11 +95,15 @@ def compile_filter(text: str) -> Callable[[str], bool]:
     Commas separate the parts of a filter. A part of letters, digits, `_` and `/` is a whole name.
     Any other part is a regular expression that must match from the beginning of a name. If `-` is
     before a part, the names of this part are left out. An empty filter and the filter `/` include
-    all names.
+    all names. Regular expressions are those of `RegularExpression`, so no name takes long.
 
     Raises:
-        InvalidFilterError: A part is not a regular expression.
+        InvalidFilterError: A part is not a regular expression, or the filter is too long.
     """
+    if len(text) > _MOST_CHARACTERS:
+        raise InvalidFilterError(
+            f"{text[:20]}...", f"it has more than {_MOST_CHARACTERS:,} characters"
+        )
     parts = [part.strip() for part in text.split(",")]
     excludes = [_matcher(part[1:]) for part in parts if part.startswith("-")]
     wanted = [part for part in parts if part and not part.startswith("-")]
@@ -116,7 +122,6 @@ def _matcher(part: str) -> Callable[[str], bool]:
     if not part:
         return lambda _: False  # the user has typed only "-" so far
     try:
-        pattern = re.compile(part)
-    except re.error as exc:
+        return RegularExpression(part, is_whole=False).matches
+    except PatternError as exc:
         raise InvalidFilterError(part, str(exc)) from exc
-    return lambda name: pattern.match(name) is not None

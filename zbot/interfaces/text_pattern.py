@@ -1,4 +1,4 @@
-"""Patterns of content filters for texts: regular expressions, and the patterns of `LIKE`.
+"""Patterns of filters for texts: regular expressions, and the patterns of `LIKE`.
 
 Python's `re` tries all ways to match a pattern, one after the other. So `re` can need years for a
 text of 40 characters, e.g. with the pattern `(a+)+b`. In this module, the time is proportional to
@@ -43,6 +43,10 @@ class _Part(NamedTuple):
     most: int | None = None  #: `None` means any number
 
 
+#: Any characters, also ends of lines.
+_REST = _Part("repetition", [_Part("character", [], lambda _: True)])
+
+
 class _State(NamedTuple):
     """A place in an expression, and the places that follow.
 
@@ -55,25 +59,27 @@ class _State(NamedTuple):
 
 
 class RegularExpression:
-    r"""Regular expression for whole texts. All ways to match are followed at the same time.
+    r"""Regular expression for texts. All ways to match are followed at the same time.
 
     The expression may have characters, `.`, `[a-z]`, classes such as `\d`, groups, `|`, `*`, `+`,
     `?` and `{2,3}`.
 
     Args:
         pattern: The expression, as Python's `re` writes it.
+        is_whole: Whether the expression must match the whole text, as with `re.fullmatch`.
+            Otherwise it must match the beginning of the text, as with `re.match`.
 
     Raises:
         PatternError: The expression is not valid, refers to a group, looks ahead or behind, or is
             too large.
     """
 
-    def __init__(self, pattern: str) -> None:
+    def __init__(self, pattern: str, *, is_whole: bool = True) -> None:
         try:
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore")  # about regular expressions of later versions
                 re.compile(pattern)
-                part = _Parser(pattern).parse()
+                part = _Parser(pattern, is_whole=is_whole).parse()
         except (re.error, RecursionError, OverflowError) as exc:
             raise PatternError(str(exc)) from None
         except PatternError:
@@ -87,7 +93,7 @@ class RegularExpression:
         self._kept = 0
 
     def matches(self, text: str) -> bool:
-        """Return whether the whole text matches. Return False after too many steps."""
+        """Return whether a text matches. Return False after too many steps."""
         here, steps = self._begin, 0
         for character in text:
             following = self._known.get((here, character))
@@ -161,10 +167,9 @@ class RegularExpression:
 class _Parser:
     """Reader of regular expressions that `re` has accepted."""
 
-    def __init__(self, pattern: str) -> None:
-        self._pattern = pattern.removeprefix("^")
-        if self._pattern.endswith("$") and not self._pattern.endswith("\\$"):
-            self._pattern = self._pattern[:-1]
+    def __init__(self, pattern: str, *, is_whole: bool) -> None:
+        self._pattern = pattern
+        self._is_whole = is_whole
         self._place = 0
         self._levels = 0
 
@@ -189,9 +194,19 @@ class _Parser:
 
     def _sequence(self) -> _Part:
         parts = list[_Part]()
-        while self._place < len(self._pattern) and self._pattern[self._place] not in "|)":
+        is_outer = self._levels == 0
+        if is_outer:  # `^` and `$` are supported only outside of all groups
+            self._skip("^")
+        while self._place < len(self._pattern) and self._pattern[self._place] not in "|)$":
             parts.append(self._repetition(self._group() or self._character()))
+        if is_outer and not self._skip("$") and not self._is_whole:
+            parts.append(_REST)
         return _Part("sequence", parts)
+
+    def _skip(self, sign: str) -> bool:
+        is_there = self._pattern.startswith(sign, self._place)
+        self._place += is_there
+        return is_there
 
     def _group(self) -> _Part | None:
         found = _GROUP.match(self._pattern, self._place)

@@ -6,7 +6,7 @@ import pytest
 
 from tests.unit.tokens import STRING, endpoint_token
 from zbot.graph.dot import dot
-from zbot.graph.filters import InvalidFilterError
+from zbot.graph.filters import InvalidFilterError, compile_filter
 from zbot.graph.snapshot import Snapshot
 from zbot.graph.view import BoxKind, Edge, Filters, Grouping, Mode, view
 from zbot.wire.tokens import EndpointToken, EntityKind, NodeToken
@@ -94,6 +94,19 @@ def test_filters_include_and_leave_out_as_in_rqt_graph() -> None:
     assert left("-/talk.* , -/nobody") == ["/listener"]
     assert left("/talk.*,-/talker_2") == ["/talker"]
     assert left("alker.*") == []  # expressions match from the start, as in rqt_graph
+
+
+def test_no_name_takes_a_filter_long() -> None:
+    r"""`re` needs years for this name."""
+    passes = compile_filter(r"/(\w+/?)+x$")
+    assert not passes("/robot1/local_costmap/costmap_raw/updates_of_the_whole_map")
+    assert passes("/robot1/local_costmap/costmap_raw/updates_of_the_whole_matrix")
+
+
+@pytest.mark.parametrize("text", ["/(?=a)b", "/a" * 2_000])
+def test_a_filter_that_may_take_long_is_refused(text: str) -> None:
+    with pytest.raises(InvalidFilterError):
+        compile_filter(text)
 
 
 def test_an_invalid_filter_is_refused() -> None:

@@ -1,4 +1,4 @@
-"""Tests of the patterns of content filters: what they match, and that no text takes long."""
+"""Tests of the patterns of filters: what they match, and that no text takes long."""
 
 from __future__ import annotations
 
@@ -37,11 +37,24 @@ def test_an_expression_matches_what_python_matches(pattern: str, texts: list[str
         assert expression.matches(text) == (re.fullmatch(pattern, text) is not None)
 
 
+@given(pattern=PATTERNS, texts=st.lists(TEXTS, max_size=4))
+def test_an_expression_matches_the_beginnings_that_python_matches(
+    pattern: str, texts: list[str]
+) -> None:
+    for written in (pattern, f"^{pattern}|b$", f"^(?:{pattern})$|^b"):
+        expression = RegularExpression(written, is_whole=False)
+        for text in texts:
+            end = r"\Z"  # `$` of Python also matches before the end of the last line
+            expected = re.match(written.replace("$", end), text) is not None
+            assert expression.matches(text) == expected
+
+
 @pytest.mark.parametrize(
     ("pattern", "text", "expected"),
     [
         ("^arm_[0-9]+$", "arm_17", True),
         ("^arm_[0-9]+$", "arm_", False),
+        ("^arm$|^leg$", "leg", True),
         (r"(?P<side>left|right)/wheel", "right/wheel", True),
         ("a|", "", True),
         (r"cost\$", "cost$", True),
