@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Generic, TypeVar
 
 from nicegui import background_tasks
 
-from zbot.web.page.service_call import run_in_thread
+from zbot.web.page.service_call import READING, run_in_thread
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -21,7 +21,7 @@ class RepeatedReading(Generic[T]):
 
     Args:
         section: The section that needs the result. After its end, the function runs no more.
-        read: The function. It runs in a thread while the page is visible. It does not return None.
+        read: The function. It runs in a thread while the page is visible.
         value: The value until the first result.
         max_hz: How often the function runs at most, in a second.
 
@@ -44,7 +44,7 @@ class RepeatedReading(Generic[T]):
 
     async def _run(self) -> None:
         try:
-            value = await run_in_thread(self._read)
+            value = await run_in_thread(self._read, threads=READING)
             if value != self.value:
                 self.value = value
                 self.number += 1

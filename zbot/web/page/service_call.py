@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import asyncio
 import functools
+from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from nicegui import run, ui
+from nicegui import ui
 
 from zbot.errors import ZbotError
 from zbot.observer.system import PATIENCE_S
@@ -18,6 +19,15 @@ if TYPE_CHECKING:
     from zbot.observer.system import System
 
 T = TypeVar("T")
+
+#: Threads for functions that wait for other nodes, some of which never answer. They have many
+#: threads, because such a function may wait 10 s.
+WAITING = ThreadPoolExecutor(64, "zbot web waits")
+#: Threads for functions that need the processor. With more threads, NiceGUI's loop gets its turn
+#: less often.
+READING = ThreadPoolExecutor(4, "zbot web reads")
+#: Threads for functions that read whole bags, which takes minutes.
+EXPORTING = ThreadPoolExecutor(2, "zbot web exports")
 
 
 async def call(
@@ -70,12 +80,20 @@ async def answer(future: Awaitable[T], name: str, timeout_s: float = PATIENCE_S)
         raise NoAnswerError(name, timeout_s) from None
 
 
-async def run_in_thread(function: Callable[..., T], *arguments: Any) -> T:
-    """Run a slow function in a thread and return its result. NiceGUI's loop is not blocked."""
-    made = await run.io_bound(function, *arguments)
-    if made is None:
-        raise asyncio.CancelledError  # NiceGUI returns None while the server shuts down
-    return made
+async def run_in_thread(
+    function: Callable[..., T], *arguments: Any, threads: ThreadPoolExecutor = WAITING
+) -> T:
+    """Run a slow function in a thread and return its result. NiceGUI's loop is not blocked.
+
+    Args:
+        function: The function. After a cancellation of this call, the function runs on.
+        arguments: Its arguments.
+        threads: `WAITING`, `READING` or `EXPORTING`.
+    """
+    # `run.io_bound` of NiceGUI has one small pool for everything, and returns None if it is
+    # cancelled.
+    call_function = functools.partial(function, *arguments)
+    return await asyncio.get_running_loop().run_in_executor(threads, call_function)
 
 
 def show_error(error: Exception) -> None:

@@ -6,7 +6,7 @@ import base64
 import time
 from typing import TYPE_CHECKING, Any
 
-from nicegui import background_tasks, run, ui
+from nicegui import background_tasks, ui
 
 from zbot.classroom.teacher import opening
 from zbot.classroom.teacher.invitation import Invitation, invitation
@@ -17,6 +17,7 @@ from zbot.graph.view import view
 from zbot.text.whole_number import whole_number
 from zbot.web.page.panel import Page, Panel
 from zbot.web.page.qr_code import qr_code
+from zbot.web.page.service_call import run_in_thread
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -96,12 +97,11 @@ class _Class:
     async def ask(self) -> None:
         """Query the classroom in a thread, because the query may take a second."""
         try:
-            found = await run.io_bound(_look, self.chosen)
+            found = await run_in_thread(_look, self.chosen)
         except ZbotError as error:
             self.found, self.invited, self.problem = None, None, str(error)
         else:
-            if found is not None:  # NiceGUI returns None while the server shuts down
-                (self.found, self.snapshot, self.invited), self.problem = found, ""
+            (self.found, self.snapshot, self.invited), self.problem = found, ""
         finally:
             self.is_asking, self.asked_s = False, time.monotonic()
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from nicegui import ui
@@ -13,7 +14,7 @@ from zbot.observer.curve import thinned
 from zbot.observer.errors import ViewerError
 from zbot.time import S_TO_NS
 from zbot.web.page.command_line import command_line
-from zbot.web.page.service_call import run_in_thread, with_errors_shown
+from zbot.web.page.service_call import EXPORTING, READING, run_in_thread, with_errors_shown
 from zbot.web.panels.bags.bag_export import IMAGE_TYPES, export_csv, export_video
 
 if TYPE_CHECKING:
@@ -47,7 +48,7 @@ class BagDetails:
 
     async def fill(self) -> None:
         """Read the bag's description, and add the elements."""
-        found = (await run_in_thread(self.control.bags)).get(self.name)
+        found = (await run_in_thread(self.control.bags, threads=READING)).get(self.name)
         if found is None or found.metadata is None:
             ui.label("There is no bag with this name." if found is None else found.problem)
             return
@@ -180,12 +181,8 @@ class BagDetails:
         if self.rate.value != 1:
             words += ["--rate", f"{self.rate.value:g}"]
         self.section.page.show_command(command_line("bag", "play", self.name, *words))
-
-        def start() -> bool:
-            self.control.play(self.name, offset_s=offset_s, rate=self.rate.value, topics=topics)
-            return True
-
-        await run_in_thread(start)
+        play = partial(self.control.play, offset_s=offset_s, rate=self.rate.value, topics=topics)
+        await run_in_thread(play, self.name)
 
     async def step(self) -> None:
         """Start or pause the playback. If it is paused already, publish the next message."""
@@ -200,12 +197,7 @@ class BagDetails:
 
     async def stop(self) -> None:
         """End the playback."""
-
-        def stop() -> bool:
-            self.control.stop_playing()
-            return True
-
-        await run_in_thread(stop)
+        await run_in_thread(self.control.stop_playing)
         self.slider.set_value(0)
 
     def change_rate(self, event: Any) -> None:
@@ -228,7 +220,7 @@ class BagDetails:
         """Read the chosen curves from the bag, and draw them without a playback."""
         names = list(event.value or ())
         self.chart.set_visibility(bool(names))
-        series = [await run_in_thread(self.read_curve, name) for name in names]
+        series = [await run_in_thread(self.read_curve, name, threads=EXPORTING) for name in names]
         self.chart.options.clear()
         self.chart.options.update(_chart(series, self.duration_s))
         self.chart.update()
@@ -265,7 +257,9 @@ class BagDetails:
             start_ns + int((self.start.value or 0) * S_TO_NS),
             start_ns + int(((self.end.value or 0) + _STEP_S) * S_TO_NS),
         )
-        data = await run_in_thread(export, self.control.path(self.name), topic, *part)
+        data = await run_in_thread(
+            export, self.control.path(self.name), topic, *part, threads=EXPORTING
+        )
         name = topic.strip("/").replace("/", "_")
         ui.download(data, f"{self.name}_{name}.{suffix}", media_type)
 

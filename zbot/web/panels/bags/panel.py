@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from datetime import datetime
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from nicegui import ui
 
@@ -118,26 +118,13 @@ class _Bags:
     async def record(self, name: str, topics: list[str] | None) -> None:
         words = ["-a"] if topics is None else ["--topics", *topics]
         self.page.show_command(command_line("bag", "record", "-o", name, *words))
-        await run_in_thread(_no_result(self.control.record), name, topics)
+        await run_in_thread(self.control.record, name, topics)
 
     async def stop(self) -> None:
-        await run_in_thread(_no_result(self.control.stop_recording))
+        await run_in_thread(self.control.stop_recording)
         recording = self.control.recording
         if recording is not None and recording.error:
             ui.notify(recording.error, type="negative")
-
-
-def _no_result(function: Any) -> Any:
-    """Return a function that calls `function` and returns True.
-
-    `run_in_thread` needs a result, because it takes None for a shutdown of the server.
-    """
-
-    def call(*arguments: Any) -> bool:
-        function(*arguments)
-        return True
-
-    return call
 
 
 def _row(bag: FoundBag) -> list[str | Cell]:

@@ -5,10 +5,11 @@ from __future__ import annotations
 import shlex
 from typing import TYPE_CHECKING, Any
 
-from nicegui import run, ui
+from nicegui import ui
 
 from zbot.errors import ZbotError
 from zbot.web.forms.form_view import FormView
+from zbot.web.page.service_call import run_in_thread
 
 if TYPE_CHECKING:
     from zbot.observer.shared_entities import RepeatedPublishing
@@ -28,13 +29,11 @@ def add_publish_form(section: Section, watch: Watch) -> None:
 
     async def update() -> None:
         try:
-            message_type = await run.io_bound(section.system.interface, str(type_name))
+            message_type = await run_in_thread(section.system.interface, str(type_name))
         except ZbotError as error:
             with expansion:
                 ui.label(str(error)).classes("zb-bad")
             return
-        if message_type is None:
-            return  # the server is shutting down
         with expansion:
             _PublishForm(section, watch.topic, str(type_name), message_type)
 
