@@ -5,11 +5,12 @@ from __future__ import annotations
 import asyncio
 from typing import TYPE_CHECKING, Any
 
-from nicegui import background_tasks, run, ui
+from nicegui import background_tasks, ui
 
 from zbot.classroom.sensor_rule import sensors_refusal
 from zbot.web.page.command_line import command_line
 from zbot.web.page.panel import Page, Panel
+from zbot.web.page.service_call import run_in_thread
 from zbot.web.panels.sensors.browser_name import drop_name, free_name, hold_name, usual_name
 from zbot.web.panels.sensors.phone_invitation import add_phone_invitation
 from zbot.web.panels.sensors.sensor_card import SensorCard
@@ -72,7 +73,7 @@ class SensorsPanel:
     async def _watch_rule(self) -> None:
         """Ask the class again and again whether it allows sensors."""
         while True:
-            self._follow(await run.io_bound(sensors_refusal))
+            self._follow(await run_in_thread(sensors_refusal))
             await asyncio.sleep(_RULE_S)
 
     def _follow(self, rule: str | None) -> None:
