@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import Enum
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -15,9 +15,23 @@ if TYPE_CHECKING:
 
     from zbot.graph.snapshot import Snapshot
 
-__all__ = ["BoxKind", "Edge", "Filters", "GraphView", "Grouping", "Mode", "TopicView", "view"]
+__all__ = [
+    "BoxKind",
+    "Edge",
+    "Filters",
+    "GraphView",
+    "Grouping",
+    "Mode",
+    "TopicView",
+    "limited",
+    "view",
+]
 
-
+# With these limits, the layout takes about a second. A robot with Nav2 has some 30 nodes, 150
+# topics and 500 edges. An edge with a label needs as much time as three others.
+_MOST_NODES = 300
+_MOST_TOPICS = 600
+_MOST_EDGES = 2_000
 _TOOL = "/_zbot_"  # in the names of zbot's own nodes; `left_out` does not contain these nodes
 
 
@@ -138,6 +152,25 @@ def view(
     left_out = sorted(known - kept)
     namespaces, all_nodes = grouping.namespaces, tuple(sorted(nodes))
     return GraphView(mode, all_nodes, topics, namespaces, problems, tuple(left_out))
+
+
+def limited(drawn: GraphView) -> GraphView:
+    """Return the part of a view that can be drawn soon. The names of the rest are in `left_out`."""
+    nodes = drawn.nodes[:_MOST_NODES]
+    known = set(nodes)
+    kept: list[TopicView] = []
+    edges = 0
+    for topic in drawn.topics:
+        part = topic if len(nodes) == len(drawn.nodes) else topic.among(known)
+        starts, ends = len(part.publishers), len(part.subscriptions)
+        count = 3 * starts * ends if drawn.mode is Mode.NODES else starts + ends
+        if part.ends and len(kept) < _MOST_TOPICS and edges + count <= _MOST_EDGES:
+            kept.append(part)
+            edges += count
+    names = {*nodes, *(topic.name for topic in kept)}
+    rest = {*drawn.nodes, *(topic.name for topic in drawn.topics)} - names
+    left_out = tuple(sorted(rest.union(drawn.left_out)))
+    return replace(drawn, nodes=nodes, topics=tuple(kept), left_out=left_out)
 
 
 def _chosen(topics: list[TopicView], mode: Mode, filters: Filters) -> Iterator[TopicView]:

@@ -8,7 +8,7 @@ from tests.unit.tokens import STRING, endpoint_token
 from zbot.graph.dot import dot
 from zbot.graph.filters import InvalidFilterError, compile_filter
 from zbot.graph.snapshot import Snapshot
-from zbot.graph.view import BoxKind, Edge, Filters, Grouping, Mode, view
+from zbot.graph.view import BoxKind, Edge, Filters, Grouping, Mode, limited, view
 from zbot.wire.tokens import EndpointToken, EntityKind, NodeToken
 
 _numbers = count(1)
@@ -128,6 +128,23 @@ def test_left_out_names_are_listed() -> None:
         "/rosout",
         "/talker",
     )
+
+
+@pytest.mark.parametrize("mode", [Mode.ALL, Mode.NODES])
+def test_a_crowd_is_drawn_in_part(mode: Mode) -> None:
+    crowd = [f"node_{number:04}" for number in range(400)]
+    tokens = [node(name) for name in crowd]
+    tokens += [publishes(name, f"/t_{name}_{number}") for name in crowd for number in range(3)]
+    tokens += [subscribes(name, "/tf") for name in crowd] + [publishes(crowd[0], "/tf")]
+    whole = view(Snapshot(tuple(tokens)), mode)
+    part = limited(whole)
+    assert (len(part.nodes), part.nodes[0]) == (300, "/node_0000")
+    assert len(part.topics) <= 600
+    assert len(part.edges) <= 2000
+    names = [*part.nodes, *(topic.name for topic in part.topics), *part.left_out]
+    topics = [topic.name for topic in whole.topics]
+    assert sorted(names) == sorted([*whole.nodes, *topics, *whole.left_out])
+    assert limited(part) == part
 
 
 def test_debug_leaves_tools_out_but_no_student_s_node() -> None:

@@ -28,6 +28,8 @@ WAITING = ThreadPoolExecutor(64, "zbot web waits")
 READING = ThreadPoolExecutor(4, "zbot web reads")
 #: Threads for functions that read whole bags, which takes minutes.
 EXPORTING = ThreadPoolExecutor(2, "zbot web exports")
+#: Thread for drawings of the graph. All pages draw it again at each change.
+DRAWING = ThreadPoolExecutor(1, "zbot web draws")
 
 
 async def call(
@@ -88,7 +90,7 @@ async def run_in_thread(
     Args:
         function: The function. After a cancellation of this call, the function runs on.
         arguments: Its arguments.
-        threads: `WAITING`, `READING` or `EXPORTING`.
+        threads: `WAITING`, `READING`, `EXPORTING` or `DRAWING`.
     """
     # `run.io_bound` of NiceGUI has one small pool for everything, and returns None if it is
     # cancelled.

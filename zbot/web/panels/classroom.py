@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import base64
 import time
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from nicegui import background_tasks, ui
 
@@ -13,14 +13,16 @@ from zbot.classroom.teacher.invitation import Invitation, invitation
 from zbot.errors import ZbotError, counted
 from zbot.graph.diagram import draw
 from zbot.graph.snapshot import Snapshot
-from zbot.graph.view import view
+from zbot.graph.view import limited, view
 from zbot.text.whole_number import whole_number
 from zbot.web.page.panel import Page, Panel
 from zbot.web.page.qr_code import qr_code
-from zbot.web.page.service_call import run_in_thread
+from zbot.web.page.service_call import DRAWING, run_in_thread
 
 if TYPE_CHECKING:
     from collections.abc import Callable
+
+    from zbot.graph.view import GraphView
 
 
 # Seconds from the classroom's last answer to the next query.
@@ -29,6 +31,13 @@ _DRAW_HZ = 4.0
 _SECONDS_OF = {"s": 60.0, "min": 60.0, "h": 24.0, "d": float("inf")}
 
 Student = dict[str, Any]
+
+
+class _Picture(NamedTuple):
+    """Drawing of a student's graph."""
+
+    view: GraphView
+    address: str  #: the address for the browser
 
 
 class _Card:
@@ -66,12 +75,12 @@ class _Class:
         self.chosen = whole_number(page.query.get("student", ""), 8)
         self.found: Student | None = None
         self.invited: Invitation | None = None
-        self.snapshot = Snapshot(())
+        self.graph: _Picture | None = None
         self.problem = ""
         self.asked_s = 0.0
         self.is_asking = False
         self.cards: dict[int, _Card] = {}
-        self.drawn: object = None
+        self.drawn: _Picture | None = None
         with page.toolbar:
             self.count = ui.label().classes("zb-muted")
         with ui.element("div").classes("zb-col"):
@@ -96,12 +105,15 @@ class _Class:
 
     async def ask(self) -> None:
         """Query the classroom in a thread, because the query may take a second."""
+        chosen = self.chosen
         try:
-            found = await run_in_thread(_look, self.chosen)
+            self.found, graph, self.invited = await run_in_thread(_look, chosen)
+            self.problem = ""
+            picture = await run_in_thread(_picture, graph, self.graph, threads=DRAWING)
+            if chosen == self.chosen:
+                self.graph = picture
         except ZbotError as error:
             self.found, self.invited, self.problem = None, None, str(error)
-        else:
-            (self.found, self.snapshot, self.invited), self.problem = found, ""
         finally:
             self.is_asking, self.asked_s = False, time.monotonic()
 
@@ -131,26 +143,21 @@ class _Class:
         return card
 
     def show_graph(self) -> None:
-        """Draw the chosen student's graph if it has changed."""
-        state = (self.chosen, self.snapshot)
+        """Show the chosen student's graph if it has changed."""
         is_shown = self.chosen in self.cards
-        self.picture.set_visibility(is_shown)
+        self.picture.set_visibility(is_shown and self.graph is not None)
         self.heading.set_text(f"Graph of {self.chosen}" if is_shown else "")
         self.view.set_visibility(is_shown)
-        if is_shown and state != self.drawn:
-            self.drawn = state
-            # As an image, the SVG is safe: browsers run no script in an image, even if a node's
-            # name contains a script.
-            svg = draw(view(self.snapshot)).svg().encode()
-            address = f"data:image/svg+xml;base64,{base64.b64encode(svg).decode()}"
-            self.picture.props(f'src="{address}"')
+        if is_shown and self.graph is not None and self.graph is not self.drawn:
+            self.drawn = self.graph
+            self.picture.props(f'src="{self.graph.address}"')
 
     def choose(self, number: int | None) -> None:
         """Show a student's graph, or no graph if `number` is None."""
         self.chosen, self.asked_s = number, 0.0
         self.view.props["href"] = f"/view?student={number}"
         self.view.update()
-        self.snapshot = Snapshot(())
+        self.graph = None
         if number is None:
             self.page.show_command("zbot class list")
         else:
@@ -162,6 +169,17 @@ def _look(chosen: int | None) -> tuple[Student, Snapshot, Invitation]:
     found = opening.command({"op": "list"})
     snapshot = opening.graph_of(chosen) if chosen is not None else Snapshot(())
     return found, snapshot, invitation()
+
+
+def _picture(graph: Snapshot, before: _Picture | None) -> _Picture:
+    """Return the drawing of a graph, or `before` if it is the same drawing."""
+    shown = limited(view(graph))
+    if before is not None and before.view == shown:
+        return before
+    # As an image, the SVG is safe: browsers run no script in an image, even if a node's name
+    # contains a script.
+    svg = draw(shown).svg().encode()
+    return _Picture(shown, f"data:image/svg+xml;base64,{base64.b64encode(svg).decode()}")
 
 
 def _nodes(student: Student) -> str:

@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from nicegui import ui
+from nicegui import background_tasks, ui
 
-from zbot.graph.diagram import draw, edge_key
+from zbot.errors import counted
+from zbot.graph.diagram import edge_key
 from zbot.graph.dot import dot
 from zbot.graph.view import Mode
 from zbot.web.page.panel import Page, Panel
+from zbot.web.page.service_call import DRAWING, run_in_thread
 from zbot.web.panels.graph.graph_details import show_details
+from zbot.web.panels.graph.graph_drawings import drawings_of
 from zbot.web.panels.graph.graph_options import MOST_NAMESPACES, GraphOptions, filter_problem
 from zbot.web.panels.graph.graph_rates import GraphRates
 
@@ -19,12 +23,15 @@ if TYPE_CHECKING:
     from zbot.graph.diagram import Drawing
     from zbot.graph.view import GraphView
     from zbot.web.page.panel import Section
+    from zbot.web.panels.graph.graph_drawings import Drawn
 
 # At this rate, a change is visible within 0.2 s, and a launch of many nodes needs few drawings.
 _DRAW_HZ = 5.0
 _RATE_HZ = 1.0
 _CHOSEN = "chosen"
 _RATES = "rates"
+_MOST_PROBLEMS = 20
+_MOST_LEFT_OUT = 100
 
 
 _MODES = {Mode.NODES: "Nodes", Mode.ACTIVE: "Active", Mode.ALL: "All"}
@@ -54,9 +61,15 @@ class GraphPanel:
         self.page = page
         self.options = GraphOptions.from_query(page.query)
         self.drawing: Drawing | None = None
+        self._drawings = drawings_of(page.system)
+        self._drawn: Drawn | None = None
+        self._is_drawing = False
+        self._fault: Exception | None = None
+        self._wants_layout = self._has_own_layout = False
         self.rates = GraphRates(page)
         self.shows_rates = _RATES in page.query
         self._seen: tuple[int, GraphOptions] | None = None
+        self._shown: tuple[Drawing, bool] | None = None
         self._chosen = ""
         self._details: Section | None = None
         _add_filters(self)
@@ -76,38 +89,53 @@ class GraphPanel:
 
     def update(self) -> None:
         """Draw the graph again if the graph or the options have changed."""
+        if self._fault is not None:
+            raise self._fault  # the page shows it
         state = (self.page.system.revision, self.options)
-        if state == self._seen:
+        if self._is_drawing or (state == self._seen and not self._wants_layout):
             return
-        self._seen = state
-        view = self.options.view(self.page.system.snapshot())
-        self._show_notes(view)
-        if self.drawing is None or self.drawing.view != view:
-            self.drawing = draw(view, self.drawing)
-            self._show()
+        self._seen, self._is_drawing = state, True
+        background_tasks.create(self._draw(), name="zbot graph")
+
+    async def _draw(self) -> None:
+        # The layout of a large graph takes a second, so a thread makes it.
+        before = None if self._wants_layout else self._drawn
+        self._wants_layout = False
+        make = partial(self._drawings.draw, is_shared=not self._has_own_layout)
+        try:
+            self._drawn = await run_in_thread(make, self.options, before, threads=DRAWING)
+            self.drawing = self._drawn.drawing
+            self._show_notes(self._drawn.view)
+            await self._show()
+        except Exception as error:  # noqa: BLE001 - see `update`
+            self._fault = error
+        finally:
+            self._is_drawing = False
 
     def tidy(self) -> None:
-        """Make a new layout, which does not keep the places of items."""
-        if self.drawing is not None:
-            self.drawing = draw(self.drawing.view)
-            self._show()
+        """Make a new layout, which does not keep the places of items. Other pages keep theirs."""
+        self._wants_layout = self._has_own_layout = True
 
     def fit(self) -> None:
         """Show the whole drawing."""
         self.page.call("zbot.graph.fit", self._id)
 
-    def _show(self) -> None:
-        if self.drawing is not None:
-            if self.shows_rates:
-                self.rates.match(self.drawing.view)
-            self.page.call("zbot.graph.show", self._id, self.svg(), self._chosen)
+    async def _show(self) -> None:
+        if self.drawing is None or self._shown == (self.drawing, self.shows_rates):
+            return
+        self._shown = (self.drawing, self.shows_rates)
+        svg = await self.svg()
+        if self.shows_rates:
+            self.rates.match(self.drawing.view)
+        self.page.call("zbot.graph.show", self._id, svg, self._chosen)
 
-    def svg(self) -> str:
+    async def svg(self) -> str:
         """Return the drawing as SVG. It contains the rates if the page shows rates."""
-        if self.drawing is None:
-            return ""
-        labels = self.rates.labels(self.drawing.view) if self.shows_rates else None
-        return self.drawing.svg(labels)
+        if self._drawn is None or not self.shows_rates:
+            return "" if self._drawn is None else self._drawn.svg
+        drawing = self._drawn.drawing
+        labels = self.rates.labels(drawing.view)
+        return await run_in_thread(drawing.svg, labels, threads=DRAWING)
 
     def update_rates(self) -> None:
         """Write the rates beside the arrows."""
@@ -120,25 +148,30 @@ class GraphPanel:
         """Show the problems, and the names that the drawing leaves out."""
         self._problems.clear()
         with self._problems:
-            for problem in view.problems:
+            for problem in view.problems[:_MOST_PROBLEMS]:
                 ui.label(problem)
+            more = len(view.problems) - _MOST_PROBLEMS
+            if more > 0:
+                ui.label(f"and {counted(more, 'more problem')}")
         self._problems.set_visibility(bool(view.problems))
-        names = ", ".join(view.left_out)
+        more = len(view.left_out) - _MOST_LEFT_OUT
+        names = ", ".join(view.left_out[:_MOST_LEFT_OUT]) + (f" and {more} more" * (more > 0))
         self._left_out.set_text(f"not shown: {names}" if names else "")
 
     def change(self, options: GraphOptions) -> None:
         """Draw the graph with other options, and put the options into the address."""
         self.options = options
+        self._has_own_layout = False
         self.remember()
         self.show_command()
 
-    def switch_rates(self, event: Any) -> None:
+    async def switch_rates(self, event: Any) -> None:
         """Start or stop showing rates."""
         self.shows_rates = bool(event.value)
         if not self.shows_rates:
             self.rates.match(None)
-        self._show()
         self.remember()
+        await self._show()
 
     def remember(self) -> None:
         """Put the options, the switch for rates and the chosen item into the address."""
@@ -265,13 +298,13 @@ def _button(icon: str, text: str) -> ui.button:
     return button.tooltip(text)
 
 
-def _save_svg(panel: GraphPanel) -> None:
-    panel.page.call("zbot.save", "graph.svg", panel.svg(), "image/svg+xml")
+async def _save_svg(panel: GraphPanel) -> None:
+    panel.page.call("zbot.save", "graph.svg", await panel.svg(), "image/svg+xml")
     panel.page.show_command(f"{panel.options.command} --svg graph.svg")
 
 
-def _save_png(panel: GraphPanel) -> None:
-    panel.page.call("zbot.graph.savePng", "graph.png", panel.svg())
+async def _save_png(panel: GraphPanel) -> None:
+    panel.page.call("zbot.graph.savePng", "graph.png", await panel.svg())
     panel.page.show_command(f"{panel.options.command} --svg graph.svg")
 
 
