@@ -9,10 +9,16 @@ import pytest
 from PIL import Image
 
 from zbot.bag import Writer
-from zbot.bag.errors import BagValueError
-from zbot.web.panels.bags.bag_export import export_video
+from zbot.bag.errors import BagError, BagValueError
+from zbot.web.panels.bags.bag_export import (
+    export_csv,
+    export_video,
+    new_export_file,
+    write_export,
+)
 
 from sensor_msgs.msg import CompressedImage
+from std_msgs.msg import String
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -37,4 +43,21 @@ def test_a_damaged_image_is_named_as_the_reason(tmp_path: Path, data: bytes) -> 
     with Writer(tmp_path / "bag") as writer:
         writer.write("/image", CompressedImage(data=data), 1)
     with pytest.raises(BagValueError, match="an image cannot be read"):
-        export_video(tmp_path / "bag", "/image", 0, 2)
+        export_video(io.BytesIO(), tmp_path / "bag", "/image", 0, 2)
+
+
+def test_an_export_is_a_file_that_the_browser_can_load(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    with Writer(tmp_path / "bag") as writer:
+        writer.write("/words", String(data="one"), 1)
+    target = new_export_file()
+    write_export(target, export_csv, tmp_path / "bag", "/words", (0, 2))
+    assert target.parent == tmp_path
+    assert target.read_text().splitlines() == ["time,data", "0.000000001,one"]
+
+
+def test_an_export_that_cannot_be_written_says_why(tmp_path: Path) -> None:
+    with pytest.raises(BagError, match="the export cannot be written: "):
+        write_export(tmp_path / "lost" / "file", export_csv, tmp_path / "bag", "/words", (0, 2))

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import contextlib
 from functools import partial
 from typing import TYPE_CHECKING, Any
+from weakref import finalize
 
 from nicegui import ui
 
@@ -15,13 +17,22 @@ from zbot.observer.errors import ViewerError
 from zbot.time import S_TO_NS
 from zbot.web.page.command_line import command_line
 from zbot.web.page.service_call import EXPORTING, READING, run_in_thread, with_errors_shown
-from zbot.web.panels.bags.bag_export import IMAGE_TYPES, export_csv, export_video
+from zbot.web.panels.bags.bag_export import (
+    IMAGE_TYPES,
+    export_csv,
+    export_video,
+    new_export_file,
+    write_export,
+)
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from zbot.bag.metadata import BagMetadata
     from zbot.bag.player import Player
     from zbot.web.page.panel import Section
     from zbot.web.panels.bags.bag_control import BagControl
+    from zbot.web.panels.bags.bag_export import Export
 
 _HZ = 10.0
 _RATES = {0.1: "0.1 x", 0.25: "0.25 x", 0.5: "0.5 x", 1: "1 x", 2: "2 x", 5: "5 x", 10: "10 x"}
@@ -249,7 +260,7 @@ class BagDetails:
         """Send the images in a part as a video to the browser."""
         await self.save(export_video, "avi", "video/x-msvideo")
 
-    async def save(self, export: Any, suffix: str, media_type: str) -> None:
+    async def save(self, export: Export, suffix: str, media_type: str) -> None:
         """Convert the chosen part of the chosen topic with `export`. Send it to the browser."""
         topic = str(self.topic.value)
         start_ns = self.metadata.start_ns if self.metadata else 0
@@ -257,11 +268,24 @@ class BagDetails:
             start_ns + int((self.start.value or 0) * S_TO_NS),
             start_ns + int(((self.end.value or 0) + _STEP_S) * S_TO_NS),
         )
-        data = await run_in_thread(
-            export, self.control.path(self.name), topic, *part, threads=EXPORTING
-        )
-        name = topic.strip("/").replace("/", "_")
-        ui.download(data, f"{self.name}_{name}.{suffix}", media_type)
+        target, page = new_export_file(), self.section.page
+        # The file is removed at the latest when the process ends, also by Ctrl-C.
+        remove = page.on_close(finalize(page, _remove, target))
+        try:
+            bag = self.control.path(self.name)
+            await run_in_thread(write_export, target, export, bag, topic, part, threads=EXPORTING)
+        except BaseException:
+            remove()
+            raise
+        if target.is_file():  # otherwise the page was closed meanwhile
+            # The browser loads it with HTTP. In the websocket, other messages would wait for it.
+            name = topic.strip("/").replace("/", "_")
+            ui.download.file(target, f"{self.name}_{name}.{suffix}", media_type)
+
+
+def _remove(path: Path) -> None:
+    with contextlib.suppress(OSError):  # on Windows, a file that a browser loads now stays
+        path.unlink()
 
 
 def _chart(series: list[dict[str, Any]], duration_s: float) -> dict[str, Any]:

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import io
+import os
 import tempfile
-from typing import TYPE_CHECKING, Any
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, BinaryIO
 
 from zbot.bag.columns import csv_lines
-from zbot.bag.errors import BagValueError
+from zbot.bag.errors import BagError, BagValueError
 from zbot.bag.reader import Reader
 from zbot.bag.video import VideoTooLongError, write_video
 from zbot.observer.image_encoder import encode_jpeg
@@ -15,34 +17,74 @@ from zbot.time import S_TO_NS
 from zbot.wire.serialization import deserialize_message
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
-    from pathlib import Path
+    from collections.abc import Callable, Iterator
+
+    #: Writes a part of a topic into a file: the file, the bag, the topic, the start and the end.
+    Export = Callable[[BinaryIO, Path, str, int, int], None]
 
 IMAGE_TYPES = ("sensor_msgs/msg/Image", "sensor_msgs/msg/CompressedImage")
 _MOST_BYTES = 500_000_000
-_MOST_MEMORY = 50_000_000
 _JPEG_QUALITY = 90
 
 
-def export_csv(path: Path, topic: str, start_ns: int, end_ns: int) -> bytes:
-    """Return a part of a topic as CSV.
+def new_export_file() -> Path:
+    """Make an empty temporary file for an export, and return its path.
+
+    Raises:
+        BagError: The file cannot be made.
+    """
+    try:
+        number, name = tempfile.mkstemp(prefix="zbot_export_")
+    except OSError as error:
+        raise _write_error(error) from error
+    os.close(number)
+    return Path(name)
+
+
+def write_export(
+    target: Path, export: Export, path: Path, topic: str, part: tuple[int, int]
+) -> None:
+    """Write a part of a topic into a file with `export_csv` or `export_video`.
+
+    Args:
+        target: The file.
+        export: The function that writes.
+        path: The bag.
+        topic: The topic.
+        part: The first and the last time, in nanoseconds since the epoch.
+
+    Raises:
+        BagError: The file cannot be written, or one of the errors of `export`.
+    """
+    try:
+        with target.open("w+b") as stream:
+            export(stream, path, topic, *part)
+    except OSError as error:
+        raise _write_error(error) from error
+
+
+def _write_error(error: OSError) -> BagError:
+    return BagError(f"the export cannot be written: {error.strerror or error}")
+
+
+def export_csv(stream: BinaryIO, path: Path, topic: str, start_ns: int, end_ns: int) -> None:
+    """Write a part of a topic as CSV.
 
     Raises:
         BagValueError: The CSV has more than 500 MB.
         BagError: The bag cannot be read.
     """
-    parts, total = [], 0
+    total = 0
     for line in csv_lines(path, topic, start_ns, end_ns):
         data = line.encode()
         total += len(data)
         if total > _MOST_BYTES:
             raise BagValueError("the table is larger than 500 MB: choose a shorter part")
-        parts.append(data)
-    return b"".join(parts)
+        stream.write(data)
 
 
-def export_video(path: Path, topic: str, start_ns: int, end_ns: int) -> bytes:
-    """Return the images in a part of a topic as an AVI video.
+def export_video(stream: BinaryIO, path: Path, topic: str, start_ns: int, end_ns: int) -> None:
+    """Write the images in a part of a topic as an AVI video.
 
     The frame rate of the video is the mean rate of the images.
 
@@ -61,14 +103,11 @@ def export_video(path: Path, topic: str, start_ns: int, end_ns: int) -> bytes:
         pictures = _pictures(bag, topic, start_ns, end_ns)
         first = next(pictures)
         width, height = _size(first)
-        with tempfile.SpooledTemporaryFile(_MOST_MEMORY) as stream:
-            try:
-                everything = _same_size(first, pictures, width, height)
-                write_video(stream, everything, width, height, rate_hz)  # type: ignore[arg-type]
-            except VideoTooLongError as error:
-                raise BagValueError(str(error)) from error
-            stream.seek(0)
-            return stream.read()
+        try:
+            everything = _same_size(first, pictures, width, height)
+            write_video(stream, everything, width, height, rate_hz)
+        except VideoTooLongError as error:
+            raise BagValueError(str(error)) from error
 
 
 def _pictures(bag: Reader, topic: str, start_ns: int, end_ns: int) -> Iterator[bytes]:
