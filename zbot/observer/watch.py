@@ -252,6 +252,11 @@ class Watch:
         feed.update(self, is_held=True)
 
     @property
+    def feed(self) -> Feed:
+        """The messages of the topic, which all its watches share."""
+        return self._feed
+
+    @property
     def topic(self) -> str:
         """The topic's full name."""
         return self._feed.topic

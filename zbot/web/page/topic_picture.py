@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import base64
 import math
 from typing import TYPE_CHECKING, Any
 
 from nicegui import ui
 
-from zbot.interfaces import type_name
-from zbot.observer.image_encoder import ImageError, encode_jpeg, media_type
+from zbot.web.page.encoded_picture import newest_picture
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -54,37 +52,15 @@ def _add_image(section: Section, watch: Watch) -> None:
 
     def update() -> None:
         nonlocal shown
-        message = watch.latest
-        if message is None or message is shown:
+        newest = newest_picture(watch)
+        if newest is None or newest is shown:
             return
-        shown = message
-        try:
-            address, text = image_address(message)
-        except ImageError as error:
-            said.set_text(str(error))
-            return
-        said.set_text(text)
-        section.page.call("zbot.showPicture", picture.id, address)
+        shown = newest
+        said.set_text(newest.text)
+        if newest.address:
+            section.page.call("zbot.showPicture", picture.id, newest.address)
 
     section.live(update, _PICTURE_HZ)
-
-
-def image_address(message: Any) -> tuple[str, str]:
-    """Return an image as an address for the browser, and its size or format as text.
-
-    Raises:
-        ImageError: The image cannot be shown.
-    """
-    name = type_name(type(message))
-    if name == _IMAGE:
-        data, kind = encode_jpeg(message), "image/jpeg"
-        text = f"{message.width} x {message.height}, {message.encoding}"
-    elif name == _COMPRESSED:
-        data = bytes(message.data)
-        kind, text = media_type(data), message.format
-    else:
-        raise ImageError(f"{name} is no type of images: choose another topic")
-    return f"data:{kind};base64,{base64.b64encode(data).decode()}", text
 
 
 def _add_scan(section: Section, watch: Watch) -> None:

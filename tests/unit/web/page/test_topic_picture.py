@@ -10,7 +10,8 @@ pytest.importorskip("nicegui", reason='the page needs NiceGUI: pip install "zbot
 
 import zbot  # noqa: F401 - makes the message packages importable
 from zbot.observer.image_encoder import ImageError
-from zbot.web.page.topic_picture import image_address, points_of
+from zbot.web.page.encoded_picture import image_address
+from zbot.web.page.topic_picture import points_of
 
 from sensor_msgs.msg import CompressedImage, Image, LaserScan
 from std_msgs.msg import String

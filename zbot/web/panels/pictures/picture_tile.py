@@ -6,14 +6,14 @@ from typing import TYPE_CHECKING
 
 from nicegui import ui
 
-from zbot.observer.image_encoder import ImageError
-from zbot.web.page.topic_picture import image_address
+from zbot.web.page.encoded_picture import newest_picture
 from zbot.web.panels.pictures.latency import has_simulated_time, latency_text
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from zbot.observer.watch import Record, Watch
+    from zbot.observer.watch import Watch
+    from zbot.web.page.encoded_picture import Picture
     from zbot.web.page.panel import Page
 
 _PICTURE_HZ = 10.0
@@ -33,7 +33,7 @@ class PictureTile:
         self._page, self._topic = page, topic
         self._section = page.section()
         self._watch: Watch | None = self._section.watch(topic)
-        self._record: Record | None = None
+        self._shown: Picture | None = None
         self._size = self._latency = ""
         self._element = ui.element("figure").classes("zb-card zb-col zb-picture-tile")
         with self._element:
@@ -73,19 +73,17 @@ class PictureTile:
         self._say()
 
     def _draw(self) -> None:
-        record, message = (None, None) if self._watch is None else self._watch.latest_record
-        if record is None or record is self._record or message is None:
+        newest = None if self._watch is None else newest_picture(self._watch)
+        if newest is None or newest is self._shown:
             return
-        self._record = record
-        try:
-            address, self._size = image_address(message)
-        except ImageError as error:
-            self._latency, self._size = "", str(error)
-            return
-        is_simulated = has_simulated_time(self._page.system.snapshot())
-        self._latency = latency_text(message, record.received_ns, is_simulated=is_simulated)
-        self._picture.set_visibility(True)
-        self._page.call("zbot.showPicture", self._picture.id, address)
+        self._shown = newest
+        self._latency, self._size = "", newest.text
+        if newest.address:
+            received_ns = newest.record.received_ns
+            is_simulated = has_simulated_time(self._page.system.snapshot())
+            self._latency = latency_text(newest.message, received_ns, is_simulated=is_simulated)
+            self._picture.set_visibility(True)
+            self._page.call("zbot.showPicture", self._picture.id, newest.address)
 
     def _say(self) -> None:
         self._facts.set_text(self._sentence())
@@ -96,6 +94,6 @@ class PictureTile:
             return f"paused, {self._size}" if self._size else "paused"
         if watch.problem:
             return watch.problem
-        if self._record is None:
+        if self._shown is None:
             return "No picture yet"
         return ", ".join(filter(None, (f"{watch.rate_hz:.1f} Hz", self._latency, self._size)))
