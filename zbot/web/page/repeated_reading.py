@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import traceback
 from typing import TYPE_CHECKING, Generic, TypeVar
 
-from nicegui import background_tasks
+from nicegui import background_tasks, ui
 
+from zbot.errors import ZbotError
+from zbot.log import get_logger
 from zbot.web.page.service_call import READING, run_in_thread
 
 if TYPE_CHECKING:
@@ -18,6 +21,9 @@ T = TypeVar("T")
 
 class RepeatedReading(Generic[T]):
     """Newest result of a slow function. The function never runs twice at the same time.
+
+    If the function raises an error, the page shows it in the current element. The function runs
+    again, and the last result stays until then.
 
     Args:
         section: The section that needs the result. After its end, the function runs no more.
@@ -35,6 +41,9 @@ class RepeatedReading(Generic[T]):
         self.number = 0
         self._read = read
         self._is_reading = False
+        self._problem = ""
+        self._said = ui.label().classes("zb-bad")
+        self._said.set_visibility(False)
         section.live(self._start, max_hz)
 
     def _start(self) -> None:
@@ -45,8 +54,22 @@ class RepeatedReading(Generic[T]):
     async def _run(self) -> None:
         try:
             value = await run_in_thread(self._read, threads=READING)
+        except Exception as error:  # noqa: BLE001 - the page shows it
+            self._say(error)
+        else:
+            self._say(None)
             if value != self.value:
                 self.value = value
                 self.number += 1
         finally:
             self._is_reading = False
+
+    def _say(self, error: Exception | None) -> None:
+        problem = "" if error is None else str(error) or repr(error)
+        if problem == self._problem:
+            return  # the log has it already
+        self._problem = problem
+        self._said.set_text(problem)
+        self._said.set_visibility(bool(problem))
+        if error is not None and not isinstance(error, ZbotError):
+            get_logger("zbot.web").error("".join(traceback.format_exception(error)))

@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 from zbot.bag import Writer
-from zbot.bag.errors import BagValueError
+from zbot.bag.errors import BagError, BagValueError
 from zbot.web.panels.bags import bag_control
 from zbot.web.panels.bags.bag_control import BagControl
+from zbot.web.panels.bags.panel import date_text
 
 from std_msgs.msg import String
 
@@ -59,3 +60,17 @@ def test_a_bag_that_was_removed_meanwhile_does_not_hide_the_others(
     found = control(tmp_path).bags()
     assert found["lesson"].metadata is not None
     assert (found["gone.mcap"].metadata, found["gone.mcap"].problem != "") == (None, True)
+
+
+def test_a_folder_that_was_removed_is_named(tmp_path: Path) -> None:
+    bags = control(tmp_path / "stick")
+    with pytest.raises(BagError, match="stick cannot be read"):
+        bags.bags()
+    with pytest.raises(BagError, match="cannot be read"):
+        bags.path("lesson")
+    assert bags.free_bytes() is None
+
+
+@pytest.mark.parametrize("time_ns", [10**21, -(10**30)])
+def test_a_bag_with_an_impossible_date_has_none(time_ns: int) -> None:
+    assert date_text(time_ns) == ""

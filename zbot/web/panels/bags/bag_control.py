@@ -68,10 +68,13 @@ class BagControl:
 
         The call takes a while, because bags are read. The bag that is being recorded is left out,
         because each call would read it again.
+
+        Raises:
+            BagError: The folder cannot be read.
         """
         recording = self.recording
         present = recording.path if recording is not None and recording.is_running else None
-        found = [path for path in self.folder.iterdir() if path != present and _is_bag(path)]
+        found = [path for path in self._entries() if path != present and _is_bag(path)]
         found.sort(key=_modified_s, reverse=True)
         return {bag.name: self._look(bag) for bag in found[:_MOST_BAGS]}
 
@@ -80,10 +83,11 @@ class BagControl:
 
         Raises:
             BagValueError: There is no such bag in the folder.
+            BagError: The folder cannot be read.
         """
         # A bag of another program may have any name, e.g. with spaces, so `_checked` is not used.
         # The name `..` is not found, because the folder does not list it.
-        path = next((entry for entry in self.folder.iterdir() if entry.name == name), None)
+        path = next((entry for entry in self._entries() if entry.name == name), None)
         if path is None or not _is_bag(path):
             raise bag_name_error(name, "there is no bag with this name")
         return path
@@ -171,9 +175,12 @@ class BagControl:
             start_ns = playback.player.bag_start_ns
             playback.player.seek(start_ns + int(offset_s * S_TO_NS), shows_state=True)
 
-    def free_bytes(self) -> int:
-        """Return the free space of the disk."""
-        return shutil.disk_usage(self.folder).free
+    def free_bytes(self) -> int | None:
+        """Return the free space of the disk, or `None` if the folder cannot be read."""
+        try:
+            return shutil.disk_usage(self.folder).free
+        except OSError:
+            return None
 
     def check_player(self) -> None:
         """Raise `ViewerError` if the page may not control the playback."""
@@ -193,6 +200,13 @@ class BagControl:
     def _check_writable(self, what: str) -> None:
         if self._system.read_only:
             raise read_only_error(what)
+
+    def _entries(self) -> list[Path]:
+        try:
+            return list(self.folder.iterdir())
+        except OSError as error:  # e.g. a removed USB stick
+            reason = error.strerror or error
+            raise BagError(f"the folder {self.folder} cannot be read: {reason}") from error
 
     def _look(self, path: Path) -> FoundBag:
         state = _state(path)

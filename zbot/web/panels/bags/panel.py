@@ -84,10 +84,9 @@ class _Bags:
         if recording is None or not is_running:
             return
         seconds = time.monotonic() - recording.started_s
-        text = (
-            f"{recording.path.name}: {seconds:.0f} s, {amount(recording.bytes, 'B') or '0 B'}, "
-            f"{amount(self.control.free_bytes(), 'B')} free on the disk"
-        )
+        text = f"{recording.path.name}: {seconds:.0f} s, {amount(recording.bytes, 'B') or '0 B'}"
+        free = self.control.free_bytes()
+        text += "" if free is None else f", {amount(free, 'B')} free on the disk"
         losses = recording.recorder.losses.list() if recording.recorder is not None else ""
         self.state_text.set_text(f"{text}; lost: {losses}" if losses else text)
 
@@ -130,14 +129,22 @@ class _Bags:
 def _row(bag: FoundBag) -> list[str | Cell]:
     if bag.metadata is None:
         return [bag.name, Cell(bag.problem, "zb-warn", hint=bag.problem), "", "", ""]
-    start = datetime.fromtimestamp(bag.metadata.start_ns / 1e9).astimezone()
     return [
         Cell(bag.name, hint=bag.problem or bag.name),
-        f"{start:%Y-%m-%d %H:%M:%S}" if bag.metadata.message_count else "",
+        date_text(bag.metadata.start_ns) if bag.metadata.message_count else "",
         f"{bag.metadata.duration_ns / S_TO_NS:.1f} s",
         str(bag.metadata.message_count),
         amount(bag.metadata.bag_size, "B"),
     ]
+
+
+def date_text(time_ns: int) -> str:
+    """Return the date of a bag, or an empty text if no date has this year."""
+    try:
+        start = datetime.fromtimestamp(time_ns / 1e9).astimezone()
+    except (ValueError, OverflowError, OSError):
+        return ""
+    return f"{start:%Y-%m-%d %H:%M:%S}"
 
 
 def _build(page: Page) -> None:
