@@ -24,10 +24,12 @@ from zbot.web.panels.bags.bag_export import (
     new_export_file,
     write_export,
 )
+from zbot.web.panels.bags.end_notice import EndNotice
 
 if TYPE_CHECKING:
     from pathlib import Path
 
+    from zbot.bag.background import BackgroundPlayback
     from zbot.bag.metadata import BagMetadata
     from zbot.bag.player import Player
     from zbot.web.page.panel import Section
@@ -53,6 +55,7 @@ class BagDetails:
         self.section, self.control, self.name = section, control, name
         self.metadata: BagMetadata | None = None
         self.chosen_s: float | None = None  #: where the user holds the timeline, in seconds
+        self.end_notice = EndNotice("playback", self.playback)
         self.body = ui.element("div").classes("zb-col")
         section.page.show_command(command_line("bag", "info", name))
         ui.timer(0.01, with_errors_shown(self.fill), once=True)
@@ -83,6 +86,11 @@ class BagDetails:
         """The player of this bag, or `None` if this bag is not being played."""
         playback = self.control.playing(self.name)
         return None if playback is None else playback.player
+
+    def playback(self) -> BackgroundPlayback | None:
+        """Return the last playback of this bag, which may have ended."""
+        playback = self.control.playback
+        return playback if playback is not None and playback.path.name == self.name else None
 
     def add_timeline(self) -> None:
         """Add the buttons of the player, and the timeline."""
@@ -164,6 +172,10 @@ class BagDetails:
 
     def update(self) -> None:
         """Show the state of the player."""
+        news = self.end_notice.news()
+        if news:
+            with self.body:
+                tell_end(news)
         player = self.player
         is_running = player is not None and not player.is_paused
         self.play_button.props(f"icon={'pause' if is_running else 'play_arrow'}")
@@ -193,7 +205,11 @@ class BagDetails:
             words += ["--rate", f"{self.rate.value:g}"]
         self.section.page.show_command(command_line("bag", "play", self.name, *words))
         play = partial(self.control.play, offset_s=offset_s, rate=self.rate.value, topics=topics)
-        await run_in_thread(play, self.name)
+        try:
+            await run_in_thread(play, self.name)
+        except ZbotError:
+            self.end_notice.skip()
+            raise
 
     async def step(self) -> None:
         """Start or pause the playback. If it is paused already, publish the next message."""
@@ -281,6 +297,11 @@ class BagDetails:
             # The browser loads it with HTTP. In the websocket, other messages would wait for it.
             name = topic.strip("/").replace("/", "_")
             ui.download.file(target, f"{self.name}_{name}.{suffix}", media_type)
+
+
+def tell_end(news: str) -> None:
+    """Show the end of a recording or a playback until the user closes the message."""
+    ui.notify(news, type="negative", timeout=0, close_button=True, multi_line=True)
 
 
 def _remove(path: Path) -> None:

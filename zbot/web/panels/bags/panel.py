@@ -20,7 +20,8 @@ from zbot.web.page.repeated_reading import RepeatedReading
 from zbot.web.page.service_call import run_in_thread, with_errors_shown
 from zbot.web.page.table import Cell, Column
 from zbot.web.panels.bags.bag_control import FoundBag, control_of
-from zbot.web.panels.bags.bag_details import BagDetails
+from zbot.web.panels.bags.bag_details import BagDetails, tell_end
+from zbot.web.panels.bags.end_notice import EndNotice
 
 if TYPE_CHECKING:
     from zbot.graph.snapshot import Snapshot
@@ -40,6 +41,7 @@ class _Bags:
     def __init__(self, page: Page) -> None:
         self.page = page
         self.control = control_of(page.system)
+        self.end = EndNotice("recording", lambda: self.control.recording)
         self.found: RepeatedReading[dict[str, FoundBag]]
         self.found = RepeatedReading(page, self.control.bags, {}, max_hz=_HZ)
         with ui.element("div").classes("zb-fill zb-bags"):
@@ -81,6 +83,10 @@ class _Bags:
         is_running = recording is not None and recording.is_running
         self.state.set_visibility(is_running)
         self.button.set_enabled(not is_running)
+        news = self.end.news()
+        if news:
+            with self.button:
+                tell_end(news)
         if recording is None or not is_running:
             return
         seconds = time.monotonic() - recording.started_s
@@ -117,13 +123,14 @@ class _Bags:
     async def record(self, name: str, topics: list[str] | None) -> None:
         words = ["-a"] if topics is None else ["--topics", *topics]
         self.page.show_command(command_line("bag", "record", "-o", name, *words))
-        await run_in_thread(self.control.record, name, topics)
+        try:
+            await run_in_thread(self.control.record, name, topics)
+        except ZbotError:
+            self.end.skip()
+            raise
 
     async def stop(self) -> None:
-        await run_in_thread(self.control.stop_recording)
-        recording = self.control.recording
-        if recording is not None and recording.error:
-            ui.notify(recording.error, type="negative")
+        await run_in_thread(self.control.stop_recording)  # `show_state` tells an error
 
 
 def _row(bag: FoundBag) -> list[str | Cell]:
