@@ -118,6 +118,7 @@ class _Bags:
             with ui.element("div").classes("zb-row"):
                 ui.button("Start", on_click=with_errors_shown(begin)).props("unelevated dense")
                 ui.button("Cancel", on_click=dialog.close).props("outline dense")
+        dialog.on("hide", dialog.delete)  # a closed dialog would stay in the browser
         dialog.open()
 
     async def record(self, name: str, topics: list[str] | None) -> None:
