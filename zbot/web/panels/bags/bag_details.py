@@ -17,6 +17,7 @@ from zbot.observer.errors import ViewerError
 from zbot.time import S_TO_NS
 from zbot.web.page.command_line import command_line
 from zbot.web.page.service_call import EXPORTING, READING, run_in_thread, with_errors_shown
+from zbot.web.panels.bags.bag_curves import BagCurves
 from zbot.web.panels.bags.bag_export import (
     IMAGE_TYPES,
     export_csv,
@@ -134,6 +135,9 @@ class BagDetails:
         self.curve.props('dense outlined use-chips aria-label="Curves"')
         self.chart = ui.echart({}, renderer="svg").classes("zb-bag-chart")
         self.chart.set_visibility(False)
+        self.chosen_curves = BagCurves(
+            lambda name: run_in_thread(self.read_curve, name, threads=EXPORTING)
+        )
 
     def add_export(self) -> None:
         """Add the choice of a part, and the buttons to export it."""
@@ -246,8 +250,16 @@ class BagDetails:
     async def draw(self, event: Any) -> None:
         """Read the chosen curves from the bag, and draw them without a playback."""
         names = list(event.value or ())
+        self.curve.props("loading")
+        try:
+            series = await self.chosen_curves.choose(names)
+        except ZbotError:
+            self.curve.props(remove="loading")
+            raise
+        if series is None:
+            return  # the user has chosen others meanwhile, which are loading
+        self.curve.props(remove="loading")
         self.chart.set_visibility(bool(names))
-        series = [await run_in_thread(self.read_curve, name, threads=EXPORTING) for name in names]
         self.chart.options.clear()
         self.chart.options.update(_chart(series, self.duration_s))
         self.chart.update()
