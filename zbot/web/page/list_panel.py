@@ -15,9 +15,9 @@ if TYPE_CHECKING:
     from zbot.web.page.panel import Page, Section
     from zbot.web.page.table import Column
 
-# The rate is high, to show changes of the graph immediately. Without a change, an update does
-# nothing.
-_LIST_HZ = 10.0
+# At this rate, a change is visible within 0.25 s, and a launch of many nodes makes few lists.
+# Without a change, an update does nothing.
+_LIST_HZ = 4.0
 
 
 class ListPanel:

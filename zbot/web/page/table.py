@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from itertools import islice
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from nicegui import ui
 
@@ -11,6 +12,11 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
 
     from zbot.web.page.panel import Page
+
+T = TypeVar("T")
+
+#: A table shows the first rows only, because a longer one takes the server too long.
+MOST_ROWS = 1_000
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,6 +72,8 @@ class Table:
         with self.element:
             _head(columns)
             ui.element("tbody")
+        self._more = ui.label().classes("zb-empty")
+        self._more.set_visibility(False)
         if on_choose is not None:
             self.element.classes("zb-choosable")
             page.on_choose(f"c{self.element.id}", on_choose)
@@ -74,8 +82,16 @@ class Table:
         """Choose a row, or no row if the key is None. The next `show` highlights the row."""
         self._chosen = key
 
-    def show(self, rows: Mapping[str, Sequence[str | Cell]]) -> None:
-        """Show rows in the given order. Only changes are sent to the browser."""
+    def show(self, rows: Mapping[str, Sequence[str | Cell]], *, left_out: int = 0) -> None:
+        """Show at most `MOST_ROWS` rows in the given order. Only changes are sent to the browser.
+
+        Args:
+            rows: The rows by key.
+            left_out: The number of rows that the caller has left out already.
+        """
+        rows, more = first_rows(rows)
+        self._more.set_text(f"and {more + left_out:,} more: a filter shows others")
+        self._more.set_visibility(bool(more + left_out))
         order = list(rows)
         cells = {key: [_plain(cell) for cell in row] for key, row in rows.items()}
         changed = {
@@ -95,6 +111,12 @@ class Table:
             changed,
             self._chosen,
         )
+
+
+def first_rows(rows: Mapping[str, T]) -> tuple[Mapping[str, T], int]:
+    """Return the rows that a table shows, and the number of the others."""
+    more = len(rows) - MOST_ROWS
+    return (rows, 0) if more <= 0 else (dict(islice(rows.items(), MOST_ROWS)), more)
 
 
 def _head(columns: Sequence[Column]) -> None:

@@ -58,9 +58,8 @@ def test_pages_share_a_picture_that_a_thread_encodes(monkeypatch: pytest.MonkeyP
 
 def test_a_message_without_a_picture_does_not_stop_the_next() -> None:
     feed = Feed()
-    assert wait_for_picture(watch(feed, 1, String())).text == (
-        "the messages of this topic are no pictures"
-    )
+    text = wait_for_picture(watch(feed, 1, String())).text
+    assert text == "std_msgs/msg/String is no type of images: choose another topic"
     seen = watch(feed, 2, image())
     newest_picture(seen)
     assert wait_until(lambda: wait_for_picture(seen).record.number == 2)

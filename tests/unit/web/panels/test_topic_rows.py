@@ -2,7 +2,7 @@ from __future__ import annotations
 
 from tests.unit.tokens import STRING, endpoint_token
 from zbot.graph.snapshot import Snapshot
-from zbot.web.panels.topics.topic_rows import FoldedRow, folded, topic_rows
+from zbot.web.panels.topics.topic_rows import FoldedRow, folded, nodes_of, topic_rows
 from zbot.wire.tokens import EndpointToken, EntityKind
 
 FLOAT = "std_msgs/msg/Float32"
@@ -39,6 +39,20 @@ def test_long_numbers_and_digits_of_other_alphabets_have_an_order() -> None:
     found = [row.name for row in rows]
     assert [name for name in found if name.isascii()] == [name for name in names if name.isascii()]
     assert sorted(found) == sorted(names)
+
+
+def test_the_nodes_of_one_topic_are_those_of_its_row() -> None:
+    graph = Snapshot(
+        (
+            end("/b", "/x"),
+            end("/a", "/x"),
+            end("/a", "/other"),
+            end("/c", "/x", publishes=False),
+            end(OWN, "/x", publishes=False),
+        )
+    )
+    assert nodes_of(graph, "/x", OWN) == (("/a", "/b"), ("/c",))
+    assert nodes_of(graph, "/lost", OWN) == ((), ())
 
 
 def test_endpoints_of_the_page_are_left_out_and_those_of_commands_are_listed() -> None:

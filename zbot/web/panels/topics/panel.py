@@ -11,7 +11,7 @@ from zbot.errors.suggestion import question
 from zbot.names import is_hidden
 from zbot.observer.value_text import amount, brief
 from zbot.web.page.panel import Page, Panel
-from zbot.web.page.table import Cell, Column, Table
+from zbot.web.page.table import MOST_ROWS, Cell, Column, Table
 from zbot.web.panels.topics.topic_details import show_topic
 from zbot.web.panels.topics.topic_rows import FoldedRow, folded, topic_rows
 
@@ -82,7 +82,9 @@ class _Topics:
             self.topics = {topic.name: topic for topic in self.find()}
             self.shown = self.fold()
             self.match_watches()
-        self.table.show({row.name: self.row(row) for row in self.shown})
+        first = self.shown[:MOST_ROWS]
+        left_out = len(self.shown) - len(first)
+        self.table.show({row.name: self.row(row) for row in first}, left_out=left_out)
         self.empty.set_visibility(not self.topics)
 
     def find(self) -> list[TopicRow]:

@@ -13,7 +13,7 @@ from zbot.web.page.message_view import TREE_COLUMNS
 from zbot.web.page.table import Cell, Table
 from zbot.web.page.topic_picture import add_picture
 from zbot.web.panels.topics.publish_form import add_publish_form
-from zbot.web.panels.topics.topic_rows import topic_rows
+from zbot.web.panels.topics.topic_rows import nodes_of
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -81,10 +81,9 @@ def _add_facts(section: Section, watch: Watch) -> None:
         problem.set_visibility(bool(watch.problem))
         if section.system.revision != seen:
             seen = section.system.revision
-            rows = topic_rows(section.system.snapshot(), section.system.node_name)
-            row = next((other for other in rows if other.name == watch.topic), None)
-            _fill(publishers, row.publishers if row else ())
-            _fill(subscriptions, row.subscriptions if row else ())
+            ends = nodes_of(section.system.snapshot(), watch.topic, section.system.node_name)
+            _fill(publishers, ends[0])
+            _fill(subscriptions, ends[1])
 
     section.live(update, 2.0)
 

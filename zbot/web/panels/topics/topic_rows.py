@@ -92,12 +92,24 @@ def topic_rows(graph: Snapshot, own_node: str) -> list[TopicRow]:
     return [_row(name, ends[name], published, known) for name in sorted(ends, key=_natural)]
 
 
+def nodes_of(graph: Snapshot, topic: str, own_node: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Return the nodes that publish a topic and those that subscribe to it, as in `TopicRow`."""
+    ends = graph.on(topic, EntityKind.PUBLISHER, EntityKind.SUBSCRIPTION)
+    return _nodes([end for end in ends if _node(end) != own_node])
+
+
+def _nodes(ends: Sequence[EndpointToken]) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    return (
+        tuple(sorted(_node(end) for end in ends if _is_publisher(end))),
+        tuple(sorted(_node(end) for end in ends if not _is_publisher(end))),
+    )
+
+
 def _row(name: str, ends: list[EndpointToken], published: set[str], known: KnownNames) -> TopicRow:
     return TopicRow(
         name,
         tuple(sorted({end.type_name for end in ends})),
-        tuple(sorted(end.full_node_name for end in ends if _is_publisher(end))),
-        tuple(sorted(end.full_node_name for end in ends if not _is_publisher(end))),
+        *_nodes(ends),
         None if name in published else known.nearest(name),
     )
 
