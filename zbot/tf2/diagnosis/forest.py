@@ -70,11 +70,11 @@ class Forest:
         """
         sizes = Counter(map(self.root, self.frames))
         first, *others = sorted(self.roots, key=lambda root: -sizes[root]) or [""]
-        shared = [child for child in self.links_of if len(self.parents(child)) > 1]
-        apart = [
-            other for other in others if not any(self.joins(each, first, other) for each in shared)
-        ]
-        return [first, *apart]
+        joined: set[str] = set()
+        for child in self.links_of:
+            roots = {self.root(parent) for parent in self.parents(child)}
+            joined |= roots if first in roots else set()
+        return [first, *(other for other in others if other not in joined)]
 
     @property
     def tops(self) -> list[str]:
@@ -102,7 +102,8 @@ class Forest:
                 is drawn below the parent.
         """
         lacking = {child: parent for parent, child in missing}
-        tops = [top for top in self.tops if lacking.get(top) not in self.frames]
+        frames = set(self.frames)
+        tops = [top for top in self.tops if lacking.get(top) not in frames]
         waiting = [Branch(0, top, None, lacking.get(top, "")) for top in reversed(tops)]
         drawn: set[str] = set()
         # This is not recursive, because a chain of frames may be too long for recursion.
@@ -141,6 +142,13 @@ class Forest:
             found.update(dict.fromkeys([*names, name], root))
         return found
 
+    @cached_property
+    def _trees(self) -> dict[str, list[str]]:
+        found: dict[str, list[str]] = {}
+        for frame in self.frames:
+            found.setdefault(self.root(frame), []).append(frame)
+        return found
+
     def root(self, frame: str) -> str:
         """Return the root of a frame's tree, or the frame itself if nobody has published it."""
         return self._roots.get(frame, frame)
@@ -156,7 +164,7 @@ class Forest:
 
     def tree(self, root: str) -> list[str]:
         """Return the frames with a root, sorted."""
-        return [name for name in self.frames if self.root(name) == root]
+        return self._trees.get(root, [])
 
     def links_between(self, first: str, second: str) -> list[Link] | None:
         """Return the links on the way between two frames, or None if there is no way."""

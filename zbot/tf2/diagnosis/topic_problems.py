@@ -29,7 +29,8 @@ def of_topic(forest: Forest, heard: Forest, surroundings: Surroundings) -> Itera
         text = f"{' and '.join(silent)} can publish on {surroundings.topic}, but nothing has come"
         is_warning = bool(heard.links)
         yield Problem(Cause.SILENT_PUBLISHER, text, advice.wake(silent), (), is_warning=is_warning)
-    frames = [name for name in forest.frames if name not in heard.frames]
+    known = set(heard.frames)
+    frames = [name for name in forest.frames if name not in known]
     if frames and not surroundings.all_listeners:
         named = " and ".join(f"`{name}`" for name in frames[:_MOST_NAMED])
         text = f"{named} are on {surroundings.topic}, where nobody listens"

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from zbot.tf2.diagnosis.link import Link
     from zbot.tf2.diagnosis.surroundings import Surroundings
 
+_MOST_TREES = 20  #: trees whose missing link is named. A program may make a tree for each object
 _MOST_CHANGES = 2  #: poses that a static link may have, e.g. because its program was started again
 
 
@@ -32,9 +33,12 @@ def of_forest(forest: Forest, surroundings: Surroundings) -> Iterator[Problem]:
 
 
 def missing_links(forest: Forest) -> list[tuple[str, str]]:
-    """Return the parent and the child of each link that would connect two trees."""
+    """Return the parent and the child of each link that would connect two trees.
+
+    Only the links of the first 20 trees are returned, because each needs a search.
+    """
     first, *others = forest.separate_roots
-    return [forest.missing_link(first, root) for root in others]
+    return [forest.missing_link(first, root) for root in others[:_MOST_TREES]]
 
 
 def of_loop(forest: Forest, loop: list[str]) -> Problem:
@@ -82,8 +86,12 @@ def of_trees(forest: Forest, first: str, second: str, note: str = "") -> Problem
 def _trees(forest: Forest, surroundings: Surroundings) -> Iterator[Problem]:
     first, *others = forest.separate_roots
     silent = surroundings.silent_nodes(forest.links)
-    for root in others:
+    for root in others[:_MOST_TREES]:
         yield of_trees(forest, first, root, f"; {advice.wake(silent)}" if silent else "")
+    more = others[_MOST_TREES:]
+    if more:
+        text = f"{len(more):,} more trees are not connected with `{first}`"
+        yield Problem(Cause.TWO_TREES, text, "connect the other trees first", (first, more[0]))
 
 
 def _publishers(links: list[Link], surroundings: Surroundings) -> Iterator[Problem]:

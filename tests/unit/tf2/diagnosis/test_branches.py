@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import time
+
 from tests.unit.tf2.diagnosis.robot import Robot
 
 
@@ -69,3 +71,14 @@ def test_static_links_stay_when_the_time_jumps_back() -> None:
     robot.drive(("odom", "base_link"))
     robot.diagnosis.clear()
     assert lines(robot) == ["base_link", "  laser"]
+
+
+def test_thousands_of_trees_are_drawn_and_judged_quickly() -> None:
+    robot = Robot()
+    for number in range(3_000):
+        robot.publish(f"place_{number}", f"object_{number}")
+    begin = time.process_time()
+    problems = [problem.text for problem in robot.diagnosis.problems(now_ns=robot.now_ns)]
+    assert len(lines(robot)) == 6_000
+    assert time.process_time() - begin < 5.0  # also on a busy machine; it took minutes
+    assert "2,979 more trees are not connected with `place_0`" in problems

@@ -6,10 +6,14 @@ from typing import TYPE_CHECKING
 
 from nicegui import ui
 
+from zbot.errors import counted
+
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from zbot.tf2.diagnosis import Problem
+
+_MOST_SHOWN = 50
 
 
 class ProblemList:
@@ -23,16 +27,24 @@ class ProblemList:
         self._lines: list[ProblemLine] = []
 
     def show(self, problems: Sequence[Problem]) -> None:
-        """Show problems. If only ages have changed, only these texts are sent to the browser."""
+        """Show the first problems, and how many more there are.
+
+        If only ages have changed, only these texts are sent to the browser.
+        """
+        more = max(0, len(problems) - _MOST_SHOWN)
+        problems = problems[:_MOST_SHOWN]
         keys: list[object] = [
             (problem.cause, problem.frames, problem.is_warning) for problem in problems
         ]
+        keys.append(more)
         if keys != self._keys:
             self._keys = keys
             self._card.clear()
             self._card.set_visibility(bool(problems))
             with self._card:
                 self._lines = [ProblemLine() for _ in problems]
+                if more:
+                    ui.label(f"and {counted(more, 'more problem')}").classes("zb-muted")
         for line, problem in zip(self._lines, problems, strict=True):
             line.show(problem)
 
