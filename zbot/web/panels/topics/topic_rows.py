@@ -95,13 +95,13 @@ def topic_rows(graph: Snapshot, own_node: str) -> list[TopicRow]:
 def nodes_of(graph: Snapshot, topic: str, own_node: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
     """Return the nodes that publish a topic and those that subscribe to it, as in `TopicRow`."""
     ends = graph.on(topic, EntityKind.PUBLISHER, EntityKind.SUBSCRIPTION)
-    return _nodes([end for end in ends if _node(end) != own_node])
+    return _nodes([end for end in ends if end.full_node_name != own_node])
 
 
 def _nodes(ends: Sequence[EndpointToken]) -> tuple[tuple[str, ...], tuple[str, ...]]:
     return (
-        tuple(sorted(_node(end) for end in ends if _is_publisher(end))),
-        tuple(sorted(_node(end) for end in ends if not _is_publisher(end))),
+        tuple(sorted(end.full_node_name for end in ends if _is_publisher(end))),
+        tuple(sorted(end.full_node_name for end in ends if not _is_publisher(end))),
     )
 
 
