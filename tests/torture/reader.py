@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import json
 import shutil
 import tempfile
@@ -11,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterator
 
 
 @dataclass(frozen=True)
@@ -24,6 +25,19 @@ class Reader:
     errors: tuple[type[Exception], ...]  #: the named errors with which it may refuse an input
     seeds: tuple[bytes, ...]  #: valid inputs, and inputs that once were a problem
     limit_s: float = 1.0  #: the longest processor time for one input, see `allowed`
+
+
+#: The modules with lists of readers. Some of them import simulators and servers.
+_LISTS = (
+    *("network_readers", "text_readers", "class_readers", "package_readers", "bag_readers"),
+    *("web_readers", "view_readers", "simulation_readers", "device_readers"),
+)
+
+
+def readers() -> Iterator[Reader]:
+    """Yield all readers. A module is imported when the readers before it were not enough."""
+    for name in _LISTS:
+        yield from getattr(importlib.import_module(f"tests.torture.{name}"), name.upper())
 
 
 def temporary_folder(prefix: str) -> Path:

@@ -2,27 +2,9 @@
 
 from __future__ import annotations
 
-from tests.torture.bag_readers import BAG_READERS
-from tests.torture.class_readers import CLASS_READERS
-from tests.torture.device_readers import DEVICE_READERS
-from tests.torture.network_readers import NETWORK_READERS
-from tests.torture.package_readers import PACKAGE_READERS
-from tests.torture.simulation_readers import SIMULATION_READERS
-from tests.torture.text_readers import TEXT_READERS
-from tests.torture.view_readers import VIEW_READERS
-from tests.torture.web_readers import WEB_READERS
+from tests.torture.reader import readers
 
-READERS = (
-    *NETWORK_READERS,
-    *TEXT_READERS,
-    *CLASS_READERS,
-    *PACKAGE_READERS,
-    *BAG_READERS,
-    *WEB_READERS,
-    *VIEW_READERS,
-    *SIMULATION_READERS,
-    *DEVICE_READERS,
-)
+READERS = tuple(readers())
 
 #: Modules that call a parser, but have no reader in the list. The value is the reason.
 EXCEPTIONS = {

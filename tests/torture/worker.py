@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from tests.conftest import allowed
 from tests.torture.fuzzer import Failure, failures
-from tests.torture.readers import READERS
+from tests.torture.reader import readers
 
 if TYPE_CHECKING:
     from tests.torture.reader import Reader
@@ -44,7 +44,7 @@ class Run(NamedTuple):
 def _work(
     name: str, seed: str, first: int, count: int, deadline: float, place: Any, found: Any
 ) -> None:
-    reader = next(each for each in READERS if each.name == name)
+    reader = next(each for each in readers() if each.name == name)
     _limit_memory()
 
     def note(number: int) -> None:
