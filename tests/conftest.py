@@ -143,11 +143,15 @@ def wait_until(condition: Callable[[], bool], timeout_s: float = 15.0) -> bool:
     """
     begun = time.monotonic()
     pause = threading.Event()
-    while not condition():
-        if time.monotonic() - begun > allowed(timeout_s):  # the load may have risen meanwhile
+    while True:
+        looked = time.monotonic()
+        if condition():
+            return True
+        now = time.monotonic()
+        if now - begun > allowed(timeout_s):  # the load may have risen meanwhile
             return False
-        pause.wait(0.005)
-    return True
+        # A look may be a process. One after the other would slow down what they wait for.
+        pause.wait(min(max(now - looked, 0.005), 0.5))
 
 
 def in_threads(work: Callable[[int], object], count: int) -> None:
