@@ -284,11 +284,11 @@ def start(domain: int, tmp_path: Path) -> Iterator[Callable[..., Program]]:  # n
 
 @pytest.fixture
 def machines(domain: int, tmp_path: Path) -> Iterator[Machines]:
-    """Return the machines of a page of the documentation. They leave what they have joined."""
+    """Return the machines of a page of the documentation. They are switched off at the end."""
     from tests.docs.machines import Machines  # noqa: PLC0415 - most tests do not need it
 
     assert domain
     with reserved_domain() as first, reserved_domain() as second:
         made = Machines(tmp_path, sorted([first, second]))
         yield made
-        made.leave()
+        made.switch_off()

@@ -35,7 +35,7 @@ def make_testbed() -> Iterator[Callable[[int], LanTestbed]]:
 
 @pytest.fixture
 def make_machine(tmp_path: Path) -> Iterator[Callable[[str], LocalMachine]]:
-    """Return a function that makes machines; whatever they have joined, they leave."""
+    """Return a function that makes machines. At the end they are switched off."""
     made: dict[str, LocalMachine] = {}
 
     def make(name: str) -> LocalMachine:
@@ -43,8 +43,7 @@ def make_machine(tmp_path: Path) -> Iterator[Callable[[str], LocalMachine]]:
 
     yield make
     for machine in reversed(made.values()):
-        if machine.has_joined:
-            machine.zbot("leave", "--yes")
+        machine.switch_off()
 
 
 @pytest.fixture

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import signal
 import subprocess
 import sys
 from typing import TYPE_CHECKING, Any
+
+import psutil
 
 from tests.classroom.talk import free_port
 from tests.cli.command import Outcome
@@ -70,6 +73,14 @@ class LocalMachine:
         """Kill its hub, as switching it off does; wait until that is so."""
         os.kill(self.hub_state()["pid"], getattr(signal, "SIGKILL", signal.SIGTERM))
         assert wait_until(lambda: not json.loads(self.succeed("status", "--json"))["hub"])
+
+    def switch_off(self) -> None:
+        """Kill its hub, and forget what it has joined. A test ends so faster than by leaving."""
+        (self.folder() / "membership.json").unlink(missing_ok=True)
+        with contextlib.suppress(FileNotFoundError, psutil.NoSuchProcess):
+            hub = psutil.Process(self.hub_state()["pid"])
+            if "zbot.classroom" in hub.cmdline():
+                hub.kill()
 
     def hub_state(self) -> dict[str, Any]:
         """Return the process id of its hub, when the hub was opened, and so on."""

@@ -53,9 +53,8 @@ class Machines:
         own = dict(zip(NUMBERS, map(str, self._numbers), strict=True))
         return re.sub(rf"(?<![\d.])({'|'.join(own)})\b", lambda found: own[found[1]], text)
 
-    def leave(self) -> None:
-        """Let the machines leave what they have joined."""
+    def switch_off(self) -> None:
+        """Switch all machines off."""
         unnamed = LocalMachine(Path(os.environ["XDG_CONFIG_HOME"]))
         for machine in (*reversed(self._machines.values()), unnamed):
-            if machine.has_joined:
-                machine.zbot("leave", "--yes")
+            machine.switch_off()

@@ -60,7 +60,7 @@ def teacher(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, domain: int) -> Ite
     monkeypatch.setenv("ZBOT_COMMAND_DOMAIN", str(domain))  # not that of other tests' teachers
     machine.succeed("class", "start", "Robots")
     yield machine
-    machine.zbot("class", "stop")
+    machine.switch_off()
 
 
 @pytest.fixture
@@ -70,7 +70,7 @@ def student(teacher: LocalMachine, tmp_path: Path, domain: int) -> Iterator[Loca
     number = ("--number", str(domain))
     machine.succeed("join", f"127.0.0.1:{teacher.port}", "--name", NAME, *number)
     yield machine
-    machine.zbot("leave")
+    machine.switch_off()
 
 
 def test_each_student_has_a_card_that_opens_the_graph(
