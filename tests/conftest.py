@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import itertools
 import os
 import signal
@@ -101,6 +102,17 @@ def clean_environment(
     # A context of a test gets the answers of others also if the whole suite keeps the machine busy.
     monkeypatch.setattr("zbot.context.domain_session._PEERS_TIMEOUT_S", 2.0)
     monkeypatch.setattr("zbot.context.domain_session._DISCOVERY_TIMEOUT_S", 5.0)
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_collection() -> Iterator[object]:
+    """Collect the tests without the garbage collector, which then never looks at them again."""
+    gc.disable()
+    try:
+        return (yield)
+    finally:
+        gc.freeze()
+        gc.enable()
 
 
 @pytest.hookimpl(optionalhook=True)
