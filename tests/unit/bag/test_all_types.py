@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from random import Random
 from typing import TYPE_CHECKING, Any
 
 import pytest
@@ -11,9 +10,9 @@ from mcap_ros2.decoder import DecoderFactory
 from rosbags.highlevel import AnyReader
 
 import zbot.bag
-from tests.unit.wire.random_message import random_message
+from tests.unit.wire.random_message import message_of
 from zbot.bag import Writer
-from zbot.interfaces import MessageSpec, get_message, get_spec, interface_names
+from zbot.interfaces import MessageSpec, get_spec, interface_names
 from zbot.interfaces.location import shipped_packages
 
 if TYPE_CHECKING:
@@ -54,7 +53,7 @@ def hash_differs(name: str) -> bool:
 def messages() -> dict[str, Any]:
     """Return a message of each type by its topic."""
     return {
-        f"/{name.replace('/', '_')}": random_message(get_message(name), Random(name))
+        f"/{name.replace('/', '_')}": message_of(name)
         for name in shipped_names()
         if not uses_wide_text(name)
     }

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import functools
 import math
-from typing import TYPE_CHECKING, Any
+from random import Random
+from typing import Any
 
 from zbot.interfaces import (
     MessageSpec,
@@ -15,9 +17,6 @@ from zbot.interfaces import (
 )
 from zbot.interfaces.location import shipped_packages
 from zbot.interfaces.spec import INTEGER_RANGES, FieldType
-
-if TYPE_CHECKING:
-    from random import Random
 
 ALPHABET = "az_/ 09é€\U0001f916\n\x00"
 
@@ -33,6 +32,12 @@ def random_message(
     assert isinstance(spec, MessageSpec)
     values = {field.name: _value(field.type, random, alphabet, longest) for field in spec.fields}
     return message_class(**values)
+
+
+@functools.cache
+def message_of(name: str) -> Any:
+    """Return a random message of a type: the same one to all tests of this process."""
+    return random_message(get_interface(name), Random(name))
 
 
 def _value(kind: FieldType, random: Random, alphabet: str, longest: int) -> Any:

@@ -16,7 +16,7 @@ from moveit_msgs.msg import PlanningScene
 
 import zbot  # noqa: F401 - makes the messages importable
 from tests.unit.wire.messagepack.coded import packb
-from tests.unit.wire.random_message import random_message, shipped_messages
+from tests.unit.wire.random_message import message_of, random_message, shipped_messages
 from zbot.interfaces import get_interface, get_message, message_spec_of, register_spec
 from zbot.interfaces.parser import parse_message
 from zbot.wire.errors import CodecError
@@ -101,7 +101,7 @@ def outcome(decode: Any, data: bytes) -> Any:
 def test_random_messages_of_all_types_have_the_bytes_of_the_walker() -> None:
     walked = []
     for name in TYPES:
-        message = random_message(get_interface(name), Random(name))
+        message = message_of(name)
         walker = Walker(type(message))
         data = walker.encode(message)
 
