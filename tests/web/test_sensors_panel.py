@@ -105,6 +105,8 @@ def test_the_microphone_is_published_as_a_level(
 
 @contextmanager
 def emulated(page: Page, readings: dict[str, dict[str, Any]]) -> Iterator[None]:
+    # Chromium asks nobody. Its headless shell refuses what is not granted.
+    page.context.grant_permissions(["accelerometer", "gyroscope", "magnetometer"])
     session = page.context.new_cdp_session(page)
     for name, reading in readings.items():
         session.send("Emulation.setSensorOverrideEnabled", {"enabled": True, "type": name})
