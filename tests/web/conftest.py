@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
     from pathlib import Path
 
-    from playwright.sync_api import Browser, Locator, Page
+    from playwright.sync_api import Browser, Locator, Page, ViewportSize
 
 Value = TypeVar("Value")
 
@@ -36,6 +36,13 @@ ARGUMENTS = [
 ]
 COMMAND = ("zbot", "web", "--no-browser", "--port", "0")
 ENDED_BY_CTRL_C = 130
+_USUAL_SIZE: ViewportSize = {"width": 1280, "height": 720}
+#: A phone, a small projector and a large screen. A panel is loaded on the first one.
+SCREENS: tuple[ViewportSize, ...] = (
+    {"width": 390, "height": 844},
+    {"width": 1024, "height": 640},
+    {"width": 1920, "height": 1080},
+)
 #: Long, because other tests use the cores at the same time.
 PAGE_TIMEOUT_MS = 40_000
 
@@ -79,7 +86,7 @@ class Visit:
         def go_to_and_connect(*words: Any, **more: Any) -> Any:
             # What a test does before the page is connected may happen in another order.
             response = go_to(*words, **more)
-            page.wait_for_function("window.did_handshake !== false")
+            page.wait_for_function("window.did_handshake !== false", polling=50)
             return response
 
         page.goto = go_to_and_connect  # type: ignore[method-assign]
@@ -247,6 +254,8 @@ def page(window: Visit, start: object) -> Iterator[Page]:  # noqa: ARG001 - prog
     """Return the window's page; at the end, check that it sent no request to other machines."""
     yield window.page
     window.page.goto("about:blank")
+    window.page.set_viewport_size(_USUAL_SIZE)
+    window.page.emulate_media(color_scheme="light")
     window.page.mouse.move(0, 0)
     window.context.clear_cookies()
     assert window.new_errors() == []

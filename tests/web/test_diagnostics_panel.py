@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 import zbot
-from tests.web.conftest import command, settled
+from tests.web.conftest import SCREENS, command, settled
 from tests.web.test_frames_panel import BEYOND
 
 pytest.importorskip("playwright.sync_api", reason="Playwright is not installed")
@@ -17,12 +17,10 @@ from playwright.sync_api import expect
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus, KeyValue
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from playwright.sync_api import Page
 
     from tests.conftest import MakeContext, Spin
-    from tests.web.conftest import Server, Visit
+    from tests.web.conftest import Server
 
 EVIL = "<img src=zz onerror=hit=1>"
 
@@ -80,12 +78,11 @@ def test_the_worst_is_first_and_its_history_is_kept(
 
 
 @pytest.mark.usefixtures("robot")
-@pytest.mark.parametrize(("width", "height"), [(390, 844), (1024, 640), (1920, 1080)])
-def test_the_panel_fits(
-    visit: Callable[..., Visit], server: Server, width: int, height: int
-) -> None:
-    page = visit(viewport={"width": width, "height": height}).page
+def test_the_panel_fits(server: Server, page: Page) -> None:
+    page.set_viewport_size(SCREENS[0])
     page.goto(f"{server.address}/diagnostics?status=motors/left")
     expect(page.locator(".zb-side")).to_contain_text("current")
     expect(command(page)).to_have_text("zbot topic echo /diagnostics")
-    assert settled(page, lambda: page.evaluate(BEYOND)) == []
+    for size in SCREENS:
+        page.set_viewport_size(size)
+        assert settled(page, lambda: page.evaluate(BEYOND)) == [], size

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from tests.web.conftest import command, settled
+from tests.web.conftest import SCREENS, command, settled
 from tests.web.test_frames_panel import BEYOND
 
 pytest.importorskip("playwright.sync_api", reason="Playwright is not installed")
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from playwright.sync_api import Locator, Page
 
     from tests.conftest import Program, Start
-    from tests.web.conftest import Server, Visit
+    from tests.web.conftest import Server
 
 LAUNCH = """import sys
 from launch import LaunchDescription
@@ -88,12 +88,11 @@ def test_a_read_only_page_stops_nothing(serve: Callable[..., Server], page: Page
 
 
 @pytest.mark.usefixtures("launch")
-def test_the_panel_fits(visit: Callable[..., Visit], serve: Callable[..., Server]) -> None:
-    page = visit().page
+def test_the_panel_fits(page: Page, serve: Callable[..., Server]) -> None:
     server = serve()
     page.goto(f"{server.address}/launch")
     row(page, "waiter-1").click()
     expect(page.get_by_role("log", name="Output")).to_have_text("<b>up</b>")
-    for width, height in ((390, 844), (1024, 640), (1920, 1080)):
-        page.set_viewport_size({"width": width, "height": height})
-        assert settled(page, lambda: page.evaluate(BEYOND)) == []
+    for size in SCREENS:
+        page.set_viewport_size(size)
+        assert settled(page, lambda: page.evaluate(BEYOND)) == [], size

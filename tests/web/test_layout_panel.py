@@ -11,7 +11,7 @@ import pytest
 
 import zbot
 from tests.conftest import wait_until
-from tests.web.conftest import settled
+from tests.web.conftest import SCREENS, settled
 from tests.web.test_frames_panel import BEYOND
 
 pytest.importorskip("playwright.sync_api", reason="Playwright is not installed")
@@ -135,14 +135,13 @@ def test_a_wrong_file_is_explained(start: Start, lesson: Path) -> None:
     assert program.process.wait(20) == 1
 
 
-@pytest.mark.parametrize(("width", "height"), [(390, 844), (1024, 640), (1920, 1080)])
-def test_the_panel_fits(
-    visit: Callable[..., Visit], server: Server, width: int, height: int
-) -> None:
-    page = visit(viewport={"width": width, "height": height}).page
+def test_the_panel_fits(server: Server, page: Page) -> None:
+    page.set_viewport_size(SCREENS[0])
     page.goto(f"{server.address}/layout?layout={quote(json.dumps(LESSON))}")
     assert wait_until(lambda: len(names(page)) == 2)
     expect(inner(page, "Console")).to_be_visible()
-    assert settled(page, lambda: page.evaluate(BEYOND)) == []
-    for frame in page.frames[1:]:
-        assert settled(page, partial(frame.evaluate, BEYOND)) == []
+    for size in SCREENS:
+        page.set_viewport_size(size)
+        assert settled(page, lambda: page.evaluate(BEYOND)) == [], size
+        for frame in page.frames[1:]:
+            assert settled(page, partial(frame.evaluate, BEYOND)) == [], size

@@ -11,7 +11,7 @@ import pytest
 
 import zbot
 from tests.conftest import wait_until
-from tests.web.conftest import command, settled
+from tests.web.conftest import SCREENS, command, settled
 from tests.web.test_frames_panel import BEYOND
 
 pytest.importorskip("playwright.sync_api", reason="Playwright is not installed")
@@ -21,12 +21,10 @@ from playwright.sync_api import expect
 from sensor_msgs.msg import CompressedImage, Image
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from playwright.sync_api import Page
 
     from tests.conftest import MakeContext, Spin
-    from tests.web.conftest import Server, Visit
+    from tests.web.conftest import Server
 
 LEFT, RIGHT = "/left/image", "/right/image/compressed"
 
@@ -98,11 +96,10 @@ def test_two_cameras_are_side_by_side_and_pause(
 
 
 @pytest.mark.usefixtures("cameras")
-@pytest.mark.parametrize(("width", "height"), [(390, 844), (1024, 640), (1920, 1080)])
-def test_the_panel_fits(
-    visit: Callable[..., Visit], server: Server, width: int, height: int
-) -> None:
-    page = visit(viewport={"width": width, "height": height}).page
+def test_the_panel_fits(server: Server, page: Page) -> None:
+    page.set_viewport_size(SCREENS[0])
     page.goto(f"{server.address}/pictures")
     expect(page.get_by_alt_text(RIGHT)).to_be_visible()
-    assert settled(page, lambda: page.evaluate(BEYOND)) == []
+    for size in SCREENS:
+        page.set_viewport_size(size)
+        assert settled(page, lambda: page.evaluate(BEYOND)) == [], size
