@@ -22,7 +22,7 @@ from zbot.testing.domain import open_router, reserved_domain
 from zbot.transport.rmw_choice import RMW_VARIABLE, RMW_ZENOH
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Callable, Generator, Iterator
 
     from tests.docs.machines import Machines
     from zbot.log.record import Record
@@ -105,7 +105,7 @@ def clean_environment(
 
 
 @pytest.hookimpl(wrapper=True)
-def pytest_collection() -> Iterator[object]:
+def pytest_collection() -> Generator[None, object, object]:
     """Collect the tests without the garbage collector, which then never looks at them again."""
     gc.disable()
     try:

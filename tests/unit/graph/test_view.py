@@ -133,7 +133,7 @@ def test_left_out_names_are_listed() -> None:
 @pytest.mark.parametrize("mode", [Mode.ALL, Mode.NODES])
 def test_a_crowd_is_drawn_in_part(mode: Mode) -> None:
     crowd = [f"node_{number:04}" for number in range(400)]
-    tokens = [node(name) for name in crowd]
+    tokens: list[NodeToken | EndpointToken] = [node(name) for name in crowd]
     tokens += [publishes(name, f"/t_{name}_{number}") for name in crowd for number in range(3)]
     tokens += [subscribes(name, "/tf") for name in crowd] + [publishes(crowd[0], "/tf")]
     whole = view(Snapshot(tuple(tokens)), mode)

@@ -15,7 +15,7 @@ from zbot.package.errors import NotRunnableError
 
 @pytest.fixture(autouse=True)
 def nothing_on_path(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(zbot_command.shutil, "which", lambda *_, **__: None)
+    monkeypatch.setattr("shutil.which", lambda *_, **__: None)
     for module in (zbot_command, executable_module):
         monkeypatch.setattr(module, "zbot_command", lambda: ["/a venv/zbot"])
 

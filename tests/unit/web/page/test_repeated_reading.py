@@ -9,7 +9,6 @@ import pytest
 
 pytest.importorskip("nicegui", reason='the page needs NiceGUI: pip install "zbot[web]"')
 
-from zbot.web.page import repeated_reading
 from zbot.web.page.repeated_reading import RepeatedReading
 
 if TYPE_CHECKING:
@@ -45,8 +44,8 @@ def test_a_problem_is_shown_until_the_next_good_reading(monkeypatch: pytest.Monk
     def create(run: Coroutine[Any, Any, None], **_: object) -> None:
         runs.append(run)
 
-    monkeypatch.setattr(repeated_reading.ui, "label", lambda: label)
-    monkeypatch.setattr(repeated_reading.background_tasks, "create", create)
+    monkeypatch.setattr("nicegui.ui.label", lambda: label)
+    monkeypatch.setattr("nicegui.background_tasks.create", create)
     section: Any = Section()
     reading = RepeatedReading(section, results.pop, "", max_hz=1.0)
 
