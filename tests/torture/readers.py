@@ -15,7 +15,6 @@ EXCEPTIONS = {
     "zbot.classroom.hub.running_hub": "it reads only the file that this user's own hub writes",
     "zbot.compat.table": "it reads only the tables that zbot contains",
     "zbot.errors.call_source": "it reads the program that runs in this process",
-    "zbot_cli.packages.check.setup_files": "configparser raises only its own Error",
     "zbot.package.finder": "it reads only the direct_url.json that pip writes",
     "zbot.node.service": "the attachment has the right length, which _request_id checks",
     "zbot.node.service_introspection": "it reads the bytes that zbot.node.service has checked",

@@ -81,16 +81,15 @@ class BufferCore:
             frame = self._frames.get(child)
             if frame is None and self._has_room():
                 frame = self._frames[child] = Frame(child, self._cache_ns)
+            is_kept = frame is not None and frame.add(sample, is_static=is_static)
             if frame is not None:
                 frame.authority = authority
-                is_kept = frame.add(sample, is_static=is_static)
                 self._changed.notify_all()
         if frame is None:
             self._log_once(
                 f"new frames from {authority} are ignored: there are {_MOST_FRAMES} frames already"
             )
-            return
-        if not is_kept and stamp < frame.oldest_ns:
+        elif not is_kept and stamp < frame.oldest_ns:
             self._log_once(
                 f"old transforms of the frame {child!r} from {authority} are ignored: their time "
                 "is before the oldest time in the buffer"

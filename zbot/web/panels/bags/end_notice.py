@@ -18,6 +18,7 @@ class Work(Protocol):
     @property
     def is_running(self) -> bool:
         """Whether the work has not ended."""
+        ...
 
 
 class EndNotice:
