@@ -22,6 +22,7 @@ from zbot.process.attribute_advice import (
 )
 from zbot.process.call_advice import advise_of_call
 from zbot.text.typographic import advise_of_syntax
+from zbot.threads.foreign_call import defers_signals
 
 
 def install() -> None:
@@ -79,6 +80,7 @@ def _thread_hook_before(previous: Any) -> Any:
 def _unraisablehook_before(previous: Any) -> Any:
     """Return a hook that sends a signal again if its exception was lost in a destructor."""
 
+    @defers_signals  # the exception of a second signal would be printed as an error of this hook
     def unraisablehook(args: Any) -> None:
         is_lost = isinstance(args.exc_value, signals.SignalExit) and not at_exit.is_ending()
         if is_lost and sys.platform != "win32":
