@@ -17,6 +17,8 @@ from zbot.errors import ZbotError
 if TYPE_CHECKING:
     from PIL.Image import Image as Picture
 
+IMAGE, COMPRESSED_IMAGE = "sensor_msgs/msg/Image", "sensor_msgs/msg/CompressedImage"
+IMAGE_TYPES = (IMAGE, COMPRESSED_IMAGE)
 #: Longest side of a sent image, in pixels. The sides of a larger image are divided by a whole
 #: number.
 LONGEST_SIDE = 640

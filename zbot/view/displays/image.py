@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
-from zbot.observer.image_encoder import ImageError, encode_jpeg, media_type
+from zbot.observer.image_encoder import IMAGE_TYPES, ImageError, encode_jpeg, media_type
 from zbot.view.displays.display import Display, Setting, item
 from zbot.view.errors import DisplayError
 from zbot.view.shape import Frustum, Item, Picture
@@ -24,7 +24,7 @@ class Image(Display):
     """Picture of a camera. With a CameraInfo, the pyramid that the camera sees is drawn too."""
 
     name = "Image"
-    types = ("sensor_msgs/msg/Image", "sensor_msgs/msg/CompressedImage")
+    types = IMAGE_TYPES
     settings = (Setting("in the scene", True),)
 
     def __init__(self, topic: str, files: MeshFiles | None = None) -> None:

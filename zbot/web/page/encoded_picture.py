@@ -8,12 +8,17 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from weakref import WeakKeyDictionary
 
 from zbot.interfaces import type_name
-from zbot.observer.image_encoder import ImageError, encode_jpeg, media_type
+from zbot.observer.image_encoder import (
+    COMPRESSED_IMAGE,
+    IMAGE,
+    ImageError,
+    encode_jpeg,
+    media_type,
+)
 
 if TYPE_CHECKING:
     from zbot.observer.watch import Feed, Record, Watch
 
-_IMAGE, _COMPRESSED = "sensor_msgs/msg/Image", "sensor_msgs/msg/CompressedImage"
 _THREADS = ThreadPoolExecutor(2, "zbot web pictures")
 #: A compressed image goes to the browser as it is.
 _MOST_BYTES = 5_000_000
@@ -70,10 +75,10 @@ def image_address(message: Any) -> tuple[str, str]:
         ImageError: The image cannot be shown.
     """
     name = type_name(type(message))
-    if name == _IMAGE:
+    if name == IMAGE:
         data, kind = encode_jpeg(message), "image/jpeg"
         text = f"{message.width} x {message.height}, {message.encoding}"
-    elif name != _COMPRESSED:
+    elif name != COMPRESSED_IMAGE:
         raise ImageError(f"{name} is no type of images: choose another topic")
     elif len(message.data) > _MOST_BYTES:
         raise ImageError("the compressed image is larger than 5 MB")

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from nicegui import ui
 
+from zbot.observer.image_encoder import IMAGE_TYPES
 from zbot.web.page.encoded_picture import newest_picture
 
 if TYPE_CHECKING:
@@ -15,11 +16,9 @@ if TYPE_CHECKING:
     from zbot.observer.watch import Watch
     from zbot.web.page.panel import Section
 
-_IMAGE = "sensor_msgs/msg/Image"
-_COMPRESSED = "sensor_msgs/msg/CompressedImage"
 _SCAN = "sensor_msgs/msg/LaserScan"
 #: The types whose messages have a picture.
-PICTURE_TYPES = (_IMAGE, _COMPRESSED, _SCAN)
+PICTURE_TYPES = (*IMAGE_TYPES, _SCAN)
 _PICTURE_HZ = 15.0
 #: The edge of the largest circle in the picture has about 1440 pixels. With more points, the
 #: picture looks the same.

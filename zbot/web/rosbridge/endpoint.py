@@ -43,9 +43,8 @@ def endpoint(bridge: Bridge) -> Callable[[WebSocket], Awaitable[None]]:
             run(has_news.set)
 
         def call_later(delay_s: float, function: Callable[[], None]) -> Callable[[], None]:
-            timers: list[
-                asyncio.TimerHandle
-            ] = []  # filled and read only in the loop, in this order
+            # Filled and read only in the loop, in this order.
+            timers: list[asyncio.TimerHandle] = []
             run(lambda: timers.append(loop.call_later(delay_s, function)))
             return lambda: run(lambda: timers.pop().cancel())
 

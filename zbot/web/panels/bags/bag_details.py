@@ -14,12 +14,12 @@ from zbot.bag.player import PlayerStatus
 from zbot.errors import ZbotError
 from zbot.observer.curve import thinned
 from zbot.observer.errors import ViewerError
+from zbot.observer.image_encoder import IMAGE_TYPES
 from zbot.time import S_TO_NS
 from zbot.web.page.command_line import command_line
 from zbot.web.page.service_call import EXPORTING, READING, run_in_thread, with_errors_shown
 from zbot.web.panels.bags.bag_curves import BagCurves
 from zbot.web.panels.bags.bag_export import (
-    IMAGE_TYPES,
     export_csv,
     export_video,
     new_export_file,

@@ -22,7 +22,6 @@ if TYPE_CHECKING:
     #: Writes a part of a topic into a file: the file, the bag, the topic, the start and the end.
     Export = Callable[[BinaryIO, Path, str, int, int], None]
 
-IMAGE_TYPES = ("sensor_msgs/msg/Image", "sensor_msgs/msg/CompressedImage")
 _MOST_BYTES = 500_000_000
 _JPEG_QUALITY = 90
 

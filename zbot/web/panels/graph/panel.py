@@ -60,7 +60,6 @@ class GraphPanel:
     def __init__(self, page: Page) -> None:
         self.page = page
         self.options = GraphOptions.from_query(page.query)
-        self.drawing: Drawing | None = None
         self._drawings = drawings_of(page.system)
         self._drawn: Drawn | None = None
         self._is_drawing = False
@@ -87,6 +86,11 @@ class GraphPanel:
         page.live(self.update_rates, _RATE_HZ)
         self.choose(page.query.get(_CHOSEN, ""))
 
+    @property
+    def drawing(self) -> Drawing | None:
+        """The drawing that the page shows, or None before the first one."""
+        return None if self._drawn is None else self._drawn.drawing
+
     def update(self) -> None:
         """Draw the graph again if the graph or the options have changed."""
         if self._fault is not None:
@@ -104,7 +108,6 @@ class GraphPanel:
         make = partial(self._drawings.draw, is_shared=not self._has_own_layout)
         try:
             self._drawn = await run_in_thread(make, self.options, before, threads=DRAWING)
-            self.drawing = self._drawn.drawing
             self._show_notes(self._drawn.view)
             await self._show()
         except Exception as error:  # noqa: BLE001 - see `update`
@@ -131,8 +134,10 @@ class GraphPanel:
 
     async def svg(self) -> str:
         """Return the drawing as SVG. It contains the rates if the page shows rates."""
-        if self._drawn is None or not self.shows_rates:
-            return "" if self._drawn is None else self._drawn.svg
+        if self._drawn is None:
+            return ""
+        if not self.shows_rates:
+            return self._drawn.svg
         drawing = self._drawn.drawing
         labels = self.rates.labels(drawing.view)
         return await run_in_thread(drawing.svg, labels, threads=DRAWING)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from nicegui import ui
 
 from zbot.names import is_hidden
+from zbot.observer.image_encoder import IMAGE_TYPES
 from zbot.web.page.command_line import command_line
 from zbot.web.page.panel import Page, Panel
 from zbot.web.panels.pictures.picture_tile import PictureTile
@@ -17,7 +18,6 @@ if TYPE_CHECKING:
 
     from zbot.graph.snapshot import Snapshot
 
-_TYPES = {"sensor_msgs/msg/Image", "sensor_msgs/msg/CompressedImage"}
 _HZ = 5.0
 #: How many topics are shown at first, if the address names none.
 _FIRST = 4
@@ -30,7 +30,7 @@ def image_topics(graph: Snapshot) -> list[str]:
         {
             end.name
             for end in graph.of_kind(EntityKind.PUBLISHER)
-            if end.type_name in _TYPES and not is_hidden(end.name)
+            if end.type_name in IMAGE_TYPES and not is_hidden(end.name)
         }
     )
 
