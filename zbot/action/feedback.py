@@ -67,8 +67,9 @@ class FeedbackSubscription(TopicEndpoint):
         self._decode = context.dialect.codec_for(msg_type).decode
         receive: Any = zenoh.handlers.Callback(self._receive, indirect=False)
         key = context.dialect.data_key(self.token)
-        self._subscriber: Any = context.session.declare_subscriber(key, receive)
-        self._announcement = context.graph.announce(self.token)
+        with context.until_shutdown(f"the node {handle.full_name}"):
+            self._subscriber: Any = context.session.declare_subscriber(key, receive)
+            self._announcement = context.graph.announce(self.token)
         handle.subscriptions.append(cast("Any", self))  # it has all attributes that a node uses
         handle.diagnostics.add(self.token, handle.logger_name)
         handle.add(self)

@@ -102,15 +102,17 @@ def create_action_service(
 ) -> ActionService:
     """Return a new service of a node. The service responds immediately, unless `callback` waits."""
     handle = node.handle
-    service = ActionService(
-        handle.context,
-        srv_type,
-        lambda request, response: run_until_await(callback(request, response)),
-        handle.endpoint(EntityKind.SERVICE, node.resolve_service_name(name), srv_type, qos_profile),
-        ready_queue=handle.ready_queue,
-        callback_group=callback_group,
-        logger_name=handle.logger_name,
-    )
+    name = node.resolve_service_name(name)
+    with handle.context.until_shutdown(f"the node {handle.full_name}"):
+        service = ActionService(
+            handle.context,
+            srv_type,
+            lambda request, response: run_until_await(callback(request, response)),
+            handle.endpoint(EntityKind.SERVICE, name, srv_type, qos_profile),
+            ready_queue=handle.ready_queue,
+            callback_group=callback_group,
+            logger_name=handle.logger_name,
+        )
     handle.services.append(service)
     handle.add(service)
     return service

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import contextlib
 import sys
 from typing import TYPE_CHECKING, Any, Literal, Protocol
+
+import zenoh
 
 from zbot.context.domain_session import DomainSession
 from zbot.context.session_threads import SessionThreads
@@ -19,9 +22,8 @@ from zbot.threads.weak_set import WeakSet
 from zbot.transport import shared_memory
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterator
 
-    import zenoh
     from typing_extensions import Self
 
     from zbot.graph.snapshot import Token
@@ -134,6 +136,22 @@ class Context(ContextState):
     def is_closed(self) -> bool:
         """Whether there is no open session."""
         return self._domain_session.is_closed
+
+    @contextlib.contextmanager
+    def until_shutdown(self, what: str) -> Iterator[None]:
+        """Raise `NotInitializedError` if another thread shuts the context down within the block.
+
+        Otherwise, the block would raise Zenoh's error about a closed session.
+
+        Args:
+            what: The subject of the error's sentence.
+        """
+        try:
+            yield
+        except zenoh.ZError:
+            if self.is_closed:
+                signals.raise_not_initialized(what)
+            raise
 
     def leave_to_parent(self) -> None:
         """In a forked child, leave the session and all entities to the parent process.

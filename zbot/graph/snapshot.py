@@ -17,7 +17,7 @@ import zenoh
 
 from zbot.errors import InvalidNameError
 from zbot.graph.entity_numbers import EntityNumbers
-from zbot.graph.token_changes import TokenChanges, declare_subscriber
+from zbot.graph.token_changes import TokenChanges, declare_subscriber, unless_closed
 from zbot.names import SEND_GOAL, validate_full_topic_name
 from zbot.threads.deadline import Deadline
 from zbot.threads.foreign_call import without_interruption
@@ -354,11 +354,13 @@ class Graph:
             self._listeners = [ref for ref in self._listeners if ref() not in {None, listener}]
 
     def _query_tokens(self) -> Iterator[Token]:
-        yield from self.tokens_in(
-            admin_query.all_tokens(self._session, self._keys)
-            if self._asks_first
-            else self._tokens_from_peers()
-        )
+        keys: Iterable[str] = ()
+        with unless_closed(self._session):
+            if self._asks_first:
+                keys = admin_query.all_tokens(self._session, self._keys)
+            else:
+                keys = self._tokens_from_peers()
+        yield from self.tokens_in(keys)
 
     def _tokens_from_peers(self) -> Iterable[str]:
         # A query is no use here: this session would answer from its own cache, which may be

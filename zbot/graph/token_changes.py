@@ -7,6 +7,7 @@ lock, so its calls may come in another order. It only starts the thread that emp
 
 from __future__ import annotations
 
+import contextlib
 import threading
 from typing import TYPE_CHECKING, Any
 
@@ -17,7 +18,7 @@ from zbot.threads.on_demand_thread import OnDemandThread
 from zbot.transport import admin_query
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterator
 
 # Zenoh may call the function a moment before it puts the change into the queue, and on a busy
 # machine its thread may stop in between. So the queue is looked at again after these times.
@@ -58,10 +59,12 @@ class TokenChanges:
 
     def follow(self, key: str) -> None:
         """Receive the present tokens of a key expression, and their changes from now on."""
-        subscriber = declare_subscriber(self._session, key, admin_query.large_queue())
-        self._subscribers.append(subscriber)
-        self._notifiers.append(declare_subscriber(self._session, key, self._receiver(self._tell)))
-        self._tell(None)
+        with unless_closed(self._session):
+            subscriber = declare_subscriber(self._session, key, admin_query.large_queue())
+            self._subscribers.append(subscriber)
+            tell = self._receiver(self._tell)
+            self._notifiers.append(declare_subscriber(self._session, key, tell))
+            self._tell(None)
 
     def catch_up(self) -> None:
         """Use the changes that have arrived, in this thread. Any thread may call this.
@@ -69,14 +72,10 @@ class TokenChanges:
         A token arrives before the messages of its owner. So a caller that has such a message can
         call this, and then knows the token.
         """
-        with self._one_at_a_time:
-            try:
-                for subscriber in list(self._subscribers):
-                    for change in iter(subscriber.handler.try_recv, None):
-                        self._use(change)
-            except zenoh.ZError:
-                if not self._session.is_closed():
-                    raise
+        with self._one_at_a_time, unless_closed(self._session):
+            for subscriber in list(self._subscribers):
+                for change in iter(subscriber.handler.try_recv, None):
+                    self._use(change)
 
     def close(self) -> None:
         """Follow no tokens any more. A change that comes meanwhile may still be used."""
@@ -97,6 +96,16 @@ class TokenChanges:
         if not self._subscribers or self._session.is_closed():
             return None
         return next(self._late, None)
+
+
+@contextlib.contextmanager
+def unless_closed(session: zenoh.Session) -> Iterator[None]:
+    """Run a block that uses a session. If another thread closes the session, only end the block."""
+    try:
+        yield
+    except zenoh.ZError:
+        if not session.is_closed():
+            raise
 
 
 def declare_subscriber(session: zenoh.Session, key: str, handler: Any) -> Any:

@@ -152,7 +152,11 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
             signals.note_vain_wait()
         if self._context.is_inherited:
             self._context.require_valid(f"the client of {self.service_name}")
-        self._listen()
+        try:
+            self._listen()
+        except zenoh.ZError:
+            if not self._context.is_closed:
+                raise
         # In a node, the diagnostics warn if a server has another definition of the service. A tool
         # has no diagnostics, so the warning is logged here.
         if self._context.is_tool and not self.service_is_ready() and (text := self._other_type()):
@@ -311,22 +315,28 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
 
         Raises:
             InvalidHandleError: The client was destroyed, also while it waited for a response.
+            NotInitializedError: The context was shut down.
         """
         querier = self._querier
         if querier is None:
             raise InvalidHandleError(f"the client of {self.service_name}")
         handler: Any = zenoh.handlers.Callback(on_reply, drop=on_end, indirect=False)
         activity.has_sent = True
-        self._context.session.get(
-            querier.key_expr,
-            handler,
-            payload=request.payload,
-            encoding=self._encoding,
-            attachment=request.attachment,
-            target=self._target,
-            consolidation=zenoh.ConsolidationMode.NONE,
-            timeout=request.timeout_s,
-        )
+        try:
+            self._context.session.get(
+                querier.key_expr,
+                handler,
+                payload=request.payload,
+                encoding=self._encoding,
+                attachment=request.attachment,
+                target=self._target,
+                consolidation=zenoh.ConsolidationMode.NONE,
+                timeout=request.timeout_s,
+            )
+        except zenoh.ZError:
+            if self._context.is_closed:
+                signals.raise_not_initialized("a service call")
+            raise
 
     def remove_pending_request(self, future: Future[ResponseT]) -> None:
         """Forget a call and never complete its future. Nothing happens if the call is over."""

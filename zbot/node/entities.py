@@ -126,13 +126,14 @@ class NodeEntities(PrivateAliases):
         check_object("event_callbacks", events, "PublisherEventCallbacks", "attach")
         group = self._zbot_group(callback_group)
         token = handle.endpoint(EntityKind.PUBLISHER, name, msg_type, qos)
-        publisher = publisher_class(
-            handle.context,
-            msg_type,
-            token,
-            logger_name=handle.logger_name,
-            callback_group=group,
-        )
+        with handle.context.until_shutdown(f"the node {handle.full_name}"):
+            publisher = publisher_class(
+                handle.context,
+                msg_type,
+                token,
+                logger_name=handle.logger_name,
+                callback_group=group,
+            )
         publisher.topic = topic
         handle.publishers.append(publisher)
         handle.diagnostics.add(token, handle.logger_name)
@@ -187,24 +188,25 @@ class NodeEntities(PrivateAliases):
         qos = self._zbot_overridden("subscription", name, qos_profile, qos_overriding_options)
         events = event_callbacks or SubscriptionEventCallbacks()
         check_object("event_callbacks", events, "SubscriptionEventCallbacks", "attach")
-        subscription = Subscription(
-            handle.context,
-            msg_type,
-            callback,
-            handle.endpoint(EntityKind.SUBSCRIPTION, name, msg_type, qos),
-            ready_queue=handle.ready_queue,
-            callback_group=self._zbot_group(callback_group),
-            raw=raw,
-            logger_name=handle.logger_name,
-            content_filter=content_filter_options,
-        )
-        subscription.topic = topic
-        handle.subscriptions.append(subscription)
-        handle.diagnostics.add(subscription.token, handle.logger_name)
-        handle.add(subscription)
-        handle.note_callback("create_subscription", callback)
-        events.attach(subscription, handle.ready_queue, handle.context.graph)
-        subscription.start()
+        with handle.context.until_shutdown(f"the node {handle.full_name}"):
+            subscription = Subscription(
+                handle.context,
+                msg_type,
+                callback,
+                handle.endpoint(EntityKind.SUBSCRIPTION, name, msg_type, qos),
+                ready_queue=handle.ready_queue,
+                callback_group=self._zbot_group(callback_group),
+                raw=raw,
+                logger_name=handle.logger_name,
+                content_filter=content_filter_options,
+            )
+            subscription.topic = topic
+            handle.subscriptions.append(subscription)
+            handle.diagnostics.add(subscription.token, handle.logger_name)
+            handle.add(subscription)
+            handle.note_callback("create_subscription", callback)
+            events.attach(subscription, handle.ready_queue, handle.context.graph)
+            subscription.start()
         return subscription
 
     def create_service(
@@ -242,15 +244,16 @@ class NodeEntities(PrivateAliases):
         form = "(request, response)"
         check_callback("create_service", callback, form, position=2, may_do_nothing=True)
         name = handle.resolve(srv_name, is_service=True)
-        service: Service[Any, Any] = Service(
-            handle.context,
-            srv_type,
-            callback,
-            handle.endpoint(EntityKind.SERVICE, name, srv_type, as_profile(qos_profile)),
-            ready_queue=handle.ready_queue,
-            callback_group=self._zbot_group(callback_group),
-            logger_name=handle.logger_name,
-        )
+        with handle.context.until_shutdown(f"the node {handle.full_name}"):
+            service: Service[Any, Any] = Service(
+                handle.context,
+                srv_type,
+                callback,
+                handle.endpoint(EntityKind.SERVICE, name, srv_type, as_profile(qos_profile)),
+                ready_queue=handle.ready_queue,
+                callback_group=self._zbot_group(callback_group),
+                logger_name=handle.logger_name,
+            )
         service.srv_name = srv_name
         handle.services.append(service)
         handle.note_callback("create_service", callback)
@@ -283,14 +286,15 @@ class NodeEntities(PrivateAliases):
         check_order("create_client", (srv_type, is_class), (srv_name, is_name))
         check_is_valid_srv_type(srv_type)
         name = handle.resolve(srv_name, is_service=True)
-        client: Client[Any, Any] = Client(
-            handle.context,
-            srv_type,
-            handle.endpoint(EntityKind.CLIENT, name, srv_type, as_profile(qos_profile)),
-            ready_queue=handle.ready_queue,
-            callback_group=self._zbot_group(callback_group),
-            logger_name=handle.logger_name,
-        )
+        with handle.context.until_shutdown(f"the node {handle.full_name}"):
+            client: Client[Any, Any] = Client(
+                handle.context,
+                srv_type,
+                handle.endpoint(EntityKind.CLIENT, name, srv_type, as_profile(qos_profile)),
+                ready_queue=handle.ready_queue,
+                callback_group=self._zbot_group(callback_group),
+                logger_name=handle.logger_name,
+            )
         client.srv_name = srv_name
         handle.clients.append(client)
         # The diagnostics do not check a tool's client, because they may subscribe to the tokens of

@@ -115,6 +115,7 @@ class Node(GraphQueries, NodeEntities, NodeParameters):
         self._zbot_rosout: Rosout | None = None
         self._zbot_time = TimeSource()
         with contextlib.ExitStack() as on_error:  # a node that fails does not stay in the graph
+            on_error.enter_context(context.until_shutdown(f"the node {name!r}"))
             on_error.callback(Node.destroy_node, self)
             context.add_node(self, handle.full_name)
             self._zbot_logger = get_logger(handle.logger_name)

@@ -89,7 +89,8 @@ class NodeState:
             enclave=arguments.enclave,
         )
         self.token = context.dialect.with_key(context.graph.numbers.numbered(token))
-        self.announcement = context.graph.announce(self.token)
+        with context.until_shutdown(f"the node {name!r}"):
+            self.announcement = context.graph.announce(self.token)
         self.diagnostics = diagnostics_of(context)
         self.diagnostics.add(self.token, self.logger_name)
 

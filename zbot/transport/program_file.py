@@ -39,12 +39,14 @@ class ProgramFile:
 
     def write(self, document: dict[str, Any]) -> None:
         """Replace the content of the file."""
-        if self._file is not None:
-            with contextlib.suppress(OSError):  # the disk is full
-                self._file.seek(0)
-                self._file.truncate()
-                self._file.write(json.dumps(document))
-                self._file.flush()
+        file = self._file
+        if file is not None:
+            # The disk may be full, or another thread may have closed the file.
+            with contextlib.suppress(OSError, ValueError):
+                file.seek(0)
+                file.truncate()
+                file.write(json.dumps(document))
+                file.flush()
 
     def leave_to_parent(self) -> None:
         """In a forked child, let go of the file. Otherwise the child would keep it locked."""
