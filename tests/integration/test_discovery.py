@@ -246,6 +246,8 @@ def test_twelve_programs_started_together_see_each_other(
         assert client.connect()
         assert sorted(token.node for token in client.graph.snapshot().nodes) == wanted
     newcomer = zbot.Node("zz_newcomer", context=make_context())
+    # A link that failed on a busy machine is made again after 1 to 2 s.
+    newcomer.context.graph.wait_for(lambda graph: len(graph.nodes) == 13, allowed(5))
     assert sorted(newcomer.get_node_names()) == [*wanted, "zz_newcomer"]
     for program in programs:
         program.process.send_signal(signal.SIGINT)

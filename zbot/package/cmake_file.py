@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import os
 import re
 from dataclasses import dataclass, field
@@ -289,15 +290,17 @@ class _Reader:
         if "DESTINATION" not in options[:-1] or kind not in {"PROGRAMS", "FILES", "DIRECTORY"}:
             return
         target = options[options.index("DESTINATION") + 1].strip("/")
-        for name in options[: next(i for i, word in enumerate(options) if word in _ENDS)]:
+        new = options[options.index("RENAME") + 1] if "RENAME" in options[:-1] else ""
+        has_programs = "USE_SOURCE_PERMISSIONS" in options
+        names = itertools.takewhile(lambda word: word not in _ENDS, options)
+        for name in dict.fromkeys(names):
             if "${" in name or "$<" in name:
                 continue
             if not os.path.exists(self._folder / name):  # noqa: PTH110 - any name is allowed
                 self.installation.missing[name] = line
             elif kind == "DIRECTORY":
-                self._add_folder(name, target, has_programs="USE_SOURCE_PERMISSIONS" in options)
+                self._add_folder(name, target, has_programs=has_programs)
             else:
-                new = options[options.index("RENAME") + 1] if "RENAME" in options[:-1] else ""
                 self._add(kind, self._folder / name, f"{target}/{new or Path(name).name}")
 
     def _add(self, kind: str, path: Path, target: str) -> None:
