@@ -42,14 +42,17 @@ class NotRunnableError(ZbotError):
 class AbsentFileError(NotRunnableError):
     """A part of a launch needs a file of a well-known package that is not here.
 
-    Attributes:
+    Args:
+        package: The package.
+        kind: What it is, and what to use in its place.
         file: The path in the share folder of the package. It is empty if the file is not known.
+        name: What the sentence is about, if it is not about the package.
     """
 
-    def __init__(self, package: str, kind: Unavailable, file: str = "") -> None:
+    def __init__(self, package: str, kind: Unavailable, file: str = "", name: str = "") -> None:
         self.file = file
         self.needed = f"{file or 'a file'} of {package}"
-        super().__init__(package, kind)
+        super().__init__(name or package, kind)
 
 
 class LackingFileError(AbsentFileError):
@@ -67,8 +70,7 @@ class LackingFileError(AbsentFileError):
         if names:
             instead += f", or use one of {names}"
         kind = Unavailable(f"a file of ROS 2's {package}", instead, "zbot does not have")
-        super().__init__(package, kind, file)
-        NotRunnableError.__init__(self, self.needed, kind)
+        super().__init__(package, kind, file, f"{file} of {package}")
 
 
 class PackageNotFoundError(ZbotError, KeyError):
