@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import struct
+import time
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -11,6 +12,7 @@ from rosbags.rosbag1 import Writer as Rosbag1Writer
 from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 
 import zbot.bag
+from tests.conftest import allowed
 from zbot.bag import Reader
 from zbot.bag.conversion import Output, convert
 from zbot.bag.errors import BagError, BagReadError, BagTypeError
@@ -232,6 +234,13 @@ def test_a_type_with_many_equal_messages_inside_is_read_once() -> None:
         register_spec(parse(f"bomb_msgs/msg/L{level}", ""))
     decoders.message("bomb_msgs/L0", "bomb_msgs/msg/L0", 0)
     assert len(decoders._made) == 19
+
+
+def test_thousands_of_definitions_are_read_quickly() -> None:
+    text = "".join(f"=\nMSG: a/B{number}\n" for number in range(20_000))
+    begin = time.process_time()
+    assert len(read_definitions("a/B", text)) == 20_001
+    assert time.process_time() - begin < allowed(2)
 
 
 def test_an_array_with_thousands_of_digits_in_its_size_is_no_field() -> None:
