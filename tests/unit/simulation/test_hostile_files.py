@@ -5,10 +5,12 @@ from __future__ import annotations
 import os
 import struct
 import sys
+import time
 from typing import TYPE_CHECKING
 
 import pytest
 
+from tests.conftest import allowed
 from zbot.errors import ZbotError
 from zbot.simulation.errors import SimulationError
 from zbot.simulation.meshes.file import read_triangles
@@ -134,6 +136,29 @@ def test_too_large_numbers_of_a_mesh_are_refused(tmp_path: Path) -> None:
     path.write_text(collada("1e300", "2"))
     with pytest.raises(SimulationError, match="has points that are not within 10 km"):
         check_points(read_triangles(path), path)  # numpy prints no warning
+
+
+@pytest.mark.parametrize(
+    ("nodes", "said"),
+    [
+        ("<node>" + "<instance_geometry url='#g'/>" * 60_000 + "</node>", "too many triangles"),
+        (
+            "<node id='a'>" + "<scale>1 1 1</scale>" * 2000 + "</node>"
+            "<node>" + "<instance_node url='#a'/>" * 5000 + "</node>",
+            "too many nodes",
+        ),
+    ],
+)
+def test_a_scene_that_places_its_parts_too_often_is_refused(
+    tmp_path: Path, nodes: str, said: str
+) -> None:
+    scene = f"<library_visual_scenes><visual_scene>{nodes}</visual_scene></library_visual_scenes>"
+    path = tmp_path / "a.dae"
+    path.write_text(collada("0", "2" + " 0 1 2" * 100).replace("</COLLADA>", f"{scene}</COLLADA>"))
+    begin = time.process_time()
+    with pytest.raises(SimulationError, match=said):
+        read_triangles(path)
+    assert time.process_time() - begin < allowed(3)
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows has no devices in folders")
