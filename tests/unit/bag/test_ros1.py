@@ -18,6 +18,7 @@ from zbot.bag.conversion import Output, convert
 from zbot.bag.errors import BagError, BagReadError, BagTypeError
 from zbot.bag.options import RecordOptions, StorageOptions
 from zbot.bag.ros1_message import Ros1Field, _Decoders, decoder, read_definitions
+from zbot.bag.ros1_reader import Ros1Reader
 from zbot.interfaces.parser import parse
 from zbot.interfaces.registry import register_spec
 from zbot.qos import DurabilityPolicy
@@ -198,6 +199,14 @@ def test_damaged_files_are_refused_or_read(old_bag: Path, tmp_path: Path) -> Non
             list(zbot.bag.read(broken))
         except BagError:
             continue
+
+
+def test_an_index_that_names_a_chunk_many_times_is_damage(old_bag: Path) -> None:
+    write(old_bag, [("/a", make("std_msgs/msg/String", data="x"), 1)])
+    reader = Ros1Reader(old_bag)
+    reader._chunks *= 1000
+    with pytest.raises(BagReadError, match="names the same chunk several times"):
+        list(reader.messages(None, 0, None))
 
 
 def test_a_record_without_a_kind_is_damage(old_bag: Path) -> None:
