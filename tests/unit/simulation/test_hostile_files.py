@@ -203,6 +203,20 @@ def test_a_chain_of_ten_thousand_links_in_sdf_is_refused_at_once(tmp_path: Path)
         ("<size nkey='2000000000'/>", "is above 1000"),
         ("<custom><numeric name='n' size='2000000000'/></custom>", "is above 10000"),
         ("<sensor><user dim='2000000000'/></sensor>", "is above 1000"),
+        ("<size nuser_geom='10000'/>", "is above 100"),
+        ("<asset><mesh name='m' builtin='plate' params='4000 4000'/></asset>", "is above 100"),
+        (
+            "<asset>" + "<mesh builtin='sphere' params='4'/>" * 51 + "</asset>",
+            "more than 50 meshes",
+        ),
+        ("<keyframe>" + "<key/>" * 1001 + "</keyframe>", "1001 <key> tags"),
+        (
+            "".join(f"<compiler meshdir='{number}'/>" for number in range(2000))
+            + "<asset>"
+            + "<mesh file='a'/>" * 2000
+            + "</asset>",
+            "more than 20 folders",
+        ),
         ("<worldbody>" + "<body/>" * 2001 + "</worldbody>", "2001 <body> tags"),
         ("<asset><model name='m' file='a.xml'/></asset>", "the tag <model> is not supported"),
     ],
