@@ -151,7 +151,9 @@ class Reader:
             return [self.path]
         if written is not None:
             # Before Foxy, the paths began with the name of the folder.
-            paths = [self._inside(Path(path)) for path in written.paths]
+            # A file that is named several times is read once.
+            named = (self._inside(Path(path)) for path in dict.fromkeys(written.paths))
+            paths = list(dict.fromkeys(named))
         else:
             paths = bag_files(self.path)
         missing = next((path for path in paths if not path.exists()), None)

@@ -251,6 +251,14 @@ def test_profiles_that_many_topics_share_are_read_once(monkeypatch: pytest.Monke
     assert calls == ["- {}"]
 
 
+def test_a_file_that_the_metadata_name_often_is_read_once(tmp_path: Path) -> None:
+    mcap_file(tmp_path / "x.mcap")
+    text = metadata.metadata_text(metadata.BagMetadata("mcap", paths=("x.mcap", "a/x.mcap") * 9))
+    (tmp_path / metadata.METADATA_FILE).write_text(text)
+    with Reader(tmp_path) as bag:
+        assert len(bag._files) == 1
+
+
 def test_topics_with_one_type_read_its_definition_once(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
