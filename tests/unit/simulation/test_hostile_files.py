@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import os
+import random
 import struct
 import sys
 import time
 from typing import TYPE_CHECKING
 
+import numpy as np
 import pytest
 
 from tests.conftest import allowed
@@ -15,6 +17,7 @@ from zbot.errors import ZbotError
 from zbot.simulation.errors import SimulationError
 from zbot.simulation.meshes.file import read_triangles
 from zbot.simulation.meshes.hull import check_points
+from zbot.simulation.meshes.pieces import _connected
 from zbot.simulation.robots.catalog import find_robot
 from zbot.simulation.robots.model import read_robot
 from zbot.simulation.world import World
@@ -321,3 +324,16 @@ def test_a_model_that_is_too_large_is_refused(tmp_path: Path, content: str, said
 def test_the_notices_of_a_world_have_a_limit(tmp_path: Path) -> None:
     path = world_of(tmp_path / "a.sdf", "".join(f"<tag{number}/>" for number in range(1000)))
     assert len(find_world(str(path)).notices) == 300
+
+
+def test_a_long_strip_of_triangles_in_any_order_is_one_part() -> None:
+    order = random.Random(1).sample(range(20_000), 20_000)
+    points = np.array([(place, 0.0, 0.0) for place in order])
+    sides = points[:-1] + np.array([0.0, 1.0, 0.0])
+    triangles = np.stack([points[:-1], points[1:], sides], axis=1)
+    begin = time.process_time()
+    (part,) = _connected(triangles)
+    assert len(part) == len(triangles)
+    far = triangles + np.array([0.0, 0.0, 9.0])
+    assert [len(part) for part in _connected(np.concatenate([triangles, far]))] == [19_999] * 2
+    assert time.process_time() - begin < allowed(2)
