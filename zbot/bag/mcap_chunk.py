@@ -7,6 +7,7 @@ messages.
 
 from __future__ import annotations
 
+import itertools
 import os
 import struct
 import zlib
@@ -55,25 +56,32 @@ def chunk_messages(
         ValueError: A chunk is damaged. `mcap` and its decompressors raise other exceptions, too.
     """
     waiting = deque(sorted(chunks, key=lambda chunk: chunk.message_start_time))
-    heap: list[tuple[int, int, BagMessage, Iterator[BagMessage]]] = []
+    size, read = os.fstat(stream.fileno()).st_size, 0
+    # The serial number decides between messages that are equal: iterators have no order.
+    heap: list[tuple[int, int, int, BagMessage, Iterator[BagMessage]]] = []
+    serial = itertools.count()
     while waiting or heap:
         if waiting and (not heap or waiting[0].message_start_time <= heap[0][0]):
             offset = waiting.popleft().chunk_start_offset
-            rest = _messages_at(stream, offset, topics)
+            chunk = _chunk_at(stream, offset)
+            read += len(chunk.data)
+            if read > size:  # so many chunks are not in the file
+                raise ValueError("the index names the same chunk several times")
+            rest = _messages_of(chunk, topics)
             for first in rest:
-                heappush(heap, (first.log_ns, offset, first, rest))
+                heappush(heap, (first.log_ns, offset, next(serial), first, rest))
                 break
             continue
-        _, offset, message, rest = heap[0]
+        _, offset, number, message, rest = heap[0]
         yield message
         following = next(rest, None)
         if following is None:
             heappop(heap)
         else:
-            heapreplace(heap, (following.log_ns, offset, following, rest))
+            heapreplace(heap, (following.log_ns, offset, number, following, rest))
 
 
-def _messages_at(stream: BinaryIO, offset: int, topics: Mapping[int, str]) -> Iterator[BagMessage]:
+def _chunk_at(stream: BinaryIO, offset: int) -> Any:
     from mcap.data_stream import ReadDataStream  # noqa: PLC0415 - an extra
     from mcap.records import Chunk  # noqa: PLC0415 - an extra
 
@@ -85,7 +93,11 @@ def _messages_at(stream: BinaryIO, offset: int, topics: Mapping[int, str]) -> It
     # A length that the file does not have would allocate memory.
     if length > min(size, MAX_CHUNK_BYTES + _HEAD_BYTES):
         raise ValueError(f"a chunk has {length} bytes")
-    data = chunk_data(Chunk.read(ReadDataStream(BytesIO(stream.read(length)))))
+    return Chunk.read(ReadDataStream(BytesIO(stream.read(length))))
+
+
+def _messages_of(chunk: Any, topics: Mapping[int, str]) -> Iterator[BagMessage]:
+    data = chunk_data(chunk)
     for place in sorted(_places(data, topics)):
         yield BagMessage(place.topic, data[place.begin : place.end], place.log_ns, place.publish_ns)
 

@@ -143,9 +143,12 @@ class McapReader:
             largest = max(index.uncompressed_size for index in summary.chunk_indexes)
             if largest > MAX_CHUNK_BYTES:
                 raise ValueError(f"a chunk has {largest} bytes, and the limit is {MAX_CHUNK_BYTES}")
+            # Only the last description counts. A damaged index could name a long one very often.
+            summary.metadata_indexes = [
+                index for index in summary.metadata_indexes if index.name == "rosbag2"
+            ][-1:]
             for metadata in reader.iter_metadata():
-                if metadata.name == "rosbag2":
-                    self._extra = dict(metadata.metadata)
+                self._extra = dict(metadata.metadata)
         return _Contents(
             channels=summary.channels,
             schemas=summary.schemas,

@@ -174,7 +174,7 @@ def read_metadata(text: str) -> BagMetadata:
     values = found.get(_ROOT, found)
     return BagMetadata(
         storage_id=str(values["storage_identifier"]),
-        topics=tuple(map(_read_topic, values["topics_with_message_count"] or ())),
+        topics=_read_topics(values["topics_with_message_count"] or ()),
         files=tuple(map(_read_file, values.get("files") or ())),
         paths=tuple(map(str, values["relative_file_paths"] or ())),
         start_ns=int(values["starting_time"]["nanoseconds_since_epoch"]),
@@ -202,14 +202,25 @@ def _topic_values(information: TopicInformation) -> dict[str, Any]:
     }
 
 
-def _read_topic(values: dict[str, Any]) -> TopicInformation:
+def _read_topics(topics: Iterable[dict[str, Any]]) -> tuple[TopicInformation, ...]:
+    # Aliases of YAML are the same object. Their profiles are read once: they can be very long.
+    profiles: dict[int, tuple[QoSProfile, ...]] = {}
+    return tuple(_read_topic(values, profiles) for values in topics)
+
+
+def _read_topic(
+    values: dict[str, Any], profiles: dict[int, tuple[QoSProfile, ...]]
+) -> TopicInformation:
     topic = values["topic_metadata"]
+    offered = topic.get("offered_qos_profiles")
+    if id(offered) not in profiles:
+        profiles[id(offered)] = tuple(read_profiles(offered))
     return TopicInformation(
         TopicMetadata(
             name=str(topic["name"]),
             type_name=str(topic["type"]),
             serialization_format=str(topic["serialization_format"]),
-            offered_qos_profiles=tuple(read_profiles(topic.get("offered_qos_profiles"))),
+            offered_qos_profiles=profiles[id(offered)],
             type_hash=str(topic.get("type_description_hash") or ""),
         ),
         int(values["message_count"]),

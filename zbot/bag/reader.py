@@ -55,6 +55,7 @@ class Reader:
     ) -> None:
         self.path = Path(path)
         self._unpacked: tempfile.TemporaryDirectory[str] | None = None
+        self._classes: dict[str, type[Any]] = {}
         if not self.path.exists():
             raise BagNotFoundError(path)
         written = None
@@ -97,7 +98,10 @@ class Reader:
         if topic.serialization_format != CDR:
             reason = f"the messages are in the format '{topic.serialization_format}', not in CDR"
             raise BagTypeError(topic.type_name, reason)
-        return message_class(topic.type_name, *self.definition(topic.type_name))
+        name = topic.type_name
+        if name not in self._classes:  # many topics may have the same type, with a long definition
+            self._classes[name] = message_class(name, *self.definition(name))
+        return self._classes[name]
 
     def messages(
         self,
@@ -147,7 +151,9 @@ class Reader:
             return [self.path]
         if written is not None:
             # Before Foxy, the paths began with the name of the folder.
-            paths = [self._inside(Path(path)) for path in written.paths]
+            # A file that is named several times is read once.
+            named = (self._inside(Path(path)) for path in dict.fromkeys(written.paths))
+            paths = list(dict.fromkeys(named))
         else:
             paths = bag_files(self.path)
         missing = next((path for path in paths if not path.exists()), None)

@@ -55,7 +55,8 @@ def read_definitions(type_name: str, text: str) -> dict[str, list[Ros1Field]]:
     for other in others:
         title, _, body = other.partition("\n")
         parts[title.strip().removeprefix("MSG:").strip()] = body
-    return {name: _fields(name, body, frozenset(parts)) for name, body in parts.items()}
+    known = frozenset(parts)
+    return {name: _fields(name, body, known) for name, body in parts.items()}
 
 
 def ros2_name(type_name: str) -> str:

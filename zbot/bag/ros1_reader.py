@@ -78,6 +78,7 @@ class Ros1Reader:
         self.damage = ""
         self._connections: dict[int, _Connection] = {}
         self._chunks: list[_Chunk] = []
+        self._known_types: set[str] = set()
         try:
             with path.open("rb") as stream:
                 self._read_index(stream)
@@ -109,12 +110,13 @@ class Ros1Reader:
         serial = itertools.count()
         try:
             with self._path.open("rb") as stream:
+                chunks = _Chunks(stream, self._path.stat().st_size)
                 for chunk in sorted(self._chunks, key=lambda chunk: chunk.start_ns):
                     while waiting and waiting[0][0] < chunk.start_ns:
                         yield self._converted(*heapq.heappop(waiting))
                     is_out = chunk.end_ns < start_ns or chunk.start_ns > last_ns
                     if not is_out and not wanted.keys().isdisjoint(chunk.counts):
-                        for time_ns, number, data in _messages(stream, chunk.position):
+                        for time_ns, number, data in chunks.messages(chunk.position):
                             if number in wanted and start_ns <= time_ns <= last_ns:
                                 # The serial number keeps the order of messages with the same time.
                                 heapq.heappush(waiting, (time_ns, next(serial), number, data))
@@ -132,7 +134,9 @@ class Ros1Reader:
         if connection.decode is None:
             definitions = read_definitions(connection.type_name, connection.text)
             name = ros2_name(connection.type_name)
-            message_class(name, *self.definitions[name])
+            if name not in self._known_types:
+                message_class(name, *self.definitions[name])
+                self._known_types.add(name)
             connection.decode = decoder(connection.type_name, definitions)
         message = connection.decode(data)
         return BagMessage(connection.topic, serialize_message(message), time_ns, time_ns)
@@ -207,16 +211,34 @@ def _topic(connection: _Connection) -> TopicMetadata:
     return TopicMetadata(connection.topic, name, offered_qos_profiles=(profile,), type_hash=digest)
 
 
-def _messages(stream: BinaryIO, position: int) -> Iterator[tuple[int, int, bytes]]:
+class _Chunks:
+    """Chunks of an open file.
+
+    Args:
+        stream: The file.
+        size: Its size. The chunks that are read have no more bytes together.
+    """
+
+    def __init__(self, stream: BinaryIO, size: int) -> None:
+        self._stream, self._left = stream, size
+
+    def messages(self, position: int) -> Iterator[tuple[int, int, bytes]]:
+        """Return the times, the connections and the bytes of the messages of a chunk."""
+        self._stream.seek(position)
+        header, data = _record(self._stream)
+        if header[b"op"] != bytes((_CHUNK,)):
+            raise ValueError("a chunk is missing")
+        self._left -= len(data)
+        if self._left < 0:
+            raise ValueError("the index names the same chunk several times")
+        (size,) = struct.unpack("<I", header[b"size"])
+        if size > _MOST_CHUNK_BYTES:
+            raise ValueError(f"a chunk has {size} bytes, and the limit is {_MOST_CHUNK_BYTES}")
+        return _messages(_decompressed(header[b"compression"].decode(), data, size))
+
+
+def _messages(data: bytes) -> Iterator[tuple[int, int, bytes]]:
     """Yield the times, the connections and the bytes of the messages in a chunk."""
-    stream.seek(position)
-    header, data = _record(stream)
-    if header[b"op"] != bytes((_CHUNK,)):
-        raise ValueError("a chunk is missing")
-    (size,) = struct.unpack("<I", header[b"size"])
-    if size > _MOST_CHUNK_BYTES:
-        raise ValueError(f"a chunk has {size} bytes, and the limit is {_MOST_CHUNK_BYTES}")
-    data = _decompressed(header[b"compression"].decode(), data, size)
     place = 0
     while place < len(data):
         header, body, place = _record_in(data, place)

@@ -73,8 +73,11 @@ class Selection:
         for pattern in (self.regex, self.exclude_regex):
             try:
                 re.compile(pattern)
-            except re.error as error:
-                raise BagValueError(f"'{pattern}' is not a regular expression: {error!s}") from None
+            except (re.error, OverflowError, RecursionError) as error:
+                # Python has other errors for very large numbers and very many brackets.
+                raise BagValueError(
+                    f"'{pattern[:200]}' is not a regular expression: {error!s}"
+                ) from None
 
     @property
     def is_list(self) -> bool:

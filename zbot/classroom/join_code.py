@@ -82,14 +82,14 @@ def decode(text: str, own_addresses: Iterable[str]) -> list[Address]:
     invalid = next((char for char in typed if char not in _VALUES), None)
     if invalid is not None:
         raise code_error(text, f"codes do not contain {invalid}")
+    if len(typed) not in {_SHORT, _LONG}:
+        raise code_error(text, f"it has {len(typed)} characters, but codes have 4 or 8")
     value = 0
     for char in typed:
         value = value << 5 | _VALUES[char]
     if len(typed) == _LONG:
         return [_long_address(text, value)]
-    if len(typed) == _SHORT:
-        return _short_addresses(text, value, own_addresses)
-    raise code_error(text, f"it has {len(typed)} characters, but codes have 4 or 8")
+    return _short_addresses(text, value, own_addresses)
 
 
 def _long_address(text: str, value: int) -> Address:

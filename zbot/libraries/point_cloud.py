@@ -33,6 +33,7 @@ _CODES = {
     PointField.FLOAT64: "f8",
 }
 _UNNAMED = "unnamed_field"
+_MOST_VALUES = 10_000  #: of one point: the count in a message of another program can be huge
 
 
 class PointCloudError(ZbotError, AssertionError):
@@ -49,7 +50,8 @@ def dtype_from_fields(
         point_step: Bytes from one point to the next. The default is the size of the fields.
 
     Raises:
-        PointCloudError: Two fields have the same name, or a field has an unknown data type.
+        PointCloudError: Two fields have the same name, a field has an unknown data type, or a
+            point has more than 10,000 values.
     """
     return _dtype(fields, point_step, "=")
 
@@ -66,6 +68,8 @@ def _dtype(fields: Iterable[PointField], point_step: int | None, order: str) -> 
             raise PointCloudError(f"field '{field.name}' has the unknown type {field.datatype}")
         size = int(_CODES[field.datatype][1])
         name = field.name or f"{_UNNAMED}_{index}"
+        if len(names) + field.count > _MOST_VALUES:
+            raise PointCloudError(f"a point has more than {_MOST_VALUES} values")
         for item in range(field.count):
             names.append(f"{name}_{item}" if field.count > 1 else name)
             offsets.append(field.offset + item * size)

@@ -74,6 +74,11 @@ def find_package(name: str) -> Package | None:
     return None
 
 
+def is_python_package(name: str) -> bool:
+    """Return whether `find_package` finds a package that `all_packages` does not list."""
+    return any(package for place in (_python_package(name), _editable(name)) for package in place)
+
+
 def searched_folders() -> list[Path]:
     """Return the folders in which `find_package` searches, for error messages."""
     from zbot.package.workspace import search_roots  # noqa: PLC0415 - for errors only

@@ -287,16 +287,18 @@ class BufferCore:
         return sorted({*self._frames, *parents})
 
     def _ancestors(self, name: str) -> list[str]:
-        line = [name]
-        while (frame := self._frames.get(line[-1])) is not None and frame.parent not in line:
-            line.append(frame.parent)
-        return line
+        line = {name: None}  # a dictionary, because a search in a long list takes long
+        while (frame := self._frames.get(name)) is not None and frame.parent not in line:
+            name = frame.parent
+            line[name] = None
+        return list(line)
 
     def _path(self, target: str, source: str) -> tuple[list[str], list[str]]:
         """Return the frames below the common ancestor, from source and from target upwards."""
         from_source, from_target = self._ancestors(source), self._ancestors(target)
+        others = set(from_target)
         for place, name in enumerate(from_source):
-            if name in from_target:
+            if name in others:
                 return from_source[:place], from_target[: from_target.index(name)]
         raise self._unconnected(target, source)
 

@@ -42,15 +42,26 @@ class Tree:
     @property
     def roots(self) -> list[str]:
         """The frames without a parent, each with a tree of its own."""
-        return list(dict.fromkeys(self.root_of(name) for name in self.parents))
+        return list(dict.fromkeys(self.all_roots().values()))
 
-    def root_of(self, name: str) -> str:
-        """Return the root of a frame's tree. In a loop, it is the first frame of the loop."""
-        seen = set()
-        while name in self.parents and name not in seen:
-            seen.add(name)
-            name = self.parents[name]
-        return name
+    def all_roots(self) -> dict[str, str]:
+        """Return the root of the tree of each frame with a parent.
+
+        The root of a frame below a loop is the first frame of the loop on its way. A frame of a
+        loop is its own root.
+        """
+        found: dict[str, str] = {}
+        for name in self.parents:
+            way: dict[str, None] = {}
+            at = name
+            while at in self.parents and at not in found and at not in way:
+                way[at] = None
+                at = self.parents[at]
+            names = list(way)
+            end = names.index(at) if at in way else len(names)  # the rest is a loop
+            found.update(dict.fromkeys(names[:end], found.get(at, at)))
+            found.update((frame, frame) for frame in names[end:])
+        return found
 
     @property
     def names(self) -> list[str]:
@@ -150,8 +161,7 @@ class Frames(Buffer):
 
 def _largest_root(tree: Tree, present: str) -> str:
     sizes: dict[str, int] = {}
-    for name in tree.parents:
-        root = tree.root_of(name)
+    for root in tree.all_roots().values():
         sizes[root] = sizes.get(root, 0) + 1
     usual = {name: len(_USUAL) - place for place, name in enumerate(_USUAL)}
     return max(sizes, key=lambda root: (sizes[root], root == present, usual.get(root, 0), root))
@@ -173,9 +183,9 @@ def _poses(samples: Mapping[str, Sample], fixed: str) -> dict[str, Rigid]:
 
 def _climb(name: str, samples: Mapping[str, Sample], in_root: dict[str, tuple[str, Rigid]]) -> None:
     """Add the root of a frame and the frame's pose in it, also for the frames on the way."""
-    way: list[str] = []
+    way: dict[str, None] = {}
     while name not in in_root and name in samples and name not in way:
-        way.append(name)
+        way[name] = None
         name = samples[name].parent
     root, pose = in_root.setdefault(name, (name, Rigid()))
     for frame in reversed(way):

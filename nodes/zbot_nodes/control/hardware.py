@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
@@ -59,9 +60,8 @@ def read_components(description: str) -> list[Component]:
     """
     read_urdf(description)  # raises an error if the rest of the description is not valid
     found = [_component(element) for element in read_xml(description).findall("ros2_control")]
-    names = [component.name for component in found]
-    for name in names:
-        if names.count(name) > 1:
+    for name, count in Counter(component.name for component in found).items():
+        if count > 1:
             raise DescriptionError(f"two <ros2_control> tags have the name '{name}'")
     return found
 

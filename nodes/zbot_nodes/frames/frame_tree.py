@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from html import escape
 from typing import Any
 
@@ -60,7 +61,15 @@ class FrameTree:
 
     def children(self, name: str) -> list[str]:
         """Return the frames whose parent is the frame `name`."""
-        return sorted(frame for frame, facts in self.frames.items() if facts["parent"] == name)
+        return self._children.get(name, [])
+
+    @cached_property
+    def _children(self) -> dict[str, list[str]]:
+        """The children of each frame that has some. One search for each frame would take long."""
+        found: dict[str, list[str]] = {}
+        for frame in sorted(self.frames):
+            found.setdefault(self.frames[frame]["parent"], []).append(frame)
+        return found
 
     def to_dot(self) -> str:
         """Return the text for Graphviz."""

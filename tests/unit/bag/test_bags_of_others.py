@@ -18,12 +18,13 @@ from mcap.writer import CompressionType
 from mcap.writer import Writer as McapLibraryWriter
 
 from tests.unit.bag.messages import write
-from zbot.bag import mcap_chunk
+from zbot.bag import mcap_chunk, metadata
 from zbot.bag import reader as reader_module
-from zbot.bag.errors import BagReadError, BagTypeError
+from zbot.bag.errors import BagReadError, BagTypeError, BagValueError
 from zbot.bag.mcap_chunk import chunk_data, records
 from zbot.bag.mcap_reader import McapReader
 from zbot.bag.reader import Reader
+from zbot.bag.selection import Selection
 from zbot.bag.sqlite_reader import SqliteReader
 from zbot.wire.serialization import serialize_message
 
@@ -102,11 +103,18 @@ def test_a_chunk_whose_length_is_beyond_the_file_is_one_error(tmp_path: Path) ->
         list(reader.messages(None, 0, None))
 
 
+def test_an_index_that_names_a_chunk_many_times_is_one_error(tmp_path: Path) -> None:
+    reader = McapReader(mcap_file(tmp_path / "x.mcap"))
+    reader._contents.chunks *= 1000
+    with pytest.raises(BagReadError, match="names the same chunk several times"):
+        list(reader.messages(None, 0, None))
+
+
 def test_a_chunk_whose_place_is_beyond_the_file_is_one_error(tmp_path: Path) -> None:
     path = mcap_file(tmp_path / "x.mcap")
     reader = McapReader(path)
     with path.open("rb") as stream, pytest.raises(ValueError, match="a chunk is at byte"):
-        list(mcap_chunk._messages_at(stream, 2**63 - 1, {}))
+        mcap_chunk._chunk_at(stream, 2**63 - 1)
     reader._contents.chunks[0].chunk_start_offset = 2**63 - 1
     with pytest.raises(BagReadError, match="a chunk is at byte"):
         list(reader.messages(None, 0, None))
@@ -224,3 +232,51 @@ def test_definitions_in_a_circle_are_one_error(tmp_path: Path) -> None:
         writer.finish()  # type: ignore[no-untyped-call]
     with Reader(path) as reader, pytest.raises(BagTypeError):
         reader.message_class(reader.topics["/x"])
+
+
+def test_profiles_that_many_topics_share_are_read_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    calls: list[object] = []
+
+    def note(value: object) -> list[object]:
+        calls.append(value)
+        return []
+
+    monkeypatch.setattr(metadata, "read_profiles", note)
+    topic = "{topic_metadata: {name: a, type: b, serialization_format: cdr, "
+    shared = "&a " + topic + 'offered_qos_profiles: "- {}"}, message_count: 0}'
+    text = metadata.metadata_text(metadata.BagMetadata("mcap"))
+    aliases = ", *a" * 1000
+    changed = text.replace("_count: []", f"_count: [{shared}{aliases}]")
+    assert len(metadata.read_metadata(changed).topics) == 1001
+    assert calls == ["- {}"]
+
+
+def test_a_file_that_the_metadata_name_often_is_read_once(tmp_path: Path) -> None:
+    mcap_file(tmp_path / "x.mcap")
+    text = metadata.metadata_text(metadata.BagMetadata("mcap", paths=("x.mcap", "a/x.mcap") * 9))
+    (tmp_path / metadata.METADATA_FILE).write_text(text)
+    with Reader(tmp_path) as bag:
+        assert len(bag._files) == 1
+
+
+def test_topics_with_one_type_read_its_definition_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    calls: list[str] = []
+
+    def note(name: str, *_: object) -> type[Any]:
+        calls.append(name)
+        return String
+
+    monkeypatch.setattr(reader_module, "message_class", note)
+    with Reader(mcap_file(tmp_path / "x.mcap")) as bag:
+        (topic, *_) = bag.topics.values()
+        for _ in range(5):
+            bag.message_class(topic)
+    assert calls == [topic.type_name]
+
+
+@pytest.mark.parametrize("pattern", ["(" * 3000 + ")" * 3000, "a{99999999999}", "["])
+def test_an_odd_regular_expression_is_one_error(pattern: str) -> None:
+    with pytest.raises(BagValueError, match="is not a regular expression"):
+        Selection(regex=pattern)

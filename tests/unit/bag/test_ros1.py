@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import struct
+import time
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -11,11 +12,13 @@ from rosbags.rosbag1 import Writer as Rosbag1Writer
 from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 
 import zbot.bag
+from tests.conftest import allowed
 from zbot.bag import Reader
 from zbot.bag.conversion import Output, convert
 from zbot.bag.errors import BagError, BagReadError, BagTypeError
 from zbot.bag.options import RecordOptions, StorageOptions
 from zbot.bag.ros1_message import Ros1Field, _Decoders, decoder, read_definitions
+from zbot.bag.ros1_reader import Ros1Reader
 from zbot.interfaces.parser import parse
 from zbot.interfaces.registry import register_spec
 from zbot.qos import DurabilityPolicy
@@ -198,6 +201,14 @@ def test_damaged_files_are_refused_or_read(old_bag: Path, tmp_path: Path) -> Non
             continue
 
 
+def test_an_index_that_names_a_chunk_many_times_is_damage(old_bag: Path) -> None:
+    write(old_bag, [("/a", make("std_msgs/msg/String", data="x"), 1)])
+    reader = Ros1Reader(old_bag)
+    reader._chunks *= 1000
+    with pytest.raises(BagReadError, match="names the same chunk several times"):
+        list(reader.messages(None, 0, None))
+
+
 def test_a_record_without_a_kind_is_damage(old_bag: Path) -> None:
     def record(**fields: bytes) -> bytes:
         parts = [f"{name}=".encode() + value for name, value in fields.items()]
@@ -232,6 +243,13 @@ def test_a_type_with_many_equal_messages_inside_is_read_once() -> None:
         register_spec(parse(f"bomb_msgs/msg/L{level}", ""))
     decoders.message("bomb_msgs/L0", "bomb_msgs/msg/L0", 0)
     assert len(decoders._made) == 19
+
+
+def test_thousands_of_definitions_are_read_quickly() -> None:
+    text = "".join(f"=\nMSG: a/B{number}\n" for number in range(20_000))
+    begin = time.process_time()
+    assert len(read_definitions("a/B", text)) == 20_001
+    assert time.process_time() - begin < allowed(2)
 
 
 def test_an_array_with_thousands_of_digits_in_its_size_is_no_field() -> None:

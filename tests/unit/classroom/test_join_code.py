@@ -1,9 +1,11 @@
 from __future__ import annotations
 
+import time
 from typing import TYPE_CHECKING
 
 import pytest
 
+from tests.conftest import allowed
 from zbot.classroom.errors import ClassValueError
 from zbot.classroom.hub.address import Address
 from zbot.classroom.join_code import PORTS, decode, long_code, looks_like_code, short_code
@@ -103,6 +105,12 @@ def test_most_pairs_of_swapped_characters_are_detected() -> None:
 def test_an_invalid_code_is_refused_with_the_reason(text: str, reason: str) -> None:
     with pytest.raises(ClassValueError, match=reason):
         decode(text, ["10.0.0.1"])
+
+
+def test_a_code_of_a_megabyte_is_refused_at_once() -> None:
+    begin = time.process_time()
+    assert address_of("Z" * 1_000_000) == []
+    assert time.process_time() - begin < allowed(1)
 
 
 def test_a_short_code_of_another_network_is_refused_with_a_hint() -> None:

@@ -119,6 +119,7 @@ def test_a_wider_step_is_kept_and_a_wrong_step_is_refused() -> None:
     [
         ({"fields": [field("x", 0), field("x", 4)]}, "the same name"),
         ({"fields": [field("x", 0, 99)]}, "unknown type 99"),
+        ({"fields": [PointField(name="x", datatype=7, count=2**32 - 1)]}, "more than 10000 values"),
         ({"data": b"short"}, "needs 48 bytes, but it has 5"),
     ],
 )

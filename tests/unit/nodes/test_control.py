@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import math
+import time
 from typing import Any
 
 import pytest
 
+from tests.conftest import allowed
 from zbot.libraries.robot_description.urdf import Mimic
 from zbot.libraries.robot_description.xml_text import DescriptionError
 from zbot_nodes.control.diff_drive_controller import SpeedLimiter
@@ -228,3 +230,13 @@ def test_joints_of_a_message_are_put_into_order() -> None:
     message = trajectory((1.5, [1.0, 2.0]), names="b a", velocities=[0.1, 0.2])
     (point,) = read_points(message, ("a", "b", "c"), (7.0, 8.0, 9.0))
     assert point == Point(1.5, (2.0, 1.0, 9.0), (0.2, 0.1, 0.0))
+
+
+def test_thousands_of_control_tags_are_read_quickly() -> None:
+    hardware = "<hardware><plugin>a</plugin></hardware>"
+    tags = (
+        f'<ros2_control name="{n}" type="system">{hardware}</ros2_control>' for n in range(10_000)
+    )
+    begin = time.process_time()
+    assert len(read_components(robot("".join(tags)))) == 10_000
+    assert time.process_time() - begin < allowed(2)

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import time
 from xml.etree import ElementTree as ET
 
 import pytest
 
+from tests.conftest import allowed
 from zbot.errors import WrongValueError
 from zbot.tf2 import BufferCore
 from zbot_nodes.frames.frame_tree import FrameTree
@@ -65,3 +67,12 @@ def test_several_roots_are_found() -> None:
 def test_a_long_chain_is_drawn() -> None:
     chain = tree(*(f"f{number} f{number + 1}" for number in range(1500)))
     assert chain.to_svg().count("<rect") == 1501
+
+
+def test_thousands_of_frames_of_one_parent_are_drawn_quickly() -> None:
+    keys = ("broadcaster", "rate", "buffer_length", "most_recent_transform")
+    facts = dict.fromkeys((*keys, "oldest_transform"), 1) | {"parent": "root"}
+    found = FrameTree({f"frame{number}": facts for number in range(20_000)}, 0.0)
+    begin = time.process_time()
+    assert found.to_svg().count("<line") == 20_000
+    assert time.process_time() - begin < allowed(3)

@@ -3,16 +3,21 @@
 from __future__ import annotations
 
 import os
+import random
 import struct
 import sys
+import time
 from typing import TYPE_CHECKING
 
+import numpy as np
 import pytest
 
+from tests.conftest import allowed
 from zbot.errors import ZbotError
 from zbot.simulation.errors import SimulationError
 from zbot.simulation.meshes.file import read_triangles
 from zbot.simulation.meshes.hull import check_points
+from zbot.simulation.meshes.pieces import _connected
 from zbot.simulation.robots.catalog import find_robot
 from zbot.simulation.robots.model import read_robot
 from zbot.simulation.world import World
@@ -136,6 +141,29 @@ def test_too_large_numbers_of_a_mesh_are_refused(tmp_path: Path) -> None:
         check_points(read_triangles(path), path)  # numpy prints no warning
 
 
+@pytest.mark.parametrize(
+    ("nodes", "said"),
+    [
+        ("<node>" + "<instance_geometry url='#g'/>" * 60_000 + "</node>", "too many triangles"),
+        (
+            "<node id='a'>" + "<scale>1 1 1</scale>" * 2000 + "</node>"
+            "<node>" + "<instance_node url='#a'/>" * 5000 + "</node>",
+            "too many nodes",
+        ),
+    ],
+)
+def test_a_scene_that_places_its_parts_too_often_is_refused(
+    tmp_path: Path, nodes: str, said: str
+) -> None:
+    scene = f"<library_visual_scenes><visual_scene>{nodes}</visual_scene></library_visual_scenes>"
+    path = tmp_path / "a.dae"
+    path.write_text(collada("0", "2" + " 0 1 2" * 100).replace("</COLLADA>", f"{scene}</COLLADA>"))
+    begin = time.process_time()
+    with pytest.raises(SimulationError, match=said):
+        read_triangles(path)
+    assert time.process_time() - begin < allowed(3)
+
+
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows has no devices in folders")
 def test_devices_and_pipes_are_refused(tmp_path: Path) -> None:
     (tmp_path / "a.stl").symlink_to("/dev/zero")
@@ -158,7 +186,7 @@ def test_a_chain_of_ten_thousand_links_in_sdf_is_refused_at_once(tmp_path: Path)
     )
     path = tmp_path / "a.sdf"
     path.write_text(f"<sdf version='1.9'><model name='m'>{links}{joints}</model></sdf>")
-    assert "has 10000 links: the limit is 1000" in refusal_of_world(path)
+    assert "has 10000 links: the limit is 2000" in refusal_of_world(path)
 
 
 @pytest.mark.parametrize(
@@ -178,6 +206,20 @@ def test_a_chain_of_ten_thousand_links_in_sdf_is_refused_at_once(tmp_path: Path)
         ("<size nkey='2000000000'/>", "is above 1000"),
         ("<custom><numeric name='n' size='2000000000'/></custom>", "is above 10000"),
         ("<sensor><user dim='2000000000'/></sensor>", "is above 1000"),
+        ("<size nuser_geom='10000'/>", "is above 100"),
+        ("<asset><mesh name='m' builtin='plate' params='4000 4000'/></asset>", "is above 100"),
+        (
+            "<asset>" + "<mesh builtin='sphere' params='4'/>" * 51 + "</asset>",
+            "more than 50 meshes",
+        ),
+        ("<keyframe>" + "<key/>" * 1001 + "</keyframe>", "1001 <key> tags"),
+        (
+            "".join(f"<compiler meshdir='{number}'/>" for number in range(2000))
+            + "<asset>"
+            + "<mesh file='a'/>" * 2000
+            + "</asset>",
+            "more than 20 folders",
+        ),
         ("<worldbody>" + "<body/>" * 2001 + "</worldbody>", "2001 <body> tags"),
         ("<asset><model name='m' file='a.xml'/></asset>", "the tag <model> is not supported"),
     ],
@@ -231,3 +273,67 @@ def test_values_that_grow_without_limit_are_noticed() -> None:
         world.step()
     assert world.broke_down
     assert abs(robot.pose.translation[0]) < 1e6
+
+
+def world_of(path: Path, content: str) -> Path:
+    """Return a file with a world in SDF."""
+    path.write_text(f"<sdf version='1.9'><world name='w'>{content}</world></sdf>")
+    return path
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        "<include/>" * 20_000,
+        "".join(f"<include><uri>model://a{number}</uri></include>" for number in range(1000)),
+        "".join(f"<tag{number}/>" for number in range(20_000)),
+        "<model name='a'><link name='l'/></model>" * 2000,
+        "<model name='m'><link name='l'/><plugin filename='gazebo_ros JointController'>"
+        + "<joint_name>a</joint_name>" * 20_000
+        + "</plugin></model>",
+        "<model name='m'>"
+        + "".join(f"<link name='a{number}'/>" for number in range(1900))
+        + "".join(
+            f"<joint name='j{number}' type='t{number}'><parent>x</parent><child>y</child></joint>"
+            for number in range(10_000)
+        )
+        + "</model>",
+    ],
+)
+def test_a_world_with_many_equal_or_missing_parts_is_read_quickly(
+    tmp_path: Path, content: str
+) -> None:
+    path = world_of(tmp_path / "a.sdf", content)
+    begin = time.process_time()
+    assert find_world(str(path)).notices is not None
+    assert time.process_time() - begin < allowed(4)
+
+
+@pytest.mark.parametrize(
+    ("content", "said"),
+    [
+        ("".join(f"<link name='{number}'/>" for number in range(2001)), "has 2001 links"),
+        (f"<link name='{'a' * 501}'/>", "a name has more than 500 characters"),
+    ],
+)
+def test_a_model_that_is_too_large_is_refused(tmp_path: Path, content: str, said: str) -> None:
+    path = world_of(tmp_path / "a.sdf", f"<model name='m'>{content}</model>")
+    assert said in refusal_of_world(path)
+
+
+def test_the_notices_of_a_world_have_a_limit(tmp_path: Path) -> None:
+    path = world_of(tmp_path / "a.sdf", "".join(f"<tag{number}/>" for number in range(1000)))
+    assert len(find_world(str(path)).notices) == 300
+
+
+def test_a_long_strip_of_triangles_in_any_order_is_one_part() -> None:
+    order = random.Random(1).sample(range(20_000), 20_000)
+    points = np.array([(place, 0.0, 0.0) for place in order])
+    sides = points[:-1] + np.array([0.0, 1.0, 0.0])
+    triangles = np.stack([points[:-1], points[1:], sides], axis=1)
+    begin = time.process_time()
+    (part,) = _connected(triangles)
+    assert len(part) == len(triangles)
+    far = triangles + np.array([0.0, 0.0, 9.0])
+    assert [len(part) for part in _connected(np.concatenate([triangles, far]))] == [19_999] * 2
+    assert time.process_time() - begin < allowed(2)

@@ -397,3 +397,8 @@ def test_limits_of_joints_are_radians_and_a_motor_holds_positions() -> None:
 @pytest.mark.parametrize("scheme", ["https://fuel.example.org/1.0/robots/models/", "model://", ""])
 def test_an_address_that_can_be_no_file_name_is_not_found(scheme: str, name: str) -> None:
     assert find_resource(scheme + name) is None
+
+
+@pytest.mark.parametrize("address", ["model://", "package://", "package:///a", "model://a%00b/c"])
+def test_an_address_without_the_name_of_a_package_names_no_file(address: str) -> None:
+    assert find_resource(address) is None

@@ -323,3 +323,14 @@ def test_an_interface_has_no_lookups() -> None:
         BufferInterface().lookup_transform("a", "b", LATEST)
     with pytest.raises(NotImplementedException, match="lookup_transform_full"):
         BufferInterface().lookup_transform_full("a", LATEST, "b", LATEST, "c")
+
+
+def test_a_long_chain_of_frames_is_climbed_quickly() -> None:
+    buffer = Buffer()
+    for number in range(9000):
+        buffer.set_transform_static(make_transform(f"f{number}", f"f{number + 1}"), "test")
+    begin = time.process_time()
+    for _ in range(5):
+        assert len(buffer._ancestors("f9000")) == 9001
+        assert [len(part) for part in buffer._path("f4000", "f9000")] == [5000, 0]
+    assert time.process_time() - begin < allowed(1)

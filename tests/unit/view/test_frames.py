@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import time
+
 import pytest
 
+from tests.conftest import allowed
 from tests.unit.view.messages import link
-from zbot.view.frames import Frames
+from zbot.view.frames import Frames, Tree
 
 
 def frames(*links: tuple[str, str]) -> Frames:
@@ -98,3 +101,14 @@ def test_two_trees_are_named() -> None:
     assert found.tree.roots == ["map", "camera_link"]
     assert found.pose("camera", 0) == (None, False)
     assert "camera_link" in found.why("camera", 0, "/image")
+
+
+def test_each_frame_has_the_root_of_its_tree() -> None:
+    parents = {"b": "a", "c": "b", "x": "y", "l1": "l2", "l2": "l1", "tail": "l1", "end": "tail"}
+    roots = {"b": "a", "c": "a", "x": "y", "l1": "l1", "l2": "l2", "tail": "l1", "end": "l1"}
+    assert Tree(parents, {}).all_roots() == roots
+    assert Tree(dict(reversed(parents.items())), {}).all_roots() == roots
+    long = Tree({f"f{number + 1}": f"f{number}" for number in range(20_000)}, {})
+    begin = time.process_time()
+    assert long.roots == ["f0"]
+    assert time.process_time() - begin < allowed(1)

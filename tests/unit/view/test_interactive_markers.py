@@ -95,6 +95,17 @@ def test_updates_move_change_and_erase_markers() -> None:
     assert [name for name in display.items if name.startswith("other")] == []
 
 
+def test_a_marker_that_an_update_moves_often_is_drawn_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    display = shown(interactive(box()))
+    drawn: list[str] = []
+    monkeypatch.setattr(display, "_show", lambda marker: drawn.append(marker.name))
+    poses = [framed(InteractiveMarkerPose(name="m")) for _ in range(50)]
+    poses[-1].pose.position.y = 3.0
+    display.take(InteractiveMarkerUpdate(type=1, seq_num=6, poses=poses))
+    assert drawn == ["m"]
+    assert display._markers["m"].pose.position.y == 3.0
+
+
 def test_after_a_missed_update_the_display_asks_again() -> None:
     display = shown(interactive(box()))
     display.take(InteractiveMarkerUpdate(type=0, seq_num=5))

@@ -7,8 +7,9 @@ from typing import Any
 
 from zbot.interfaces.yaml_message import Word
 
-#: A number, as programs on boards print it.
-NUMBER = r"[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?"
+#: A number, as programs on boards print it. A point after digits always belongs to the number:
+#: with two ways to read `1.`, a line with many such values would be read in millions of ways.
+NUMBER = r"[+-]?(?:[0-9]+(?:\.[0-9]*|(?!\.))|\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?"
 #: A unit of measurement after a number: C, %, hPa, m/s^2. `0xee` is no number with a unit.
 UNIT = r"(?![xX])[^\s0-9,;:=|]{1,6}"
 _INTEGER = re.compile(r"[+-]?[0-9]{1,19}\Z", re.ASCII)

@@ -37,8 +37,8 @@ def read_xml(text: str) -> Element:
     """Return the root element of a text.
 
     Raises:
-        DescriptionError: The text is too long, is not XML, defines entities, or is nested deeper
-            than 100 levels.
+        DescriptionError: The text is too long, is not XML, defines entities, declares attributes,
+            or is nested deeper than 100 levels.
     """
     if len(text) > _MAX_CHARACTERS:
         raise DescriptionError(f"it has more than {_MAX_CHARACTERS} characters")
@@ -56,12 +56,16 @@ def read_xml(text: str) -> Element:
         level -= 1
         builder.end(tag)
 
-    def refuse(*_: object) -> None:
+    def refuse_entity(*_: object) -> None:
         raise DescriptionError("it must not define entities: remove <!ENTITY>")
+
+    def refuse_defaults(*_: object) -> None:
+        # Each element would get all default values: a short text would need much memory.
+        raise DescriptionError("it must not declare attributes: remove <!ATTLIST>")
 
     parser.StartElementHandler, parser.EndElementHandler = start, end
     parser.CharacterDataHandler = builder.data
-    parser.EntityDeclHandler = refuse
+    parser.EntityDeclHandler, parser.AttlistDeclHandler = refuse_entity, refuse_defaults
     try:
         parser.Parse(_without_declaration(text).encode("utf-8", "replace"), True)
         return builder.close()

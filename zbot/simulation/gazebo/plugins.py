@@ -43,6 +43,8 @@ _COMMANDS = {
     "ApplyJointForce": "effort",
     "apply-joint-force": "effort",
 }
+#: No robot in the simulator has more joints that move.
+_MOST_JOINTS = 100
 _MOST_RATE_HZ, _USUAL_RATE_HZ = 200.0, 50.0
 
 
@@ -164,7 +166,7 @@ def _joint_commands(plugin: Element, names: Names, kind: str) -> list[JointComma
     ends = {"position": "0/cmd_pos", "velocity": "cmd_vel", "effort": "cmd_force"}
     start = number(plugin, 0.0, "initial_position", "initial_velocity")
     found = []
-    for joint in words(plugin, "joint_name"):
+    for joint in words(plugin, "joint_name")[:_MOST_JOINTS]:
         usual = f"/model/{names.model}/joint/{joint}/{ends[kind]}"
         topic = names.topic(plugin, "", usual, "topic", "sub_topic")
         found.append(JointCommand(joint, topic, kind, start))  # type: ignore[arg-type]

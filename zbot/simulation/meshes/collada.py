@@ -17,6 +17,8 @@ if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 _MOST_COPIES = 10_000
+#: Limits of what all copies of nodes contain together. A short file can place a node often.
+_MOST_PARTS, _MOST_USES, _MOST_TRIANGLES = 1_000_000, 20_000, 1_000_000
 _POLYGONS = frozenset({"triangles", "polylist", "polygons"})
 #: For each axis that points up: the matrix that turns this axis to z.
 _UP = {
@@ -57,7 +59,8 @@ class _Scene:
         }
         self._nodes = {node.get("id", ""): node for node in root.iter("node")}
         self._read: dict[str, Array] = {}
-        self._copies = 0
+        self._matrices: dict[Element, Array] = {}
+        self._copies = self._parts = self._uses = self._triangles = 0
 
     def triangles(self) -> Iterator[Array]:
         """Yield the triangles of each geometry, where the scene has it."""
@@ -69,11 +72,15 @@ class _Scene:
 
     def _of_node(self, node: Element, outer: Array, level: int) -> Iterator[Array]:
         self._copies += 1
-        if self._copies > _MOST_COPIES or level > 50:
+        self._parts += len(node)
+        if self._copies > _MOST_COPIES or self._parts > _MOST_PARTS or level > 50:
             raise ValueError("its scene has too many nodes")
-        pose = outer @ _matrix(node)
+        if node not in self._matrices:
+            self._matrices[node] = _matrix(node)
+        pose = outer @ self._matrices[node]
         for use in (*node.findall("instance_geometry"), *node.findall("instance_controller")):
             found = self._shape(use.get("url", "").lstrip("#"))
+            self._count(len(found))
             yield found @ pose[:3, :3].T + pose[:3, 3]
         inner = node.findall("node")
         for use in node.findall("instance_node"):
@@ -81,6 +88,12 @@ class _Scene:
             inner += [] if named is None else [named]
         for child in inner:
             yield from self._of_node(child, pose, level + 1)
+
+    def _count(self, triangles: int) -> None:
+        self._uses += 1
+        self._triangles += triangles
+        if self._uses > _MOST_USES or self._triangles > _MOST_TRIANGLES:
+            raise ValueError("its scene has too many triangles")
 
     def _shape(self, name: str) -> Array:
         if name not in self._read:

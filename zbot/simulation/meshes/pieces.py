@@ -84,9 +84,12 @@ def _connected(triangles: Triangles) -> list[NDArray[np.int64]]:
     corners = names.reshape(-1, 3)
     labels = np.arange(int(np.max(corners)) + 1)
     while True:  # each point takes the lowest label of its triangles, until nothing changes
-        lowest = labels[corners].min(axis=1)
+        own = labels[corners]
+        lowest = np.repeat(own.min(axis=1), 3)
         before = labels.copy()
-        np.minimum.at(labels, corners.ravel(), np.repeat(lowest, 3))
+        np.minimum.at(labels, corners.ravel(), lowest)
+        # The points with the old labels take it, too: else a long strip would need many rounds.
+        np.minimum.at(labels, own.ravel(), lowest)
         labels = labels[labels]
         if np.array_equal(before, labels):
             break

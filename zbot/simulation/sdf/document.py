@@ -9,6 +9,7 @@ from xml.etree.ElementTree import Element
 from zbot.libraries.robot_description.file import read_description
 from zbot.libraries.robot_description.xml_text import DescriptionError, read_xml
 from zbot.simulation.errors import SimulationError
+from zbot.simulation.sdf.notices import add_notices
 from zbot.simulation.sdf.resources import find_resource
 from zbot.simulation.sdf.values import text_of
 
@@ -48,6 +49,7 @@ class Document:
         self.notices: list[str] = []
         self._files = self._elements = 0
         self._read: dict[Path, Element] = {}
+        self._found: dict[tuple[str, Path | None], Path | None] = {}  # by address and folder
         self.root = _root(text)
         self._count(self.root)
         self._expand(self.root, folder, ())
@@ -64,11 +66,13 @@ class Document:
                 for found in parent.iter(tag):
                     found.attrib.setdefault(FOLDER, str(folder))
         for element in list(parent.iter()):
-            for include in element.findall("include"):
-                place = list(element).index(include)
-                element.remove(include)
-                for number, child in enumerate(self._included(include, folder, chain)):
-                    element.insert(place + number, child)
+            if element.find("include") is None:
+                continue
+            children: list[Element] = []
+            for child in element:
+                is_include = child.tag == "include"
+                children += self._included(child, folder, chain) if is_include else [child]
+            element[:] = children
 
     def _included(
         self, include: Element, folder: Path | None, chain: tuple[Path, ...]
@@ -90,8 +94,10 @@ class Document:
         return [model]
 
     def _model(self, address: str, folder: Path | None, chain: tuple[Path, ...]) -> Element | None:
-        path = find_resource(address, folder)
-        file = None if path is None else model_file(path)
+        if (address, folder) not in self._found:  # a search takes long
+            path = find_resource(address, folder)
+            self._found[address, folder] = None if path is None else model_file(path)
+        file = self._found[address, folder]
         if file is None:
             self._notice(f"the model {address[:200]}, which is not on this machine,")
             return None
@@ -116,8 +122,7 @@ class Document:
         return model
 
     def _notice(self, text: str) -> None:
-        if text not in self.notices:
-            self.notices.append(text)
+        add_notices(self.notices, [text])
 
 
 def _root(text: str) -> Element:

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
 
 _WITH_FRAMES = ("link", "joint", "frame", "model")
 _MOST_STEPS = 200
+_LONGEST_NAME = 500  #: each name in a model is repeated in the names of all that is in it
 
 
 class Frames:
@@ -29,6 +30,8 @@ class Frames:
             name = element.get("name", "")
             if element.tag not in _WITH_FRAMES or not name:
                 continue
+            if len(name) > _LONGEST_NAME:
+                raise DescriptionError(f"a name has more than {_LONGEST_NAME} characters")
             parent = relative_to(element) or _usual_parent(element)
             is_outer = parent in {"", "__model__"}
             # A joint to the world has no child link to stand on.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
@@ -11,6 +12,7 @@ from zbot.libraries.robot_description.xml_text import DescriptionError
 from zbot.simulation.gazebo.unused import unused_notice, unused_tags
 from zbot.simulation.sdf.frames import Frames
 from zbot.simulation.sdf.geometry import Shapes, shapes_of, visual_color
+from zbot.simulation.sdf.notices import add_notices
 from zbot.simulation.sdf.values import flag_of, number_of, pose_of, text_of, vector_of
 from zbot.tf2.rigid import Rigid, Vector, rotate
 
@@ -101,6 +103,7 @@ class _Reader:
 
     def __init__(self, model: SdfModel, frames: Frames, version: str) -> None:
         self._model, self._frames = model, frames
+        self._first_links: dict[str, str] = {}  # by the text before their names, e.g. `arm::`
         self._is_old = version in {"1.0", "1.2", "1.3", "1.4"}
 
     def read(self, element: Element, scope: str) -> None:
@@ -110,6 +113,8 @@ class _Reader:
             if name in self._model.links:
                 raise DescriptionError(f"two links have the name '{name[:60]}'")
             self._model.links[name] = self._link(link, name)
+            for place in re.finditer("::", name):
+                self._first_links.setdefault(name[: place.end()], name)
         for inner in element.findall("model"):
             self.read(inner, f"{scope}{_name(inner)}::")
         for joint in element.findall("joint"):
@@ -164,8 +169,7 @@ class _Reader:
         known = (name_ for name_ in (scope + name, name) if name_ in self._model.links)
         found = next(known, "")
         # A joint may name a nested model: this means the model's first link.
-        start = f"{scope}{name}::"
-        return found or next((link for link in self._model.links if link.startswith(start)), "")
+        return found or self._first_links.get(f"{scope}{name}::", "")
 
     def _axis(self, axis: Element | None, pose: Rigid, scope: str) -> Vector:
         """Return the axis in the frame of the joint."""
@@ -182,7 +186,7 @@ class _Reader:
         return (x, y, z)
 
     def _note(self, *notices: str) -> None:
-        self._model.notices += [text for text in notices if text not in self._model.notices]
+        add_notices(self._model.notices, notices)
 
 
 def _name(element: Element) -> str:

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import os
-from functools import cache
+import re
+import time
+from functools import cache, lru_cache
 from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
@@ -11,8 +13,9 @@ from zbot.errors import ZbotError
 from zbot.libraries.robot_description.mesh_address import path_of
 from zbot.libraries.robot_description.xml_text import DescriptionError
 from zbot.package import package_share
-from zbot.package.finder import Origin, all_packages
+from zbot.package.finder import Origin, all_packages, is_python_package
 from zbot.package.manifest import read_tree
+from zbot.package.unavailable import unavailable_package
 
 #: Variables that name folders with models, of both generations of Gazebo.
 _VARIABLES = (
@@ -20,6 +23,7 @@ _VARIABLES = (
     *("GAZEBO_RESOURCE_PATH", "SDF_PATH"),
 )
 _EXPORTS = ("gazebo_model_path", "gazebo_media_path")
+_NAME = re.compile(r"[a-zA-Z0-9][a-zA-Z0-9_-]+", re.ASCII)  # of a package
 _REMOTE = frozenset({"http", "https", "fuel"})
 
 
@@ -43,6 +47,8 @@ def find_resource(address: str, folder: Path | None = None) -> Path | None:
         return _model(place)
     if parts.scheme == "file" and not place.startswith("/"):
         return _in_folders(place)
+    if parts.scheme == "package" and not _may_exist(parts.netloc):
+        return None
     if parts.scheme in {"file", "package"}:
         try:
             return _existing(path_of(address))
@@ -66,10 +72,30 @@ def _model(place: str) -> Path | None:
         # Gazebo turns package://NAME into model://NAME.
         name, _, rest = place.partition("/")
         try:
-            found = _existing(package_share(name) / rest)
+            found = _existing(package_share(name) / rest) if _may_exist(name) else None
         except ZbotError:
             return None
     return found
+
+
+def _may_exist(package: str) -> bool:
+    """Return whether there may be a package of this name, without a search for each name.
+
+    A search takes long, and a world can name thousands of models that are not on this machine.
+    """
+    if not _NAME.fullmatch(package):
+        return False
+    return (
+        package in _packages_at(int(time.monotonic()))
+        or is_python_package(package)
+        or unavailable_package(package) is not None
+    )
+
+
+@lru_cache(maxsize=1)
+def _packages_at(_second: int) -> frozenset[str]:
+    """Return the names of all packages. They are kept for a second."""
+    return frozenset(all_packages())
 
 
 def _in_folders(place: str) -> Path | None:

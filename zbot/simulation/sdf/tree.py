@@ -55,11 +55,12 @@ def _known(solids: dict[str, list[Solid]]) -> dict[str, list[Solid]]:
 
 def _joints(model: SdfModel, links: Sequence[str]) -> tuple[dict[str, Joint], bool]:
     """Return the joints of a tree, and whether a joint connects it with the world."""
+    known = set(links)
     found: dict[str, Joint] = {}
     above: dict[str, str] = {}  # for each link, the link that moves it
     is_fixed = False
     for joint in model.joints.values():
-        if joint.child not in links:
+        if joint.child not in known:
             continue
         if joint.parent == "world":
             is_fixed = True
@@ -113,4 +114,5 @@ def _joint(joint: SdfJoint, type_: str, child: str, origin: Rigid) -> Joint:
 
 
 def _axes(joints: dict[str, Joint], links: Sequence[str]) -> list[str]:
-    return [joint.child for joint in joints.values() if joint.child not in links]
+    known = set(links)
+    return [joint.child for joint in joints.values() if joint.child not in known]

@@ -18,6 +18,7 @@ from zbot.simulation.sdf.document import Document
 from zbot.simulation.sdf.frames import Frames
 from zbot.simulation.sdf.heightmap import add_heightmap
 from zbot.simulation.sdf.model import read_model, trees
+from zbot.simulation.sdf.notices import add_notices
 from zbot.simulation.sdf.robot import equipment_of
 from zbot.simulation.sdf.static_mesh import add_static_mesh
 from zbot.simulation.sdf.tree import tree_model
@@ -33,6 +34,8 @@ if TYPE_CHECKING:
     from zbot.tf2.rigid import Rigid, Vector
 
 _MOST_MODELS, _MOST_SOLIDS, _MOST_GRAVITY = 2000, 20_000, 1000.0
+#: Of a model that moves.
+_MOST_LINKS, _MOST_JOINTS = 2000, 4000
 #: What a heightmap counts as.
 _SOLIDS_OF_HILLS = 1000
 #: Tags of a world that say how it looks or how another engine computes. They have no effect.
@@ -106,6 +109,18 @@ def read_world(document: Document) -> SdfWorld:
     return world
 
 
+def _check_size(model: SdfModel) -> None:
+    # Each part of a model that moves is made from all of its joints.
+    for count, most, what in (
+        (len(model.links), _MOST_LINKS, "links"),
+        (len(model.joints), _MOST_JOINTS, "joints"),
+    ):
+        if count > most:
+            raise SimulationError(
+                f"the model '{model.name[:60]}' has {count} {what}: the limit is {most}"
+            )
+
+
 def _earth(root: Element) -> Vector | None:
     element = root.find("spherical_coordinates")
     if element is None:
@@ -130,12 +145,12 @@ class _Builder:
     def __init__(self, world: SdfWorld, version: str) -> None:
         self._world, self._version = world, version
         self._names: set[str] = set()
+        self._numbers: dict[str, int] = {}  # the next number of each name that is used again
         self._solids = 0
 
     def note(self, *notices: str) -> None:
         """Keep what is left out, once each."""
-        known = self._world.notices
-        known += [text for text in dict.fromkeys(notices) if text not in known]
+        add_notices(self._world.notices, notices)
 
     def add(self, model: SdfModel, pose: Rigid) -> None:
         """Add a model at a pose."""
@@ -147,6 +162,7 @@ class _Builder:
             for link in model.links.values():
                 self._add_static(f"{model.name}/{link.name}", link, pose @ link.pose)
         else:
+            _check_size(model)
             for number, links in enumerate(trees(model)):
                 self._add_thing(model, links, pose, number)
         self.note(*model.notices)
@@ -168,10 +184,11 @@ class _Builder:
         return True
 
     def _free(self, name: str) -> str:
-        free, number = name, 0
+        free, number = name, self._numbers.get(name, 0)
         while free in self._names:
             free = f"{name}_{number}"
             number += 1
+        self._numbers[name] = number
         self._names.add(free)
         return free
 

@@ -25,7 +25,12 @@ _MOST = {
     "octree_maxdepth": 7,
 }
 _MOST_OF_SIZE = 10_000
-_MOST_TAGS = {"geom": 20_000, "body": 2000}
+_MOST_TAGS = {"geom": 20_000, "body": 2000, "key": 1000}
+#: Meshes that MuJoCo makes of some numbers, and the largest of these numbers.
+_MOST_MADE_MESHES, _MOST_PARAMETER = 50, 100
+#: Numbers of the user for each body, solid and so on.
+_MOST_USER_NUMBERS = 100
+_MOST_FOLDERS = 20
 _MOST_BYTES, _MOST_PIXELS = 50_000_000, 16_000_000
 _PNG, _PNG_HEAD = b"\x89PNG\r\n\x1a\n", 24
 
@@ -41,6 +46,9 @@ def check_mjcf(root: Element, folder: Path) -> None:
         SimulationError: It is too large, or has a tag that is not allowed.
     """
     counts = dict.fromkeys(_MOST_TAGS, 0)
+    made = sum("builtin" in mesh.attrib for mesh in root.iter("mesh"))
+    if made > _MOST_MADE_MESHES:
+        raise SimulationError(f"it has more than {_MOST_MADE_MESHES} meshes with builtin")
     for element in root.iter():
         if element.tag in _REFUSED and element is not root:
             raise SimulationError(f"the tag <{element.tag}> is not supported")
@@ -56,6 +64,10 @@ def check_mjcf(root: Element, folder: Path) -> None:
 def _check_counts(element: Element) -> None:
     for name, text in element.attrib.items():
         most = _MOST.get(name)
+        if name.startswith("nuser_"):
+            most = _MOST_USER_NUMBERS
+        if name == "params" and "builtin" in element.attrib:
+            most = _MOST_PARAMETER
         if (element.tag == "size" and name.startswith("n")) or (
             element.tag == "numeric" and name == "size"
         ):
@@ -74,7 +86,11 @@ def _number(word: str) -> float:
 def _check_files(root: Element, folder: Path) -> None:
     """Check the sizes of all files, and the pixels of all pictures and fields of heights."""
     names = ("meshdir", "texturedir", "assetdir")
-    folders = [compiler.get(name, "") for compiler in root.iter("compiler") for name in names]
+    named = (compiler.get(name, "") for compiler in root.iter("compiler") for name in names)
+    folders = [folder / place for place in dict.fromkeys(("", *named))]
+    if len(folders) > _MOST_FOLDERS:
+        raise SimulationError(f"it names more than {_MOST_FOLDERS} folders of files")
+    known: dict[str, tuple[int, int]] = {}  # a world may use a file often
     total = pixels = 0
     for element in root.iter():
         sides = (("nrow", "ncol"), ("width", "height"))
@@ -83,10 +99,12 @@ def _check_files(root: Element, folder: Path) -> None:
         )
         for name, value in element.attrib.items():
             if name.startswith("file"):
-                size, count = _measured(value, [folder / place for place in ("", *folders)])
+                if value not in known:
+                    known[value] = _measured(value, folders)
+                size, count = known[value]
                 total, pixels = total + size, pixels + count
-    if total > 4 * _MOST_BYTES:
-        raise SimulationError(f"its files have more than {4 * _MOST_BYTES // 10**6} MB")
+                if total > 4 * _MOST_BYTES:
+                    raise SimulationError(f"its files have more than {4 * _MOST_BYTES // 10**6} MB")
     if pixels > _MOST_PIXELS:
         raise SimulationError(f"its pictures have more than {_MOST_PIXELS} pixels")
 

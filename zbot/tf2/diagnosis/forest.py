@@ -171,8 +171,9 @@ class Forest:
         up, down = self.way_up(first), self.way_up(second)
         ends = [first, *(link.parent for link in up)]
         other_ends = [second, *(link.parent for link in down)]
+        others = set(other_ends)
         for count, frame in enumerate(ends):
-            if frame in other_ends:
+            if frame in others:
                 return [*up[:count], *reversed(down[: other_ends.index(frame)])]
         return None
 

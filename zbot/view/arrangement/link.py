@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 PARAMETER = "arrangement"
 #: Browsers and the guard accept addresses that are a little longer.
 MOST_CHARACTERS = 8000
-_MOST_BYTES = 1_000_000
+_MOST_BYTES = 200_000
 
 
 def link_text(arrangement: Arrangement) -> str:
@@ -31,9 +31,9 @@ def link_text(arrangement: Arrangement) -> str:
     own = (choice for choice in arrangement.displays if choice.kind and not choice.file)
     displays = tuple(replace(choice, raw={}) for choice in own)
     bare = replace(arrangement, displays=displays, raw={}, misfits=())
-    packed = zlib.compress(rviz_text(bare).encode(), 9)
-    text = base64.urlsafe_b64encode(packed).decode().rstrip("=")
-    if len(text) > MOST_CHARACTERS:
+    data = rviz_text(bare).encode()
+    text = base64.urlsafe_b64encode(zlib.compress(data, 9)).decode().rstrip("=")
+    if len(data) > _MOST_BYTES or len(text) > MOST_CHARACTERS:
         raise ArrangementError("the arrangement is too large for a link: save it in a file")
     return text
 

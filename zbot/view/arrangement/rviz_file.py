@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 MANAGER = "Visualization Manager"
 _MOST_DISPLAYS = 500
 _MOST_LEVELS = 20
+#: Values that a short file may have with its aliases. So many characters count as one value more.
+_USUAL_SIZE, _CHARACTERS_OF_VALUE = 20_000, 20
 _GROUP = "Group"
 _OWN = ("rviz", "rviz_default_plugins", "rviz_common", "nav2_rviz_plugins")
 _TOPICS = ("Topic", "Image Topic", "Marker Topic", "Description Topic")
@@ -67,7 +69,29 @@ def read_rviz(text: str) -> Arrangement:
     manager = raw.get(MANAGER) if isinstance(raw, dict) else None
     if not isinstance(manager, dict):
         raise ArrangementError(f"it is not a file of rviz: it has no '{MANAGER}'")
+    _check_size(raw, _USUAL_SIZE + 2 * len(text))
     return _Reading(raw, manager).arrangement()
+
+
+def _check_size(raw: Any, most: int) -> None:
+    """Refuse values that are much larger than their text, because aliases repeat a long part.
+
+    Without aliases, a text has fewer values and characters than the limit.
+
+    Raises:
+        ArrangementError: The values are too large.
+    """
+    waiting, size = [raw], 0
+    while waiting:
+        value = waiting.pop()
+        size += 1 + (len(value) // _CHARACTERS_OF_VALUE if isinstance(value, str) else 0)
+        if size > most:
+            raise ArrangementError("its aliases repeat too much: write the repeated part shorter")
+        if isinstance(value, dict):
+            waiting += value.keys()
+            waiting += value.values()
+        elif isinstance(value, list):
+            waiting += value
 
 
 class _Reading:

@@ -39,7 +39,9 @@ def rviz_text(arrangement: Arrangement) -> str:
         options["Background Color"] = "; ".join(map(str, arrangement.background))
     if arrangement.camera is not None:
         _inner(manager, "Views")["Current"] = view_properties(arrangement.camera)
-    return str(yaml.safe_dump(raw, sort_keys=False, allow_unicode=True))
+    # libyaml is ten times faster, but some builds of PyYAML do not have it.
+    dumper = getattr(yaml, "CSafeDumper", yaml.SafeDumper)
+    return str(yaml.dump(raw, Dumper=dumper, sort_keys=False, allow_unicode=True))
 
 
 def _inner(raw: dict[str, Any], name: str) -> dict[str, Any]:

@@ -111,11 +111,14 @@ class InteractiveMarkers(Display):
         self._number = message.seq_num if number == self._number else None
         for name in message.erases:
             self._forget(name)
+        changed: dict[str, Any] = {}  # a message may move one marker often
         for moved in message.poses:
             known = self._markers.get(moved.name)
             if known is not None:
                 known.header, known.pose = moved.header, moved.pose
-                self._show(known)
+                changed[moved.name] = known
+        for known in changed.values():
+            self._show(known)
         self._add(message.markers)
 
     def _add(self, markers: Any) -> None:

@@ -1,9 +1,11 @@
 from __future__ import annotations
 
+import time
 from typing import Any
 
 import pytest
 
+from tests.conftest import allowed
 from zbot.bridge.devices.errors import UnreadableError
 from zbot.bridge.devices.serial.line import LineReader
 from zbot.bridge.devices.topic_type import TypeTable
@@ -102,3 +104,10 @@ def test_a_line_can_name_its_type(text: str) -> None:
 def test_a_fault_in_a_form_has_a_reason(line: str, reason: str) -> None:
     with pytest.raises(UnreadableError, match=reason):
         read(line)
+
+
+@pytest.mark.parametrize("pair", ["a:1.;", "a:.5,", "a:1 ", "a:1e5 b ", "a:on;", "a:nan x;"])
+def test_a_long_line_that_ends_wrong_is_read_quickly(pair: str) -> None:
+    begin = time.process_time()
+    assert LineReader().read(pair * 5000 + "!:") == []
+    assert time.process_time() - begin < allowed(1)

@@ -90,6 +90,7 @@ def test_a_joint_whose_axis_has_the_length_zero_never_moves(type_: str) -> None:
         ("<robot name='a'>", "no element found"),
         ("<sdf/>", "the outermost tag is <sdf>, but must be <robot>"),
         ("<!DOCTYPE a [<!ENTITY b 'c'>]><robot/>", "must not define entities"),
+        ("<!DOCTYPE a [<!ATTLIST a b CDATA 'c'>]><robot/>", "must not declare attributes"),
         ("<a>" * 200, "nested deeper than 100 levels"),
         ("<robot><link name='a'/></robot>", "a <robot> has no name"),
         (robot(""), "it has no <link>"),
