@@ -23,6 +23,9 @@ END = "\nsetup(entry_points={'console_scripts': x}, data_files=x)\n"
 SETUP_FILES = {
     "doubled text": "x = 'ab'\n" + "x = x + x\n" * 60,
     "doubled text in place": "x = 'ab'\n" + "x += x\n" * 60,
+    "long text": "x = 'ab'\n" + "x = x + x\n" * 18 + "y = x.strip()\n" * 3000,
+    "long path": "x = 'a/'\n" + "x = x + x\n" * 18 + "y = normpath(x)\n" * 3000,
+    "long list in place": "x = ['ab']\n" + "x = x + x\n" * 16 + "x += ['a']\n" * 3000,
     "doubled list": "x = ['ab']\n" + "x.extend(x)\n" * 60,
     "doubled tree": "x = ['ab']\n" + "x = [x, x]\n" * 60,
     "doubled tree as text": "x = ['ab']\n" + "x = [x, x]\n" * 60 + "x = str(x)\n",
