@@ -219,3 +219,12 @@ def test_a_search_ends_after_many_files(tmp_path: Path, monkeypatch: pytest.Monk
 def test_a_pattern_of_many_brackets_matches_nothing(tmp_path: Path) -> None:
     (tmp_path / "a").touch()
     assert FileSearch(tmp_path).matching("[" * 30_000) == []
+
+
+@pytest.mark.usefixtures("quick")
+def test_a_search_opens_a_limited_number_of_folders(tmp_path: Path) -> None:
+    with pytest.raises(SearchLimitError):
+        FileSearch(tmp_path).matching("**/" * 30_000, recursive=True)
+    search = FileSearch(tmp_path)
+    with pytest.raises(SearchLimitError):
+        [search.matching("*") for _ in range(30_000)]
