@@ -96,6 +96,9 @@ CMAKE_FILES = {
     "large": "#" * 300_000,
     "nested loops": "foreach(a b c d)\n" * 15 + "endforeach()\n" * 15,
     "deep loops": "foreach(a b)\n" * 200 + "endforeach()\n" * 200,
+    "words in loops": f"foreach(i {'a ' * 9000})\nset(A {'b ' * 9000})\nendforeach()\n",
+    "long word in loops": f"foreach(i {'a ' * 9000})\nset(A {'b' * 20_000})\nendforeach()\n",
+    "words of variables": f"set(A {'a ' * 9000})\ninstall(FILES {'${A} ' * 900}DESTINATION x)\n",
     "whole disk": "install(DIRECTORY / DESTINATION share)",
 }
 
@@ -126,6 +129,10 @@ def test_a_cmake_file_that_is_too_large_is_one_error(
         "foreach(a b)\n" * 15_000,
         "function(f)\nf()\nendfunction()\nf()\nf()",
         "macro(f)\ng()\nendmacro()\nmacro(g)\nf()\nendmacro()\nf()",
+        "function(f)\nendfunction()\n" * 3000 + "f()\n" * 9000,
+        "".join(f"set(a{number} b)\n" for number in range(9000))
+        + "function(f)\nendfunction()\n"
+        + "f()\n" * 9000,
         'set("" "")\nproject("")\ninstall("")\nadd_executable("")\nrosidl_generate_interfaces("")',
     ],
 )
