@@ -141,6 +141,7 @@ def test_an_odd_cmake_file_is_read_quickly(tmp_path: Path, text: str) -> None:
     assert read_cmake(tmp_path) is not None
 
 
+DEFAULTS = """<!DOCTYPE package [<!ATTLIST a b CDATA "c">]><package><a/></package>"""
 ENTITIES = '<!DOCTYPE package [<!ENTITY a "b">]><package>&a;</package>'
 
 
@@ -153,6 +154,8 @@ ENTITIES = '<!DOCTYPE package [<!ENTITY a "b">]><package>&a;</package>'
         (b'<?xml version="1.0" encoding="undefined"?><package/>', "its encoding cannot be read"),
         (ENTITIES.encode(), "must not define entities"),
         (ENTITIES.encode("utf-16"), "must not define entities"),
+        (DEFAULTS.encode(), "must not define attributes"),
+        (b"<a xmlns:b='" + b"c" * 1001 + b"'/>", "a namespace has more than 1000 characters"),
         (b"<a>" * 60_000, "deeper than 100 levels"),
         (b"<a>" + b" " * 300_000, "must not have more than"),
         (b"", "not valid XML"),
