@@ -30,7 +30,7 @@ from zbot.web.forms.form_value import DURATION, read
 from zbot_cli.input.message_values import PopulateError, Template, ValuesError
 
 from geometry_msgs.msg import Twist
-from std_msgs.msg import Float64, Int64
+from std_msgs.msg import Float64, Int64, String
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -250,3 +250,5 @@ def test_deep_assignments_are_refused() -> None:
     values: Any = ".".join(["linear"] * 3000) + "=1"
     with pytest.raises((ValuesError, PopulateError)):
         Template(Twist, values)
+    with pytest.raises(ValuesError, match="deeper than 100 levels"):
+        Template(String, "data" + ".a" * 3000 + "=1")
