@@ -142,6 +142,7 @@ def test_an_odd_cmake_file_is_read_quickly(tmp_path: Path, text: str) -> None:
 
 
 DEFAULTS = """<!DOCTYPE package [<!ATTLIST a b CDATA "c">]><package><a/></package>"""
+DOUBLED = "x = ['setup.py']\n" + "x = x + x\n" * 16
 ENTITIES = '<!DOCTYPE package [<!ENTITY a "b">]><package>&a;</package>'
 
 
@@ -238,3 +239,17 @@ def test_a_search_opens_a_limited_number_of_folders(tmp_path: Path) -> None:
     search = FileSearch(tmp_path)
     with pytest.raises(SearchLimitError):
         [search.matching("*") for _ in range(30_000)]
+
+
+@pytest.mark.usefixtures("quick")
+@pytest.mark.parametrize("argument", ["scripts=x", "data_files=[('lib/a', x)]"])
+def test_a_program_that_is_named_very_often_is_one_program(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, argument: str
+) -> None:
+    folder = tmp_path / "a"
+    folder.mkdir()
+    (folder / "package.xml").write_text("<package><name>a</name></package>")
+    (folder / "setup.py").write_text(DOUBLED + f"setup({argument})")
+    monkeypatch.setenv("ZBOT_WORKSPACE", str(tmp_path))
+    (package,) = (found for found in workspace_packages() if found.folder == folder)
+    assert [executable.name for executable in package.executables] == ["setup.py"]
