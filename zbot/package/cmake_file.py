@@ -35,7 +35,7 @@ _ENDS = {
 #: Commands that begin a block, and the commands that end it.
 _BLOCKS = {"foreach": "endforeach", "function": "endfunction", "macro": "endmacro"}
 _MAX_CALLS = 20_000
-_MAX_WORDS = 60_000
+_MAX_WORDS = 50_000
 _WORD_CHARACTERS = 16  #: characters of a command that count as one word
 _MAX_DEPTH = 20
 
