@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import ast
+import time
 from typing import TYPE_CHECKING
 
 import pytest
 
 from tests.cli.conftest import MANIFEST
+from tests.conftest import allowed
 from zbot_cli.packages.check import check_package
+from zbot_cli.packages.check.checked_package import imports
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -473,3 +477,14 @@ def test_a_message_package_must_be_in_the_group_of_interfaces(write: Write) -> N
 def test_messages_in_a_python_package_are_a_warning(write: Write) -> None:
     (found,) = problems(write(**{"msg/A.msg": "int32 a"}))
     assert found.startswith("package.xml: warning: ROS 2 makes messages in ament_cmake packages")
+
+
+def test_imports_in_many_levels_of_try_are_found_quickly() -> None:
+    depths = range(95)
+    source = [" " * depth + "try:\n" for depth in depths]
+    source += [" " * 95 + "import b; a = 1; a; a; a; a; a; a\n"] * 2000
+    source += [" " * depth + "except E: import c\n" for depth in reversed(depths)]
+    tree = ast.parse("".join([*source, "import d\n"]))
+    begin = time.process_time()
+    assert sorted(name for name, _, _ in imports(tree)) == ["c", "d"]
+    assert time.process_time() - begin < allowed(1)

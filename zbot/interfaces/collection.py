@@ -31,9 +31,13 @@ if TYPE_CHECKING:
 
 MAX_ARCHIVE = 64 * 2**20  #: bytes of an archive
 MAX_UNPACKED = 256 * 2**20  #: bytes that are unpacked from a tar archive
+#: An archive may unpack to a megabyte, and to 50 bytes for each of its bytes. Texts usually have
+#: 10. Without this limit, an archive of 800 bytes can have 30,000 empty files.
+_SMALL, _MOST_FOR_EACH_BYTE = 2**20, 50
+_MAX_HEADERS = 100  #: for all entries of a tar archive. Each entry copies them
 MAX_ENTRIES = 100_000  #: files and folders in an archive or a folder
 MAX_FILE = 256 * 2**10  #: bytes of a definition
-MAX_TOTAL = 16 * 2**20  #: bytes of all definitions together
+MAX_TOTAL = 16 * 2**20  #: bytes of all definitions and manifests together
 
 _T = TypeVar("_T")
 #: The parts of a path, and a function that reads the file.
@@ -106,15 +110,18 @@ def _grouped(source: Path, entries: Iterable[_Entry]) -> list[FoundPackage]:
     manifests: dict[tuple[str, ...], str] = {}
     total = 0
     for parts, read in entries:
-        if parts[-1:] == (MANIFEST,):
-            manifests[parts[:-1]] = read().decode(errors="replace")
-        elif _is_definition(parts):
-            content = read()
-            total += len(content)
-            if total > MAX_TOTAL:
-                raise DefinitionSourceError(source, f"its definitions exceed {MAX_TOTAL} bytes")
-            # Comments in the definitions may have another encoding than UTF-8.
-            text = content.decode(errors="replace")
+        is_manifest = parts[-1:] == (MANIFEST,)
+        if not is_manifest and not _is_definition(parts):
+            continue
+        content = read()
+        total += len(content)
+        if total > MAX_TOTAL:
+            raise DefinitionSourceError(source, f"its definitions exceed {MAX_TOTAL} bytes")
+        # Comments in the definitions may have another encoding than UTF-8.
+        text = content.decode(errors="replace")
+        if is_manifest:
+            manifests[parts[:-1]] = text
+        else:
             texts.setdefault(parts[:-2], {})["/".join(parts[-2:])] = text
     found: dict[str, FoundPackage] = {}
     for parts, inside in sorted(texts.items()):
@@ -194,6 +201,9 @@ def _zip_content(source: Path, archive: zipfile.ZipFile, entry: zipfile.ZipInfo)
 def _tar_entries(source: Path) -> Iterator[_Entry]:
     with _unpacked(source) as file, tarfile.open(fileobj=file, mode="r|") as archive:
         for entry in _counted(source, archive):
+            if len(archive.pax_headers) > _MAX_HEADERS:
+                reason = f"it has more than {_MAX_HEADERS} headers for all its files"
+                raise DefinitionSourceError(source, reason)
             if entry.isreg():  # links are not followed
                 yield _parts(entry.name), partial(_tar_content, source, archive, entry)
 
@@ -204,13 +214,15 @@ def _tar_content(source: Path, archive: tarfile.TarFile, entry: tarfile.TarInfo)
 
 @contextmanager
 def _unpacked(source: Path) -> Iterator[IO[bytes]]:
-    """Open a tar archive. Reading more than `MAX_UNPACKED` bytes of it raises an error."""
+    """Open a tar archive. Reading more bytes of it than allowed raises an error."""
     with source.open("rb") as plain:
         start = plain.read(8)
         plain.seek(0)
         unpack = next((opener for magic, opener in _COMPRESSIONS if start.startswith(magic)), None)
         with unpack(plain) if unpack else plain as file:
-            yield cast("IO[bytes]", _LimitedStream(source, file))
+            allowed = _SMALL + _MOST_FOR_EACH_BYTE * source.stat().st_size
+            limited = _LimitedStream(source, file, min(MAX_UNPACKED, allowed))
+            yield cast("IO[bytes]", limited)
 
 
 def _parts(name: str) -> tuple[str, ...]:
@@ -227,14 +239,14 @@ def _counted(source: Path, entries: Iterable[_T]) -> Iterator[_T]:
 class _LimitedStream:
     """Stream that raises an error when too many bytes were read from it."""
 
-    def __init__(self, source: Path, file: IO[bytes]) -> None:
-        self._source, self._file, self._left = source, file, MAX_UNPACKED
+    def __init__(self, source: Path, file: IO[bytes], most: int) -> None:
+        self._source, self._file, self._most, self._left = source, file, most, most
 
     def read(self, size: int) -> bytes:
         """Return up to `size` bytes."""
         content = self._file.read(size)
         self._left -= len(content)
         if self._left < 0:
-            reason = f"its content is larger than {MAX_UNPACKED} bytes"
+            reason = f"its content is larger than {self._most} bytes"
             raise DefinitionSourceError(self._source, reason)
         return content

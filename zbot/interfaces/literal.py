@@ -12,7 +12,7 @@ _QUOTES = "\"'"
 _QUOTED_ELEMENT = re.compile(r"""\s*("(?:\\.|[^"\\])*"|'(?:\\.|[^'\\])*'|[^,"'\s][^,]*)\s*(,|$)""")
 # Python's escapes, which rosidl uses too: `\n`, `\x41`, `\101`, `\u00e9`, `\N{BULLET}`.
 _ESCAPED = re.compile(
-    r"\\(?:[0-7]{1,3}|x[0-9a-fA-F]{2}|u[0-9a-fA-F]{4}|U[0-9a-fA-F]{8}|N\{[^}]*\}|.)", re.DOTALL
+    r"\\(?:[0-7]{1,3}|x[0-9a-fA-F]{2}|u[0-9a-fA-F]{4}|U[0-9a-fA-F]{8}|N\{[^{}\\]*\}|.)", re.DOTALL
 )
 _WHOLE_ESCAPES = re.compile(r"(?:\\.|[^\\])*", re.DOTALL)
 _PREFIXED = re.compile(r"[+-]?0[xob]", re.IGNORECASE)

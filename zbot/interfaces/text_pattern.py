@@ -18,6 +18,9 @@ if TYPE_CHECKING:
 
 _MAX_PARTS = 2_000  #: parts of a regular expression; `(ab){50}` has 150 parts
 _MAX_LEVELS = 50  #: groups inside each other
+_MAX_WIDE_RANGES = 30
+# A range such as `[a-é]`. Python needs 10 ms for a range up to `\uffff`.
+_WIDE_RANGE = re.compile(r"-(?:[^\x00-\x7f]|\\[uUN])")
 _MAX_STEPS = 1_000_000  #: steps for one text, about 0.3 s
 _MAX_KEPT = 100_000  #: states in the table of known steps, about 10 MB
 _CHARACTER = re.compile(
@@ -75,6 +78,9 @@ class RegularExpression:
     """
 
     def __init__(self, pattern: str, *, is_whole: bool = True) -> None:
+        if len(_WIDE_RANGE.findall(pattern)) > _MAX_WIDE_RANGES:
+            message = f"it has more than {_MAX_WIDE_RANGES} ranges of characters beyond ASCII"
+            raise PatternError(message)
         try:
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore")  # about regular expressions of later versions

@@ -106,20 +106,23 @@ class OutputLines:
         self._loggers = dict(zip(_STREAMS, loggers, strict=True))
         decoder = codecs.getincrementaldecoder("utf-8")
         self._decoders = {fd: decoder("backslashreplace") for fd in _STREAMS}
-        self._rest = dict.fromkeys(_STREAMS, "")
+        #: The parts of a line that has no newline yet. To join them each time would take too long.
+        self._rest: dict[int, list[str]] = {fd: [] for fd in _STREAMS}
 
     def feed(self, fd: int, data: bytes) -> None:
         """Add output of stdout (1) or stderr (2). Complete lines are written immediately."""
-        text = self._rest[fd] + self._decoders[fd].decode(data)
-        *lines, self._rest[fd] = text.split("\n")
-        for line in lines:
+        first, *others = self._decoders[fd].decode(data).split("\n")
+        self._rest[fd].append(first)
+        for text in others:
+            line = "".join(self._rest[fd])
+            self._rest[fd] = [text]
             self._write(fd, line.rstrip("\r"))
 
     def close(self) -> None:
         """Write the last line of each stream, if this line has no newline yet."""
         for fd in _STREAMS:
-            rest = self._rest[fd] + self._decoders[fd].decode(b"", final=True)
-            self._rest[fd] = ""
+            rest = "".join(self._rest[fd]) + self._decoders[fd].decode(b"", final=True)
+            self._rest[fd] = []
             if rest:
                 self._write(fd, rest)
 

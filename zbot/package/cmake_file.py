@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 import os
 import re
+from collections import ChainMap
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
@@ -35,6 +36,8 @@ _ENDS = {
 #: Commands that begin a block, and the commands that end it.
 _BLOCKS = {"foreach": "endforeach", "function": "endfunction", "macro": "endmacro"}
 _MAX_CALLS = 20_000
+_MAX_WORDS = 50_000
+_WORD_CHARACTERS = 16  #: characters of a command that count as one word
 _MAX_DEPTH = 20
 
 
@@ -116,13 +119,16 @@ class _Reader:
         self._folder = folder
         self._search = FileSearch(folder)
         self._left = _MAX_EXPANDED
-        self._calls = self._depth = 0
-        self._functions: dict[str, _Function] = {}
-        self._variables = {
-            "CMAKE_CURRENT_SOURCE_DIR": [str(folder)],
-            "CMAKE_SOURCE_DIR": [str(folder)],
-            "PROJECT_SOURCE_DIR": [str(folder)],
-        }
+        self._calls = self._depth = self._words_read = 0
+        self._functions: ChainMap[str, _Function] = ChainMap()
+        self._running: list[str] = []  #: the functions that are being called
+        self._variables = ChainMap(
+            {
+                "CMAKE_CURRENT_SOURCE_DIR": [str(folder)],
+                "CMAKE_SOURCE_DIR": [str(folder)],
+                "PROJECT_SOURCE_DIR": [str(folder)],
+            }
+        )
         self.installation = Installation()
         # Comments become empty lines, so that line numbers do not change.
         blanked = _COMMENT.sub(lambda found: "\n" * found[0].count("\n"), text)
@@ -143,7 +149,7 @@ class _Reader:
             if end is not None:
                 self._enter(command.name, words, range(place + 1, end))
                 place = end
-            elif command.name in self._functions:
+            elif command.name in self._functions and command.name not in self._running:
                 self._call(command.name, words)
             elif words:
                 self._carry_out(command, words)
@@ -175,20 +181,23 @@ class _Reader:
     def _call(self, name: str, words: list[str]) -> None:
         variables, functions = self._variables, self._functions
         parameters, body = functions[name]
-        self._variables = {
-            **variables,
-            **{parameter: [word] for parameter, word in zip(parameters, words, strict=False)},
-            "ARGN": words[len(parameters) :],
-        }
+        given = {parameter: [word] for parameter, word in zip(parameters, words, strict=False)}
+        # Copies of the variables and functions would take too long if a file has many of them.
+        self._variables = variables.new_child({**given, "ARGN": words[len(parameters) :]})
+        self._functions = functions.new_child()
         # A function that calls itself would not end, because all branches are read.
-        self._functions = {key: function for key, function in functions.items() if key != name}
+        self._running.append(name)
         self._read(body)
+        self._running.pop()
         self._variables, self._functions = variables, functions
 
     def _words(self, text: str) -> Iterator[str]:
+        self._count_words(len(text) // _WORD_CHARACTERS)
         for quoted, plain in _WORD.findall(text):
+            self._count_words(1)
             if (only := _VARIABLE.fullmatch(plain)) is not None:
                 values = self._variables.get(only[1], [plain])
+                self._count_words(len(values))
                 self._count(sum(1 + len(value) for value in values))
                 yield from values
             else:
@@ -210,6 +219,11 @@ class _Reader:
         self._count(1 + len(value))
         # A value was expanded when it was set. `${` in it is an unknown variable.
         return value.replace("${", _KEPT)
+
+    def _count_words(self, number: int) -> None:
+        self._words_read += number
+        if self._words_read > _MAX_WORDS:
+            raise _LimitError(f"it has more than {_MAX_WORDS} words, or too many in its loops")
 
     def _count(self, characters: int) -> None:
         self._left -= characters

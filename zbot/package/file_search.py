@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
 _MAX_ENTRIES = 100_000
+_FOLDER_ENTRIES = 10  #: a folder that is opened counts as this many entries
 _MAX_DEPTH = 30
 _MAX_PART = 1000  #: characters of a pattern between two slashes
 _MAGIC = re.compile(r"[*?[]")
@@ -88,6 +89,7 @@ class FileSearch:
                     yield from self._below(path, depth + 1)
 
     def _names(self, base: str) -> list[str]:
+        self._count(_FOLDER_ENTRIES)
         try:
             with os.scandir(self._folder / base) as entries:
                 names = []

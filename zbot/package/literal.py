@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 
 # A setup.py of ROS 2 needs some hundred steps.
 _MAX_STEPS = 500_000
+_STEP_CHARACTERS = 100  #: characters of a text that count as one step
 _MAX_SIZE = 1_000_000  #: characters and elements of one value
 _MAX_RESULT = 10_000_000  #: estimated characters of a call's result
 _MOST_FOR_EACH = 10  #: largest number of characters that `repr` writes for one character
@@ -73,6 +74,8 @@ class Literals:
             item = waiting.pop()
             if isinstance(item, (str, bytes)):
                 size += len(item)
+                # A file can copy or search the same long text thousands of times.
+                self._steps += len(item) // _STEP_CHARACTERS
             elif isinstance(item, (list, tuple)):
                 size += len(item)
                 waiting += item
@@ -137,9 +140,9 @@ class Literals:
                     {target.id: found for target in targets if isinstance(target, ast.Name)}
                 )
             case ast.AugAssign(target=ast.Name(id=name), op=operator, value=value):
-                self._names[name] = self._combined(
-                    operator, self._names.get(name), self.value(value)
-                )
+                found = self._combined(operator, self._names.get(name), self.value(value))
+                self._check_size(found)
+                self._names[name] = found
             case ast.Expr(ast.Call(ast.Attribute(ast.Name(id=name), method), [value])):
                 self._extend(name, method, self.value(value))
 

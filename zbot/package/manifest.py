@@ -26,6 +26,7 @@ _TAGS = (
 )
 _MAX_BYTES = 256 * 1024
 _MAX_LEVELS = 100
+_LONGEST_NAMESPACE = 1000  #: in characters. Each tag's name would contain it
 _REQUIRED = ("name", "version", "description", "maintainer", "license")
 _NAME = re.compile(r"[a-zA-Z0-9][a-zA-Z0-9_-]*\Z")
 _VERSION = re.compile(r"\d+\.\d+\.\d+\Z")
@@ -121,24 +122,32 @@ def read_tree(path: Path) -> Element:
 
 
 def _check(path: Path, source: bytes) -> None:
-    """Check entities and depth before a tree is made. The check works for all encodings."""
+    """Check what could fill the memory, before a tree is made. It works for all encodings."""
     parser, level = expat.ParserCreate(), 0
 
     def refuse(*_: object) -> None:
         raise ManifestError(path, 0, "a package.xml must not define entities: remove <!ENTITY>")
 
-    def begin(*_: object) -> None:
+    def refuse_defaults(*_: object) -> None:
+        # Each tag would get all default values of its attributes.
+        raise ManifestError(path, 0, "a package.xml must not define attributes: remove <!ATTLIST>")
+
+    def begin(_: str, attributes: dict[str, str]) -> None:
         nonlocal level
         level += 1
         if level > _MAX_LEVELS:
             reason = f"its tags are nested deeper than {_MAX_LEVELS} levels"
             raise ManifestError(path, parser.CurrentLineNumber, reason)
+        for name, value in attributes.items():
+            if name.startswith("xmlns") and len(value) > _LONGEST_NAMESPACE:
+                reason = f"a namespace has more than {_LONGEST_NAMESPACE} characters"
+                raise ManifestError(path, parser.CurrentLineNumber, reason)
 
     def end(_: str) -> None:
         nonlocal level
         level -= 1
 
-    parser.EntityDeclHandler = refuse
+    parser.EntityDeclHandler, parser.AttlistDeclHandler = refuse, refuse_defaults
     parser.StartElementHandler, parser.EndElementHandler = begin, end
     parser.Parse(source, True)
 
@@ -146,12 +155,15 @@ def _check(path: Path, source: bytes) -> None:
 def _remove_what_does_not_apply(path: Path, root: Element) -> None:
     """Remove the elements whose attribute `condition` is false."""
     for parent in (root, *root.findall("export")):
-        for element in list(parent):
-            try:
-                if not holds(element.get("condition", "1==1")):
-                    parent.remove(element)
-            except ConditionError as error:
-                raise ManifestError(path, _line(path, str(element.tag)), str(error)) from None
+        # `Element.remove` would search each element from the start.
+        parent[:] = [element for element in parent if _applies(path, element)]
+
+
+def _applies(path: Path, element: Element) -> bool:
+    try:
+        return holds(element.get("condition", "1==1"))
+    except ConditionError as error:
+        raise ManifestError(path, _line(path, str(element.tag)), str(error)) from None
 
 
 def _whole_text(root: Element, tag: str) -> str:

@@ -20,6 +20,10 @@ _MAX_BYTES = 256 * 1024
 _POSITION = re.compile(r" \(at (?:line (?P<line>\d+), column \d+|end of document)\)\Z")
 _LONGEST_REASON = 300  #: in characters. Python's reason contains the whole line
 _MANY_SPACES = re.compile(r"([^\S\n]{100})[^\S\n]+")
+_MAX_LINES = 5000  #: of a setup.cfg
+# A word with a dot after it, a hundred times, outside of quotes.
+_LONG_KEY = re.compile(r"(?<![\w-])(?:[\w-]+[ \t]*\.[ \t]*){100}")
+_QUOTED = re.compile(r"\"(?:\\.|[^\"\\\n])*\"?|'[^'\n]*'?")
 _SCRIPTS = "project.scripts must be a table with texts of the form 'package.module:function'"
 
 
@@ -163,13 +167,16 @@ def parsed_setup_cfg(source: str) -> configparser.ConfigParser:
     """Return the sections of a `setup.cfg`. Spaces after the first 100 in a row are left out.
 
     In a line without `=`, the parser of Python needs a time that grows with the square of these
-    spaces: 4 s for 17,000.
+    spaces: 4 s for 17,000. The time also grows with the square of the number of such lines: 5 s for
+    33,000. So the number of lines has a limit.
 
     Raises:
-        configparser.Error: The text is not valid.
+        configparser.Error: The text is not valid, or has too many lines.
     """
     import configparser  # noqa: PLC0415 - few packages declare scripts there
 
+    if source.count("\n") > _MAX_LINES:
+        raise configparser.Error(f"it has more than {_MAX_LINES} lines")
     parser = configparser.ConfigParser(interpolation=None)
     parser.read_string(_MANY_SPACES.sub(r"\1", source))
     return parser
@@ -217,6 +224,9 @@ def _parsed(path: Path, source: bytes) -> dict[str, Any]:
         text = source.decode()
     except UnicodeDecodeError as exc:
         raise SetupFileError(path, str(exc), source.count(b"\n", 0, exc.start) + 1) from None
+    if _LONG_KEY.search(_QUOTED.sub("a", text)):
+        # The parser of Python needs 13 s for a key with 30,000 parts.
+        raise SetupFileError(path, "a key in it has more than 100 parts")
     try:
         return tomllib.loads(text)
     except tomllib.TOMLDecodeError as exc:

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import re
 from codecs import BOM_UTF16_BE, BOM_UTF16_LE
+from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -31,6 +32,7 @@ if TYPE_CHECKING:
 __all__ = ["load", "matches", "parse_value", "sections"]
 
 _KEY = "ros__parameters"
+_MAX_NAME = 500  #: characters of a node or a parameter. Each value below a long name repeats it
 _STRING_TAG = "tag:yaml.org,2002:str"
 #: Paths of the files that had parameters for a node of this process.
 _used_files: set[str] = set()
@@ -146,7 +148,10 @@ def _sections(path: str, name: str, node: Any) -> Iterator[tuple[str, dict[str, 
             raise ParametersFileError(path, f"write {_KEY} below a node's name, e.g. `/**:`")
         else:
             separator = "" if not name or name.endswith("/") else "/"
-            yield from _sections(path, f"{name}{separator}{key}", value)
+            inner = f"{name}{separator}{key}"
+            if len(inner) > _MAX_NAME:
+                raise ParametersFileError(path, f"a name has more than {_MAX_NAME} characters")
+            yield from _sections(path, inner, value)
 
 
 def _missing_key(name: str, content: Any) -> str:
@@ -169,11 +174,20 @@ def _absolute(name: str) -> str:
 
 def _validate_pattern(path: str, name: str) -> None:
     for part in _absolute(name)[1:].split("/"):
-        try:
-            if part not in {"*", "**"}:
-                validate_node_name(part)
-        except InvalidNameError as error:
-            raise ParametersFileError(path, f"{name!r} is not a node's name: {error}") from error
+        problem = _problem_with(part)
+        if problem is not None:
+            reason = f"{name!r} is not a node's name: {problem}"
+            raise ParametersFileError(path, reason) from problem
+
+
+@lru_cache(maxsize=512)  # a file has the same names for many nodes
+def _problem_with(part: str) -> InvalidNameError | None:
+    try:
+        if part not in {"*", "**"}:
+            validate_node_name(part)
+    except InvalidNameError as error:
+        return error
+    return None
 
 
 class _Collector:
@@ -223,6 +237,8 @@ class _Collector:
                     value, f"{self._name!r} is in a list, so {key!r} cannot follow it"
                 )
             self._name = f"{group}.{key}" if group else key
+            if len(self._name) > _MAX_NAME:
+                raise self._error(value, f"a name has more than {_MAX_NAME} characters")
             if group in self.values:
                 self.values[self._name] = self.values.pop(group)
             self._read(value)

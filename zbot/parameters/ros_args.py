@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import sys
+from collections import deque
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from zbot.errors import InvalidNameError
@@ -89,7 +90,8 @@ class Arguments(NamedTuple):
         Raises:
             ArgumentsError: A word after `--ros-args` is unknown or not valid.
         """
-        words, unparsed = _split(args)
+        inside, unparsed = _split(args)
+        words = deque(inside)
         for word in unparsed:
             if word.endswith("ros-args"):  # e.g. with the dash of a word processor
                 _refuse_typographic(word)
@@ -221,9 +223,9 @@ def _split(args: Sequence[str]) -> tuple[list[str], list[str]]:
     return inside, outside
 
 
-def _flag(found: Arguments, words: list[str], unknown: list[str]) -> Arguments:
+def _flag(found: Arguments, words: deque[str], unknown: list[str]) -> Arguments:
     """Remove the first flag and its value from the words. Return the settings with this flag."""
-    flag = words.pop(0)
+    flag = words.popleft()
     switch = _SWITCHES.get(flag)
     if switch is not None:
         return found._replace(**switch)
@@ -232,7 +234,7 @@ def _flag(found: Arguments, words: list[str], unknown: list[str]) -> Arguments:
         return found
     if not words:
         raise ArgumentsError(flag, "the flag needs a value after it")
-    return _FLAGS[flag](found, words.pop(0))
+    return _FLAGS[flag](found, words.popleft())
 
 
 def _remap(found: Arguments, word: str) -> Arguments:

@@ -19,13 +19,17 @@ if TYPE_CHECKING:
 _MAX_CHARACTERS = 10_000_000
 _MAX_LEVELS = 100
 _MAX_NODES = 1_000_000  #: number of values after each alias is replaced by its value
+_MAX_ALIASED = 100_000  #: number of values that aliases stand for
+_MAX_SLOW = 30_000  #: characters of a text for PyYAML's own parser, which needs 0.6 s for them
+_NUMBER_TAGS = frozenset({"tag:yaml.org,2002:int", "tag:yaml.org,2002:float"})
+_LONGEST_NUMBER = 400
 # `int` takes very long for such texts, or Python does not write their numbers. `:` occurs in
 # numbers to the base 60, such as `1:30`.
 _LONG_NUMBER = re.compile(r"[-+]?(?:[0-9][0-9_:.]{400,}|0x[0-9a-fA-F_]{400,}|0b[01_]{400,})\Z")
+_COLON = "; a line before it needs a colon at its end, or a text with a colon needs quotes"
 _ADVICE = {
-    "mapping values are not allowed here": (
-        "; a line before it needs a colon at its end, or a text with a colon needs quotes"
-    ),
+    "mapping values are not allowed here": _COLON,
+    "mapping values are not allowed in this context": _COLON,  # libyaml's text
     "expected alphabetic or numeric character, but found '*'": (
         "; a text that begins with * needs quotes, and all nodes are /**"
     ),
@@ -119,7 +123,7 @@ def _compose(text: str, loaders: Sequence[Any]) -> list[Any]:
     """Return the nodes of a text. The first of PyYAML's loaders that accepts the text is used."""
     import yaml  # noqa: PLC0415 - as above
 
-    *others, last = loaders
+    *others, last = loaders[:1] if len(text) > _MAX_SLOW else loaders
     for loader in others:
         with suppress(yaml.YAMLError):
             return _documents(text, loader)
@@ -141,7 +145,7 @@ def _loaders() -> list[Any]:
 
     libyaml is ten times faster, and accepts tabs between words. PyYAML's own parser accepts
     `{header:{frame_id: x}}`, and its errors are clearer. A PyYAML that was built without libyaml
-    has only the second one.
+    has only the second one. The second one is not used for long texts, because it is slow.
     """
     import yaml  # noqa: PLC0415 - as above
 
@@ -170,41 +174,51 @@ def _check(text: str, loader: Any) -> None:
 
 
 class _Sizes:
-    """Numbers of values in the open collections of a text."""
+    """Numbers of values and of levels in the open collections of a text."""
 
     def __init__(self) -> None:
-        self._open: list[tuple[str | None, int]] = [(None, 0)]
-        self._anchors: dict[str, int] = {}
+        self._open: list[tuple[str | None, int, int]] = [(None, 0, 0)]
+        self._anchors: dict[str, tuple[int, int]] = {}
+        self._aliased = 0
 
     def add(self, event: Any) -> None:
         kind = type(event).__name__
         if kind == "AliasEvent":
             if event.anchor not in self._anchors:
                 raise _error_at(event, f"the alias *{event.anchor} is inside its own value")
-            self._count(event, self._anchors[event.anchor])
+            self._add_alias(event, *self._anchors[event.anchor])
         elif kind == "ScalarEvent":
-            if _LONG_NUMBER.match(event.value):
-                raise _error_at(event, "a number has more than 400 characters")
-            self._close(event, event.anchor, 1)
+            is_long = event.tag in _NUMBER_TAGS and len(event.value) > _LONGEST_NUMBER
+            if is_long or _LONG_NUMBER.match(event.value):
+                raise _error_at(event, f"a number has more than {_LONGEST_NUMBER} characters")
+            self._close(event, event.anchor, 1, 0)
         elif kind in {"SequenceStartEvent", "MappingStartEvent"}:
             if len(self._open) > _MAX_LEVELS:
                 raise _error_at(event, f"it is nested deeper than {_MAX_LEVELS} levels")
             self._anchors.pop(event.anchor, None)
-            self._open.append((event.anchor, 1))
+            self._open.append((event.anchor, 1, 0))
         elif kind in {"SequenceEndEvent", "MappingEndEvent"}:
-            anchor, size = self._open.pop()
-            self._close(event, anchor, size)
+            anchor, size, levels = self._open.pop()
+            self._close(event, anchor, size, levels + 1)
 
-    def _close(self, event: Any, anchor: str | None, size: int) -> None:
+    def _add_alias(self, event: Any, size: int, levels: int) -> None:
+        self._aliased += size
+        if self._aliased > _MAX_ALIASED:
+            raise _error_at(event, f"its aliases stand for more than {_MAX_ALIASED} values")
+        if len(self._open) - 1 + levels > _MAX_LEVELS:  # an alias in an alias in an alias ...
+            raise _error_at(event, f"it is nested deeper than {_MAX_LEVELS} levels")
+        self._count(event, size, levels)
+
+    def _close(self, event: Any, anchor: str | None, size: int, levels: int) -> None:
         if anchor is not None:
-            self._anchors[anchor] = size
-        self._count(event, size)
+            self._anchors[anchor] = size, levels
+        self._count(event, size, levels)
 
-    def _count(self, event: Any, size: int) -> None:
-        anchor, before = self._open[-1]
+    def _count(self, event: Any, size: int, levels: int) -> None:
+        anchor, before, deepest = self._open[-1]
         if before + size > _MAX_NODES:
             raise _error_at(event, f"it has more than {_MAX_NODES} values")
-        self._open[-1] = (anchor, before + size)
+        self._open[-1] = anchor, before + size, max(deepest, levels)
 
 
 def _error_at(event: Any, problem: str) -> YamlError:

@@ -26,6 +26,7 @@ _SEPARATOR = re.compile(r"^---[ \t]*$", re.MULTILINE)
 _HEADER = "std_msgs/msg/Header"
 _TIME = "builtin_interfaces/msg/Time"
 _LONGEST_SHOWN_LINE = 200
+_MAX_LEVELS = 100  #: as in YAML
 
 
 class ValuesError(ZbotError):
@@ -170,6 +171,8 @@ def _assignments(matches: list[re.Match[str]]) -> dict[str, Tree]:
     tree: dict[str, Tree] = {}
     for match in matches:
         *path, last = match["path"].split(".")
+        if len(path) > _MAX_LEVELS:
+            raise ValuesError(f"a field is nested deeper than {_MAX_LEVELS} levels")
         place = tree
         for name in path:
             inner = place.setdefault(name, {})

@@ -15,6 +15,7 @@ _PAIRS = {"{": "}", "[": "]"}
 _WRONG_COLON = re.compile(r"([\w.]+)\s*([:=])\s*(\S.*)\Z")
 #: The end of a value, and the name of the next field without a comma in front of it.
 _TYPE_AT_END = re.compile(r"(.*\})\s+(\w+/(?:\w+/)?\w+)\Z")
+_COLON = re.compile(r"\s*:")
 _TWO_WORDS = re.compile(r"[^\s:,{\[]\s+\w+\Z")
 
 
@@ -46,7 +47,7 @@ def stray_comma(
 
 
 def _has_colon(key: yaml_text.Node, text: str) -> bool:
-    return text[key.end_mark.index :].lstrip().startswith(":")
+    return _COLON.match(text, key.end_mark.index) is not None
 
 
 def wrong_colon(name: str) -> str:

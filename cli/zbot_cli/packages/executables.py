@@ -194,7 +194,8 @@ def _scripts(folder: Path, installed: Mapping[str, Path]) -> dict[str, Path]:
     # Every setup.py contains "console_scripts". To parse them all here would take too long.
     given = setup_arguments(folder / "setup.py", "scripts=").get("scripts")
     names = [name for name in given if isinstance(name, str)] if isinstance(given, list) else []
-    listed = [folder / name for name in names if _is_present(folder / name)]
+    # A short setup.py can repeat a name 100,000 times.
+    listed = [folder / name for name in dict.fromkeys(names) if _is_present(folder / name)]
     paths = [*sorted((folder / "scripts").glob("*.py")), *listed]
     found = {path.name: path for path in paths if path.resolve() not in known}
     return {name: path for name, path in found.items() if is_python(path)}
@@ -205,7 +206,8 @@ def _data_programs(folder: Path) -> dict[str, Path]:
     if _LIB.search(read_text(folder / "setup.py")) is None:
         return {}
     place = PurePosixPath("lib", package_name(folder))
-    files = (file for target, file in data_files(folder) if PurePosixPath(target) == place)
+    entries = dict.fromkeys(data_files(folder))  # each only once, as above
+    files = (file for target, file in entries if PurePosixPath(target) == place)
     return {Path(file).name: folder / file for file in files if _is_present(folder / file)}
 
 

@@ -41,6 +41,15 @@ def tar(files: dict[str, str]) -> bytes:
     return stream.getvalue()
 
 
+def with_headers(files: dict[str, str], count: int) -> bytes:
+    stream = io.BytesIO()
+    headers = {f"key{number}": "value" for number in range(count)}
+    with tarfile.open(fileobj=stream, mode="w", pax_headers=headers) as archive:
+        for name in files:
+            archive.addfile(tarfile.TarInfo(name))
+    return stream.getvalue()
+
+
 def zipped(files: dict[str, str]) -> bytes:
     stream = io.BytesIO()
     with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as archive:
@@ -139,13 +148,19 @@ def test_a_bomb_ends_at_the_limits(
     bomb = tar({**FILES, "zeros": "\0" * 10**6})
     with pytest.raises(DefinitionSourceError, match="its content is larger than 1000000 bytes"):
         collect(write(gzip.compress(bomb)))
+    monkeypatch.undo()
+    with pytest.raises(DefinitionSourceError, match=r"its content is larger than 1\d{6} bytes"):
+        collect(write(bz2.compress(tar({f"a/{number}": "" for number in range(4000)}))))
+    with pytest.raises(DefinitionSourceError, match="more than 100 headers for all its files"):
+        collect(write(with_headers(FILES, 200)))
     monkeypatch.setattr(collection, "MAX_ENTRIES", 20)
     for pack in (tar, zipped):
         with pytest.raises(DefinitionSourceError, match="more than 20 files and folders"):
             collect(write(pack({f"a/{number}": "" for number in range(30)})))
     monkeypatch.setattr(collection, "MAX_TOTAL", 15)
-    with pytest.raises(DefinitionSourceError, match="its definitions exceed 15 bytes"):
-        collect(write(zipped(FILES)))
+    for files in (FILES, {"a/package.xml": "<package></package>"}):
+        with pytest.raises(DefinitionSourceError, match="its definitions exceed 15 bytes"):
+            collect(write(zipped(files)))
     monkeypatch.setattr(collection, "MAX_ARCHIVE", 15)
     with pytest.raises(DefinitionSourceError, match="larger than 15 bytes: unpack it"):
         collect(write(zipped(FILES)))

@@ -1,11 +1,13 @@
 from __future__ import annotations
 
 import contextlib
+import time
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.conftest import allowed
 from zbot.interfaces.errors import InterfaceSyntaxError
 from zbot.interfaces.parser import (
     parse,
@@ -313,3 +315,11 @@ def test_a_value_that_does_not_fit_its_type_is_named_with_file_and_line(
 ) -> None:
     with pytest.raises(InterfaceSyntaxError, match=rf"Odd\.msg:2: .*{reason}"):
         parse_message("demo_msgs/msg/Odd", f"int32 b\n{line}\n", "Odd.msg")
+
+
+def test_many_names_of_characters_without_an_end_take_little_time() -> None:
+    begin = time.process_time()
+    text = "\\N{" * 80_000
+    spec = parse_message("demo_msgs/msg/Odd", f"string A={text}\nstring b '{text}'")
+    assert spec.constants[0].value == spec.fields[0].default == text
+    assert time.process_time() - begin < allowed(3)

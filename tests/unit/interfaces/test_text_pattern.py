@@ -79,6 +79,8 @@ def test_expressions_and_texts(pattern: str, text: str, *, expected: bool) -> No
         "(a{900}){900}",
         "((){1999}){1999}",
         "a{99999}",
+        "[a-\uffff]" * 1000,
+        r"[a-\uffff]" * 1000,
         "(" * 60 + "a" + ")" * 60,
         "[",
     ],

@@ -13,7 +13,7 @@ import pytest
 import zbot.compat
 from zbot.launch import log
 from zbot.launch.errors import LaunchUsageError
-from zbot.launch.log_writer import LogWriter
+from zbot.launch.log_writer import LogWriter, OutputLines
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -156,3 +156,12 @@ def test_launch_logging_is_this_module() -> None:
         log.launch_config.log_dir = None
         assert log.launch_config.log_dir == "/a/fake"
     log.launch_config.log_dir = None
+
+
+def test_output_in_many_parts_becomes_lines(capsys: pytest.CaptureFixture[str]) -> None:
+    sinks = {"stdout": frozenset({"screen"}), "stderr": frozenset[str](), "both": frozenset[str]()}
+    lines = OutputLines("a", sinks, LogWriter(), "{line}")
+    for data in (b"on", b"", b"e\r\ntwo\nthr", b"\xc3", b"\xa9e", b"\n", b"\nfive"):
+        lines.feed(1, data)
+    lines.close()
+    assert capsys.readouterr().out.splitlines() == ["one", "two", "thrée", "", "five"]

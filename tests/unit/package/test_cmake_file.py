@@ -207,3 +207,12 @@ def test_python_packages_are_found(folder: Path, text: str, name: str, place: st
 
 def test_a_python_package_in_an_unknown_folder_is_left_out(folder: Path) -> None:
     assert read(folder, "ament_python_install_package(arm PACKAGE_DIR ${X})").python_packages == {}
+
+
+def test_a_function_sees_the_variables_and_functions_of_its_caller(tmp_path: Path) -> None:
+    (tmp_path / "CMakeLists.txt").write_text(
+        "set(A one)\nset(B two)\nfunction(g)\nadd_executable(${A}_${B} x)\nendfunction()\n"
+        "function(f A)\nset(B three)\ng()\nfunction(h)\nendfunction()\nendfunction()\n"
+        "f(four)\ng()\nh(five)\n"
+    )
+    assert list(read_cmake(tmp_path).compiled) == ["four_three", "one_two"]

@@ -23,6 +23,9 @@ END = "\nsetup(entry_points={'console_scripts': x}, data_files=x)\n"
 SETUP_FILES = {
     "doubled text": "x = 'ab'\n" + "x = x + x\n" * 60,
     "doubled text in place": "x = 'ab'\n" + "x += x\n" * 60,
+    "long text": "x = 'ab'\n" + "x = x + x\n" * 18 + "y = x.strip()\n" * 3000,
+    "long path": "x = 'a/'\n" + "x = x + x\n" * 18 + "y = normpath(x)\n" * 3000,
+    "long list in place": "x = ['ab']\n" + "x = x + x\n" * 16 + "x += ['a']\n" * 3000,
     "doubled list": "x = ['ab']\n" + "x.extend(x)\n" * 60,
     "doubled tree": "x = ['ab']\n" + "x = [x, x]\n" * 60,
     "doubled tree as text": "x = ['ab']\n" + "x = [x, x]\n" * 60 + "x = str(x)\n",
@@ -93,6 +96,9 @@ CMAKE_FILES = {
     "large": "#" * 300_000,
     "nested loops": "foreach(a b c d)\n" * 15 + "endforeach()\n" * 15,
     "deep loops": "foreach(a b)\n" * 200 + "endforeach()\n" * 200,
+    "words in loops": f"foreach(i {'a ' * 9000})\nset(A {'b ' * 9000})\nendforeach()\n",
+    "long word in loops": f"foreach(i {'a ' * 9000})\nset(A {'b' * 20_000})\nendforeach()\n",
+    "words of variables": f"set(A {'a ' * 9000})\ninstall(FILES {'${A} ' * 900}DESTINATION x)\n",
     "whole disk": "install(DIRECTORY / DESTINATION share)",
 }
 
@@ -123,6 +129,10 @@ def test_a_cmake_file_that_is_too_large_is_one_error(
         "foreach(a b)\n" * 15_000,
         "function(f)\nf()\nendfunction()\nf()\nf()",
         "macro(f)\ng()\nendmacro()\nmacro(g)\nf()\nendmacro()\nf()",
+        "function(f)\nendfunction()\n" * 3000 + "f()\n" * 9000,
+        "".join(f"set(a{number} b)\n" for number in range(9000))
+        + "function(f)\nendfunction()\n"
+        + "f()\n" * 9000,
         'set("" "")\nproject("")\ninstall("")\nadd_executable("")\nrosidl_generate_interfaces("")',
     ],
 )
@@ -131,6 +141,8 @@ def test_an_odd_cmake_file_is_read_quickly(tmp_path: Path, text: str) -> None:
     assert read_cmake(tmp_path) is not None
 
 
+DEFAULTS = """<!DOCTYPE package [<!ATTLIST a b CDATA "c">]><package><a/></package>"""
+DOUBLED = "x = ['setup.py']\n" + "x = x + x\n" * 16
 ENTITIES = '<!DOCTYPE package [<!ENTITY a "b">]><package>&a;</package>'
 
 
@@ -143,6 +155,8 @@ ENTITIES = '<!DOCTYPE package [<!ENTITY a "b">]><package>&a;</package>'
         (b'<?xml version="1.0" encoding="undefined"?><package/>', "its encoding cannot be read"),
         (ENTITIES.encode(), "must not define entities"),
         (ENTITIES.encode("utf-16"), "must not define entities"),
+        (DEFAULTS.encode(), "must not define attributes"),
+        (b"<a xmlns:b='" + b"c" * 1001 + b"'/>", "a namespace has more than 1000 characters"),
         (b"<a>" * 60_000, "deeper than 100 levels"),
         (b"<a>" + b" " * 300_000, "must not have more than"),
         (b"", "not valid XML"),
@@ -216,3 +230,26 @@ def test_a_search_ends_after_many_files(tmp_path: Path, monkeypatch: pytest.Monk
 def test_a_pattern_of_many_brackets_matches_nothing(tmp_path: Path) -> None:
     (tmp_path / "a").touch()
     assert FileSearch(tmp_path).matching("[" * 30_000) == []
+
+
+@pytest.mark.usefixtures("quick")
+def test_a_search_opens_a_limited_number_of_folders(tmp_path: Path) -> None:
+    with pytest.raises(SearchLimitError):
+        FileSearch(tmp_path).matching("**/" * 30_000, recursive=True)
+    search = FileSearch(tmp_path)
+    with pytest.raises(SearchLimitError):
+        [search.matching("*") for _ in range(30_000)]
+
+
+@pytest.mark.usefixtures("quick")
+@pytest.mark.parametrize("argument", ["scripts=x", "data_files=[('lib/a', x)]"])
+def test_a_program_that_is_named_very_often_is_one_program(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, argument: str
+) -> None:
+    folder = tmp_path / "a"
+    folder.mkdir()
+    (folder / "package.xml").write_text("<package><name>a</name></package>")
+    (folder / "setup.py").write_text(DOUBLED + f"setup({argument})")
+    monkeypatch.setenv("ZBOT_WORKSPACE", str(tmp_path))
+    (package,) = (found for found in workspace_packages() if found.folder == folder)
+    assert [executable.name for executable in package.executables] == ["setup.py"]

@@ -100,6 +100,10 @@ def test_many_spaces_in_a_line_of_setup_cfg_take_little_time(tmp_path: Path) -> 
         ),
         ("pyproject.toml", "x = " + "[" * 10_000, "nested"),
         ("pyproject.toml", f"a = {'9' * 5000}", "too many digits"),
+        ("pyproject.toml", f"a{'.a' * 30_000} = 1", "a key in it has more than 100 parts"),
+        ("pyproject.toml", f"a = {{a{' . a' * 9000} = 1}}", "more than 100 parts"),
+        ("pyproject.toml", f"['\"'.a{'.a' * 9000}]", "more than 100 parts"),
+        ("setup.cfg", "[x]\n" + "console_scripts\n" * 9000, "it has more than 5000 lines"),
         ("pyproject.toml", "[project]\nscripts = ['a']", "project.scripts must be a table"),
         ("pyproject.toml", "[project.scripts]\na = 1", "project.scripts must be a table"),
     ],
@@ -109,6 +113,12 @@ def test_a_broken_file_is_named(tmp_path: Path, name: str, text: str, reason: st
     with pytest.raises(SetupFileError, match=reason) as caught:
         declared_scripts(tmp_path)
     assert caught.value.path == tmp_path / name
+
+
+def test_long_texts_in_a_pyproject_are_no_long_keys(tmp_path: Path) -> None:
+    text = f"a = '{'a.' * 200}'\nb = {[1.5] * 200}\n[project.scripts]\ntalker = 'pkg.talker:main'"
+    (tmp_path / "pyproject.toml").write_text(text)
+    assert declared_scripts(tmp_path) == TALKER
 
 
 def test_an_undecodable_file_is_named(tmp_path: Path) -> None:

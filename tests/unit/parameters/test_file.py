@@ -133,6 +133,8 @@ def test_an_empty_file_has_no_parameters(tmp_path: Path) -> None:
         ("a:\n  ros__parameters:\n    x: [1, b]\n", "values of a list must have one type"),
         ("a:\n\tros__parameters:\n", "line 2, column 1: found a tab: write spaces"),
         ("a:\n  ros__parameters: &a\n    x: *a\n", "inside its own value"),
+        (f"? {'/'.join('a' * 900)}\n: {{ros__parameters: {{x: 1}}}}", "more than 500 characters"),
+        (f"a: {{ros__parameters: {{{'x' * 600}: {{y: 1}}}}}}", "line 1: a name has more than 500"),
     ],
 )
 def test_a_file_with_a_wrong_structure_is_refused_with_the_place(

@@ -30,7 +30,7 @@ from zbot.web.forms.form_value import DURATION, read
 from zbot_cli.input.message_values import PopulateError, Template, ValuesError
 
 from geometry_msgs.msg import Twist
-from std_msgs.msg import Float64, Int64
+from std_msgs.msg import Float64, Int64, String
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -50,6 +50,9 @@ BAD = {
     "aliases": ALIASES,
     "merges": "a0: &a0 {x: 1}\n"
     + "".join(f"a{i}: &a{i} [*a{i - 1}, *a{i - 1}, {{<<: *a0}}]\n" for i in range(1, 40)),
+    "chained aliases": "a0: &a0 [x]\n"
+    + "".join(f"a{i}: &a{i} [*a{i - 1}]\n" for i in range(1, 200)),
+    "long aliases": f"a: &a [{'x, ' * 9000}]\nb: [{'*a, ' * 20}]\n",
     "self": "&a [*a]",
     "self key": "&a {*a : 1}",
     "int": "!!int x",
@@ -62,6 +65,7 @@ BAD = {
     "hexadecimal digits": "0x" + "f" * 5000,
     "binary digits": "0b" + "1" * 20_000,
     "base 60": "1" + ":59" * 5000,
+    "base 60 with a space": f"!!int ' 1{':59' * 20_000}'",
     "tag": "!!python/object:os.system x",
     "binary": "!!binary 'a'",
     "key": "{[]: 1}",
@@ -117,6 +121,15 @@ def test_the_error_has_the_place() -> None:
     with pytest.raises(YamlError) as caught:
         read_yaml("a: 1\nb: [")
     assert (caught.value.line, str(caught.value)[:6]) == (1, "line 2")
+
+
+def test_a_long_text_that_is_no_yaml_is_refused_quickly() -> None:
+    begin = time.process_time()
+    with pytest.raises(YamlError, match=r"line 1, column \d+: "):
+        read_yaml("[" + "1," * 200_000 + "}")
+    with pytest.raises(YamlError, match="needs a colon at its end"):
+        read_yaml("a: b\n" * 20_000 + "b: c: d")
+    assert time.process_time() - begin < allowed(3)
 
 
 def test_yaml_within_the_limits_is_read() -> None:
@@ -222,6 +235,8 @@ def test_deep_launch_files_are_refused() -> None:
         yaml_file.parse("\n".join(lines), "a.yaml")
     with pytest.raises(InvalidFrontendLaunchFileError, match="must not define entities"):
         xml_file.parse('<!DOCTYPE a [<!ENTITY x "y">]><launch>&x;</launch>', "a.xml")
+    with pytest.raises(InvalidFrontendLaunchFileError, match="must not define attributes"):
+        xml_file.parse('<!DOCTYPE a [<!ATTLIST x y CDATA "z">]><launch><x/></launch>', "a.xml")
     with pytest.raises(InvalidFrontendLaunchFileError, match="encoding cannot be read"):
         xml_file.parse(b'<?xml version="1.0" encoding="foo"?><launch/>', "a.xml")
 
@@ -235,3 +250,5 @@ def test_deep_assignments_are_refused() -> None:
     values: Any = ".".join(["linear"] * 3000) + "=1"
     with pytest.raises((ValuesError, PopulateError)):
         Template(Twist, values)
+    with pytest.raises(ValuesError, match="deeper than 100 levels"):
+        Template(String, "data" + ".a" * 3000 + "=1")

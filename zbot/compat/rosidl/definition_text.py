@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import textwrap
+from collections import Counter
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
@@ -25,7 +26,7 @@ SERVICE_EVENT_MESSAGE_SUFFIX = "_Event"
 SERVICE_REQUEST_MESSAGE_SUFFIX, SERVICE_RESPONSE_MESSAGE_SUFFIX = "_Request", "_Response"
 ACTION_GOAL_SUFFIX, ACTION_RESULT_SUFFIX, ACTION_FEEDBACK_SUFFIX = "_Goal", "_Result", "_Feedback"
 _NAME = re.compile(r"\s*\S+\s+(\w+)")
-_UNIT = re.compile(r"(?<!\s)\s*\[([^,\]]+)\]")
+_UNIT = re.compile(r"(?<!\s)\s*\[([^,\]]{1,100})\]")
 
 
 class InvalidSpecification(ZbotError):  # noqa: N818 - rosidl_adapter's name, as those below
@@ -239,8 +240,8 @@ class MessageSpecification(_Declared):
             for item in declared:
                 if not isinstance(item, kind):
                     raise ArgumentTypeError("an item", f"a {kind.__name__}", item)
-            names = [item.name for item in declared]
-            twice = sorted({name for name in names if names.count(name) > 1})
+            names = Counter(item.name for item in declared)
+            twice = sorted(name for name, count in names.items() if count > 1)
             if twice:
                 raise ValueError(f"{self.base_type} has more than one {', '.join(twice)}")
         self.annotations = {}

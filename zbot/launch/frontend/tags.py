@@ -75,13 +75,16 @@ def words(parts: list[Substitution], *, keeps_quotes: bool = False) -> list[list
 def _merged(parts: list[Substitution]) -> list[Substitution]:
     """Return a word in which adjacent texts are joined."""
     merged: list[Substitution] = []
+    texts: list[str] = []
     for part in parts:
-        last = merged[-1] if merged else None
-        if isinstance(part, TextSubstitution) and isinstance(last, TextSubstitution):
-            merged[-1] = TextSubstitution(text=last.text + part.text)
-        else:
-            merged.append(part)
-    return merged
+        if isinstance(part, TextSubstitution):
+            texts.append(part.text)
+            continue
+        if texts:
+            merged.append(TextSubstitution(text="".join(texts)))
+            texts = []
+        merged.append(part)
+    return [*merged, TextSubstitution(text="".join(texts))] if texts else merged
 
 
 def process_options(entity: Entity, parser: Parser) -> dict[str, Any]:

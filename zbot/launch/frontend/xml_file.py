@@ -48,7 +48,12 @@ def parse(content: bytes | str, path: str) -> Entity:
         reason = "a launch file must not define entities: remove <!ENTITY>"
         raise InvalidFrontendLaunchFileError(path, parser.CurrentLineNumber, reason)
 
-    parser.EntityDeclHandler = refuse
+    def refuse_defaults(*_: object) -> None:
+        # Each tag would get all default values of its attributes, and so fill the memory.
+        reason = "a launch file must not define attributes: remove <!ATTLIST>"
+        raise InvalidFrontendLaunchFileError(path, parser.CurrentLineNumber, reason)
+
+    parser.EntityDeclHandler, parser.AttlistDeclHandler = refuse, refuse_defaults
     try:
         parser.Parse(content, True)
     except expat.ExpatError as error:

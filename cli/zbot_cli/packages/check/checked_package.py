@@ -120,15 +120,13 @@ def imports(tree: ast.Module) -> Iterator[tuple[str, tuple[str, ...], int]]:
 
     Imports inside `try` are left out, because the program can run without these modules.
     """
-    optional = {
-        inner
-        for node in ast.walk(tree)
-        if isinstance(node, ast.Try)
-        for statement in node.body
-        for inner in ast.walk(statement)
-    }
+    # Without this set, the content of a `try` in a `try` would be visited several times.
+    optional: set[ast.AST] = set()
     for node in ast.walk(tree):
+        if isinstance(node, ast.Try):
+            optional.update(node.body)
         if node in optional:
+            optional.update(ast.iter_child_nodes(node))
             continue
         if isinstance(node, ast.Import):
             yield from ((alias.name, (), node.lineno) for alias in node.names)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import configparser
 import contextlib
 import warnings
+from itertools import islice
 from typing import TYPE_CHECKING
 
 from zbot.errors.suggestion import nearest, question
@@ -27,6 +28,7 @@ _ARGUMENTS = (
     "tests_require", "extras_require", "entry_points", "include_package_data", "python_requires",
 )  # fmt: skip
 _CFG = (("develop", "script_dir"), ("install", "install_scripts"))
+_MOST_NAMES = 20  #: wrong names that are reported. The line of each is searched in the whole file
 _INDEX = "share/ament_index/resource_index/packages"
 
 
@@ -60,15 +62,19 @@ def _check_calls(path: Path) -> Iterator[Problem]:
 
 
 def _check_names(path: Path, arguments: dict[str, object]) -> Iterator[Problem]:
-    for name in arguments:
-        if name not in _ARGUMENTS and (guess := nearest(name, _ARGUMENTS)):
-            text = f"setup() has no argument '{name}'{question([guess], '; ')}"
-            yield Problem(path, line_of(path, name), text)
+    guesses = ((name, nearest(name, _ARGUMENTS)) for name in arguments if name not in _ARGUMENTS)
+    wrong = ((name, guess) for name, guess in guesses if guess)
+    for name, guess in islice(wrong, _MOST_NAMES):
+        text = f"setup() has no argument '{name}'{question([guess], '; ')}"
+        yield Problem(path, line_of(path, name), text)
     groups = arguments.get("entry_points")
-    for group in groups if isinstance(groups, dict) else ():
-        if isinstance(group, str) and nearest(group, ["console_scripts"]):
-            text = f"entry_points has no group '{group}'{question(['console_scripts'], '; ')}"
-            yield Problem(path, line_of(path, group), text)
+    words = (
+        (group for group in groups if isinstance(group, str)) if isinstance(groups, dict) else ()
+    )
+    typos = (group for group in words if nearest(group, ["console_scripts"]))
+    for group in islice(typos, _MOST_NAMES):
+        text = f"entry_points has no group '{group}'{question(['console_scripts'], '; ')}"
+        yield Problem(path, line_of(path, group), text)
 
 
 def _check_data_files(

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import importlib
+import time
 from typing import TYPE_CHECKING, Any
 
 import pytest
 
 import zbot.compat
+from tests.conftest import allowed
 from zbot.compat.rosidl.definition_text import (
     BaseType,
     Constant,
@@ -169,3 +171,11 @@ def test_rosidl_adapter_reads_a_file(tmp_path: Path) -> None:
     assert parser.parse_message_file("harbour_msgs", str(file)) == parse_message_file(
         "harbour_msgs", file
     )
+
+
+def test_many_fields_and_brackets_take_little_time() -> None:
+    begin = time.process_time()
+    lines = "".join(f"int32 a{number}\n" for number in range(10_000))
+    message = parse_message_string("harbour_msgs", "Boat", f"{lines}int32 b # {'[' * 100_000}")
+    assert len(message.fields) == 10_001
+    assert time.process_time() - begin < allowed(3)

@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import struct
+import time
 import tracemalloc
 from array import array
 from typing import Any
@@ -8,6 +9,7 @@ from typing import Any
 import msgpack  # type: ignore[import-untyped]
 import pytest
 
+from tests.conftest import allowed
 from zbot.wire.messagepack import packing
 from zbot.wire.messagepack.packing import (
     Extension,
@@ -18,6 +20,7 @@ from zbot.wire.messagepack.packing import (
     read_array,
     unpack,
 )
+from zbot.wire.messagepack.value_reader import read_texts
 
 packed: Any = msgpack.packb
 
@@ -64,3 +67,12 @@ def test_wrong_lengths_in_headers_allocate_no_memory() -> None:
     peak = tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
     assert peak < 50_000_000
+
+
+def test_many_lists_of_long_texts_take_little_time() -> None:
+    texts = ["a" * 200] * 13
+    data = b"".join(map(packed, texts)) + bytes(16 * 2**20)
+    begin = time.process_time()
+    for _ in range(2000):  # each of them copied the 16 MB
+        assert read_texts(data, 0, 13) == (texts, 13 * 202)
+    assert time.process_time() - begin < allowed(3)
