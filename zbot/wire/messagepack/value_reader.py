@@ -87,13 +87,13 @@ def _read_many_texts(data: bytes, position: int, count: int) -> tuple[list[str],
     """Read texts with msgpack, which begins slower than `read_texts` but needs less for each."""
     # Usually a part of the bytes contains all texts. msgpack copies the bytes that it gets, so each
     # larger part has four times the length. The rest of a long message would be copied often.
-    size, texts = _USUAL_TEXT * count, list[Any]()
-    while len(texts) != count:
+    size = _USUAL_TEXT * count
+    while True:
         part = data[position : position + size]
         unpacker = msgpack.Unpacker(max_buffer_size=len(part), **_ONLY_TEXTS)
         unpacker.feed(part)
         texts = list(islice(unpacker, count))
-        if len(part) < size:  # this was the rest of the bytes
+        if len(texts) == count or len(part) < size:  # or this was the rest of the bytes
             break
         size *= 4
     if len(texts) != count or set(map(type, texts)) != {str}:
