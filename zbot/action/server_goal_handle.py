@@ -132,9 +132,11 @@ class ServerGoalHandle(ActionGeneric[GoalT, ResultT, FeedbackT]):
         Raises:
             GoalTransitionError: The goal is being executed already, or it has ended.
         """
-        # A goal that is being canceled is executed too, because the callback must end the goal.
-        if not self.is_cancel_requested:
-            self.update(GoalEvent.EXECUTE)
+        # A goal that is being canceled is executed too, because the callback must end the goal. A
+        # cancel request in another thread may come between the question and the change.
+        with self._action_server.lock:
+            if not self.is_cancel_requested:
+                self.update(GoalEvent.EXECUTE)
         self.is_started = True
         self._action_server.notify_execute(self, execute_callback)
 

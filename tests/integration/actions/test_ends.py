@@ -236,6 +236,29 @@ def test_a_canceling_goal_is_executed_and_ends_itself(pair: Pair) -> None:
     assert list(done(handle.get_result_async()).result.sequence) == [4]
 
 
+def test_a_goal_may_be_canceled_while_its_execution_begins(pair: Pair) -> None:
+    waiting: list[Goal] = []
+    pair.begin(
+        until_canceled, handle_accepted_callback=waiting.append, cancel_callback=accept_cancel
+    )
+    handle = pair.send(4)
+    assert wait_until(lambda: bool(waiting))
+    lock, here, cancels = pair.server.lock, threading.get_ident(), [handle.cancel_goal]
+
+    class LateLock:
+        def __enter__(self) -> None:
+            if threading.get_ident() == here and cancels:
+                cancels.pop()()
+            lock.acquire()
+
+        def __exit__(self, *_: object) -> None:
+            lock.release()
+
+    pair.server.lock = LateLock()  # type: ignore[assignment]
+    waiting[0].execute()
+    assert status_of(done(handle.get_result_async())) is GoalState.CANCELED
+
+
 def test_cancel_requests_name_one_goal_a_time_or_all_goals(pair: Pair) -> None:
     pair.begin(until_canceled, cancel_callback=accept_cancel)
     handles = [pair.send(number, goal_uuid=goal_id(number)) for number in range(6)]
