@@ -322,7 +322,7 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
             raise InvalidHandleError(f"the client of {self.service_name}")
         handler: Any = zenoh.handlers.Callback(on_reply, drop=on_end, indirect=False)
         activity.has_sent = True
-        try:
+        with self._context.until_shutdown("a service call"):
             self._context.session.get(
                 querier.key_expr,
                 handler,
@@ -333,10 +333,6 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
                 consolidation=zenoh.ConsolidationMode.NONE,
                 timeout=request.timeout_s,
             )
-        except zenoh.ZError:
-            if self._context.is_closed:
-                signals.raise_not_initialized("a service call")
-            raise
 
     def remove_pending_request(self, future: Future[ResponseT]) -> None:
         """Forget a call and never complete its future. Nothing happens if the call is over."""
