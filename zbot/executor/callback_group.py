@@ -102,6 +102,10 @@ class MutuallyExclusiveCallbackGroup(CallbackGroup):
             del self._waiting[first]
             return [first]
 
+    def is_reserved_for(self, entity: Any) -> bool:
+        """Return whether the group is reserved for the entity."""
+        return self._active is entity
+
     def dismiss(self) -> list[Any]:
         """Return all waiting entities, because the entity that they wait for will never run."""
         with self._lock:
@@ -140,6 +144,16 @@ class GroupReservations:
         """Release an entity's group. Return the entities that must be queued again."""
         waiting = entity.callback_group.ending_execution(entity) or ()
         return [*waiting, *self.drain()] if self._entities else list(waiting)
+
+    def abandon(self, entity: Any) -> None:
+        """Release an entity's group if it is still reserved for the entity.
+
+        All entities of the executor must be queued again after this. Only a
+        `MutuallyExclusiveCallbackGroup` knows for which entity it is reserved.
+        """
+        group: CallbackGroup = entity.callback_group
+        if isinstance(group, MutuallyExclusiveCallbackGroup) and group.is_reserved_for(entity):
+            group.ending_execution(entity)
 
     def skip(self, entity: Any) -> list[Any]:
         """Return the entities that must be queued again, because this entity will not run."""

@@ -30,6 +30,20 @@ class CallbackStack(threading.local):
         """Remove the innermost callback, and call the functions that it gave to `at_end`."""
         if self.stack:  # it is empty in a forked child, in which a callback goes on
             self.stack.pop()
+        self._call_at_end()
+
+    def forget(self, executor: NodeExecutor) -> list[Entity]:
+        """Remove all callbacks of an executor, and return their entities.
+
+        An executor that runs no callback calls this, after an exception of a signal has prevented
+        a call of `pop`.
+        """
+        left = [entity for owner, entity in self.stack if owner is executor]
+        self.stack[:] = [item for item in self.stack if item[0] is not executor]
+        self._call_at_end()
+        return left
+
+    def _call_at_end(self) -> None:
         while self._at_end and self._at_end[-1][0] > len(self.stack):
             self._at_end.pop()[1]()
 

@@ -37,6 +37,9 @@ class EntityQueue:
         # the entity's next callback runs immediately.
         self._must_requeue = True
         self._turns: deque[Future[None]] = deque()  # each is done when a callback has ended
+        # The entity that the spinning thread has removed from the queue, until its callback has
+        # ended or another thread runs it.
+        self._current: Entity | None = None
 
     def _pop_turns(self) -> Iterator[Future[None]]:
         with contextlib.suppress(IndexError):
@@ -74,7 +77,9 @@ class EntityQueue:
         if ready_queue is not None and ready_queue.executor is not self:
             self._forward(entity, ready_queue)
             return None
+        self._current = entity
         if not self._groups.reserve(entity):
+            self._current = None
             return None  # the entity is queued again when the group is free
         try:
             taken = entity.take()
@@ -85,6 +90,7 @@ class EntityQueue:
             return entity, taken
         for waiting in self._groups.release(entity):
             self._queue(waiting)
+        self._current = None
         due = entity.due_ns
         if due is not None:
             self._timers.put(entity, due)
@@ -109,6 +115,21 @@ class EntityQueue:
         if self._turns:
             for turn in self._pop_turns():
                 turn.set_result(None)
+
+    def _abandon_current(self) -> None:
+        """Let the entity begin again whose work a signal's exception has interrupted."""
+        entity, self._current = self._current, None
+        if entity is not None:
+            self._groups.abandon(entity)
+            self._queue(entity)
+
+    def _requeue(self, entities: list[Entity]) -> None:
+        """Queue entities, also if the queue or the timers wrongly seem to have them already."""
+        self._queued.clear()
+        self._timers.forget(entities)
+        for entity in [*entities, *self._groups.drain()]:
+            self._queue(entity)
+        self._wakeup.set()
 
     def _discard(self, entities: list[Entity]) -> None:
         """Remove entities from the queue and from the timers."""

@@ -9,10 +9,11 @@ a timer is due.
 from __future__ import annotations
 
 import contextlib
+import functools
 import threading
 import time
 import weakref
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 from zbot.errors import NotInitializedError, WrongStateError
 from zbot.executor.callback_group import ReentrantCallbackGroup
@@ -43,6 +44,27 @@ _LOCK_TIMEOUT_S = 0.001
 #: A program's own executor looks at the future this often.
 _LOOK_S = 0.05
 
+MethodT = TypeVar("MethodT", bound="Callable[..., Any]")
+
+
+def restores_executor(method: MethodT) -> MethodT:
+    """Let an executor spin again after an exception of a signal, which may come at any line.
+
+    A program may catch the exception and go on, e.g. to cancel a goal.
+    """
+
+    @functools.wraps(method)
+    def spin(self: Executor, *args: Any, **kwargs: Any) -> Any:
+        is_inner = self._spinning_thread == threading.get_ident()
+        try:
+            return method(self, *args, **kwargs)
+        except BaseException as error:
+            if not (is_inner or isinstance(error, Exception)):
+                self._restore()
+            raise
+
+    return cast("MethodT", spin)
+
 
 class Executor(ExecutorNodes):
     """Base class of all executors. It runs the callbacks of its nodes, and waits for work.
@@ -53,7 +75,7 @@ class Executor(ExecutorNodes):
     """
 
     _spinning_thread: int | None = set_by_init()
-    _spin_lock: threading.Lock = set_by_init()
+    _spin_lock: threading.RLock = set_by_init()
 
     def __init__(self, *, context: Context | None = None) -> None:
         if context is None:
@@ -62,9 +84,10 @@ class Executor(ExecutorNodes):
             context = get_default_context()
         super().__init__(context)
         self._due_ns: int | None = None  # when the first timer is due
-        self._spin_lock = threading.Lock()
+        # A signal's exception may come when the lock is just acquired. The lock is re-entrant, so
+        # that the same thread can spin again.
+        self._spin_lock = threading.RLock()
         self._spinning_thread = None
-        self._spins_in_main = False
         # The context keeps only the semaphore: a program may drop an executor without `shutdown`.
         context.add_waker(self._wakeup.set)
         weakref.finalize(self, context.remove_waker, self._wakeup.set).atexit = False
@@ -151,6 +174,7 @@ class Executor(ExecutorNodes):
         """Return whether an entity's callback group allows its callback to begin now."""
         return entity.callback_group.can_execute(entity)
 
+    @restores_executor
     def wait_for_ready_callbacks(
         self,
         timeout_sec: float | TimeoutObject | None = None,
@@ -185,6 +209,7 @@ class Executor(ExecutorNodes):
             entity = work[0]
             if isinstance(entity.callback_group, ReentrantCallbackGroup):
                 self._queue(entity)  # its next work may run in parallel with this work
+            self._current = None
             return Task(self._execute_one, work), entity, self._node_of(entity)
         if self._is_shutdown:
             raise ShutdownError("this executor")
@@ -272,9 +297,9 @@ class Executor(ExecutorNodes):
                     self.create_task(outcome)
             return taken is not None
         finally:
-            running_callbacks.pop()
             for waiting in () if is_held else self._groups.release(entity):
                 self._queue(waiting)
+            running_callbacks.pop()
 
     def _serve_next(self, deadline_ns: int | None, stop: Callable[[], bool] | None) -> None:
         """Run one piece of work inside the spinning thread's present callback."""
@@ -451,13 +476,16 @@ class Executor(ExecutorNodes):
 
     def _try_to_spin(self) -> bool:
         self._require_ready()
+        me = threading.get_ident()
+        if self._spinning_thread == me:
+            return False
         while not self._spin_lock.acquire(timeout=_LOCK_TIMEOUT_S):
             if self._spinning_thread is not None:
                 return False
         Program.has_spun = True
-        self._spinning_thread = threading.get_ident()
-        self._spins_in_main = self._spinning_thread == threading.main_thread().ident
-        signals.MainThread.spins += self._spins_in_main
+        self._spinning_thread = me
+        if me == threading.main_thread().ident:
+            signals.MainThread.spinning.add(self)
         if self._paused is not None:
             self._drop_paused()
         return True
@@ -466,8 +494,24 @@ class Executor(ExecutorNodes):
         self._spinning_thread = None
         for turn in self._pop_turns():
             turn.cancel()
-        signals.MainThread.spins -= self._spins_in_main
+        signals.MainThread.spinning.discard(self)
         self._spin_lock.release()
+
+    def _restore(self) -> None:
+        """End a spin of this thread that a signal's exception has left half ended.
+
+        All entities are queued: the exception may have come when one was just removed.
+        """
+        for entity in running_callbacks.forget(self):
+            self._groups.abandon(entity)
+        if self._spin_lock.acquire(blocking=False):  # no other thread spins
+            self._abandon_current()
+            self._end_spin()
+            with contextlib.suppress(RuntimeError):  # this thread does not hold the lock any more
+                while True:
+                    self._spin_lock.release()
+        entities = [each for node in list(self._nodes) for each in node.handle.ready_queue.entities]
+        self._requeue(entities)
 
     def shutdown(self, timeout_sec: float | None = None) -> bool:
         """Stop spinning, wait for running callbacks, and remove all nodes.

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ArgumentTypeError, ExternalShutdownException
 from zbot.executor.callback_group import ReentrantCallbackGroup
-from zbot.executor.executor import Executor
+from zbot.executor.executor import Executor, restores_executor
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -27,6 +27,21 @@ def _core_count() -> int:
     if sys.platform == "linux":  # other systems have no such call
         return len(os.sched_getaffinity(0))
     return os.cpu_count() or 1
+
+
+class Job:
+    """Work that a thread of the pool does. It is done once, also if the pool gets it twice."""
+
+    __slots__ = ("_begun", "entity", "taken")
+
+    def __init__(self, entity: Entity, taken: Any) -> None:
+        self.entity = entity
+        self.taken = taken
+        self._begun = threading.Lock()
+
+    def begin(self) -> bool:
+        """Return whether the work has not begun before. It counts as begun after this."""
+        return self._begun.acquire(blocking=False)
 
 
 class MultiThreadedExecutor(Executor):
@@ -51,9 +66,10 @@ class MultiThreadedExecutor(Executor):
         self._executor = ThreadPoolExecutor(self._num_threads, thread_name_prefix="zbot executor")
         self._failures: deque[BaseException] = deque()
         self._idle = threading.Condition()
-        self._running = 0
+        self._jobs: set[Job] = set()  # the pool runs them, or will run them
         self._workers: set[int] = set()  # threads that are inside a callback
 
+    @restores_executor
     def spin(self) -> None:
         """Run callbacks until the context or this executor is shut down.
 
@@ -71,6 +87,7 @@ class MultiThreadedExecutor(Executor):
             self._end_spin()
         self._raise_interruption()
 
+    @restores_executor
     def _spin_once(self, deadline_ns: int | None, stop: Callable[[], bool] | None = None) -> None:
         if threading.get_ident() in self._workers:
             self._wait_for_turn(deadline_ns)
@@ -99,51 +116,63 @@ class MultiThreadedExecutor(Executor):
     @property
     def runs_callbacks(self) -> bool:
         """Whether a callback runs in another thread."""
-        return self._running > 0
+        return bool(self._jobs)
 
     def _must_stop(self, stop: Callable[[], bool] | None) -> bool:
         return bool(self._failures) or (stop is not None and stop())
 
     def _pop_ready(self) -> Entity | None:
         # While all threads are busy, work stays in the entity's own queue of limited length.
-        return None if self._running >= self._num_threads else super()._pop_ready()
+        return None if len(self._jobs) >= self._num_threads else super()._pop_ready()
 
     def _submit(self, entity: Entity, taken: Any) -> None:
-        with self._idle:
-            self._running += 1
         if isinstance(entity.callback_group, ReentrantCallbackGroup):
             self._queue(entity)  # its next work may run at the same time
+        job = Job(entity, taken)
+        self._current = None
+        self._jobs.add(job)
+        self._give_to_pool(job)
+
+    def _give_to_pool(self, job: Job) -> None:
         try:
-            self._executor.submit(self._run_in_pool, entity, taken)
+            self._executor.submit(self._run_in_pool, job)
         except RuntimeError:
             # Another thread called shutdown(), or the program ends.
             self._is_shutdown = True
-            self._end_run()
-            self._finish(entity)
+            if job.begin():
+                self._end_job(job)
+                self._finish(job.entity)
 
-    def _run_in_pool(self, entity: Entity, taken: Any) -> None:
+    def _run_in_pool(self, job: Job) -> None:
+        if not job.begin():
+            return
         me = threading.get_ident()
         self._workers.add(me)
         try:
-            self._execute(entity, taken)
+            self._execute(job.entity, job.taken)
         except BaseException as exc:  # noqa: BLE001 - raised again by the spinning thread
             self._failures.append(exc)
         finally:
             self._workers.discard(me)
-            self._end_run()
+            self._end_job(job)
 
-    def _end_run(self) -> None:
+    def _end_job(self, job: Job) -> None:
         with self._idle:
-            self._running -= 1
+            self._jobs.discard(job)
             self._idle.notify_all()
         self._wakeup.set()
+
+    def _restore(self) -> None:
+        super()._restore()
+        for job in list(self._jobs):
+            self._give_to_pool(job)  # it is not known whether the pool has it
 
     def wait_idle(self, timeout_s: float) -> bool:
         """Wait until no other thread spins this executor and no other callback runs."""
         own = threading.get_ident() in self._workers
         with self._idle:
             ended = self._idle.wait_for(
-                lambda: self._running <= own, None if timeout_s < 0 else timeout_s
+                lambda: len(self._jobs) <= own, None if timeout_s < 0 else timeout_s
             )
         return ended and super().wait_idle(timeout_s)
 

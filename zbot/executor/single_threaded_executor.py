@@ -5,7 +5,7 @@ from __future__ import annotations
 import threading
 from typing import TYPE_CHECKING
 
-from zbot.executor.executor import Executor
+from zbot.executor.executor import Executor, restores_executor
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 class SingleThreadedExecutor(Executor):
     """Runs every callback in the thread that spins."""
 
+    @restores_executor
     def spin(self) -> None:
         """Run callbacks until the context or this executor is shut down.
 
@@ -32,10 +33,12 @@ class SingleThreadedExecutor(Executor):
                     self._due_ns = self._timers.earliest_ns()
                     self._must_requeue = self._must_requeue or bool(self._ready)
                     self._execute(*work)
+                    self._current = None
         finally:
             self._end_spin()
         self._raise_interruption()
 
+    @restores_executor
     def _spin_once(self, deadline_ns: int | None, stop: Callable[[], bool] | None = None) -> None:
         if self._spinning_thread == threading.get_ident():
             self._serve_next(deadline_ns, stop)
@@ -47,5 +50,6 @@ class SingleThreadedExecutor(Executor):
             self._must_requeue = True  # run one callback only
             if work is not None:
                 self._execute(*work)
+                self._current = None
         finally:
             self._end_spin()

@@ -136,7 +136,8 @@ class ShutdownBySignal(SignalExit, ExternalShutdownException):
 class MainThread:
     """State of the main thread for the signal handlers."""
 
-    spins = 0  #: number of executors that it spins (a callback may spin another executor)
+    #: The executors that it spins. A callback may spin another executor.
+    spinning: set[object] = set()  # noqa: RUF012 - one per process
 
 
 def install(
@@ -219,7 +220,7 @@ def leave_to_parent() -> None:
             signal.signal(number, handler)
     _Process.previous.clear()
     _Process.received, _Process.count, _Process.ends_by = signal.SIGINT, 0, None
-    MainThread.spins = 0
+    MainThread.spinning.clear()
     guard_conditions.clear()
 
 
@@ -311,14 +312,14 @@ def _on_sigterm(number: int, frame: FrameType | None) -> None:
         return
     is_second, _Process.is_terminated = _Process.is_terminated, True
     previous = _Process.previous.get(number)
-    is_at_once = callable(previous) or MainThread.spins > 0 or is_second
+    is_at_once = callable(previous) or bool(MainThread.spinning) or is_second
     # Threads that spin wake up now. They wait as long as the main thread has time to call `ok()`.
     _Process.must_look, _Process.has_waited = not is_at_once and _may_look(), False
     _interrupt_contexts(number)
     if callable(previous):
         previous(number, frame)
         return
-    if MainThread.spins > 0:
+    if MainThread.spinning:
         raise ShutdownBySignal(number)
     timer = threading.Timer(_LOOK_TIMEOUT_S, _end_unlooked)
     if not (_Process.must_look and _start(timer)):

@@ -296,7 +296,7 @@ def test_spin_once_returns_a_node_to_its_executor(node: zbot.Node, executor: zbo
 
 def test_two_threads_cannot_spin_one_executor(node: zbot.Node, spin: Spin) -> None:
     spinner = spin(node)
-    assert wait_until(spinner.executor._spin_lock.locked)
+    assert wait_until(lambda: spinner.executor.is_spinning)
     with pytest.raises(RuntimeError, match="already spinning"):
         spinner.executor.spin()
 

@@ -39,7 +39,7 @@ def context(monkeypatch: pytest.MonkeyPatch) -> Iterator[Context]:
     monkeypatch.setattr(signals._Process, "previous", {})
     monkeypatch.setattr(signals, "contexts", WeakSet[Any]())
     monkeypatch.setattr(signals, "guard_conditions", WeakSet[Any]())
-    monkeypatch.setattr(MainThread, "spins", 0)
+    monkeypatch.setattr(MainThread, "spinning", set())
     monkeypatch.setattr(sys, "excepthook", sys.excepthook)
     handlers = {number: signal.getsignal(number) for number in (INT, TERM)}
     made = Context()
@@ -194,7 +194,7 @@ def test_ctrl_c_at_a_prompt_raises_pythons_keyboard_interrupt(
 
 def test_sigterm_ends_the_spinning_of_the_main_thread() -> None:
     signals.install()
-    MainThread.spins = 1
+    MainThread.spinning.add("executor")
     error = raised(TERM)
     assert error is not None
     assert issubclass(error, ExternalShutdownException)
