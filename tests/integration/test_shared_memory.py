@@ -190,6 +190,44 @@ zbot.shutdown()
     start(source=source).wait_for("True")
 
 
+# Each of the first pools loses its files, as if another program of Zenoh had removed them.
+LOSING = """
+from pathlib import Path
+import zenoh.shm
+from zbot.transport import shared_memory
+
+make, made = zenoh.shm.ShmProvider.default_backend, []
+
+class Provider:
+    @staticmethod
+    def default_backend(size):
+        pool = make(size)
+        made.append(size)
+        if len(made) <= LOSSES:
+            for area in Path("/proc/self/maps").read_text().splitlines():
+                if area.endswith(".zenoh"):
+                    Path(area.split()[-1]).unlink()
+        return pool
+
+zenoh.shm.ShmProvider = Provider
+payload = bytes(1_000_000)
+print("is shared:", [shared_memory.place(payload) is not payload for _ in range(2)])
+print("pools:", len(made))
+"""
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="elsewhere, Zenoh removes no files of others")
+@pytest.mark.parametrize(
+    ("losses", "is_shared", "pools"), [(0, True, 1), (1, True, 2), (9, False, 4)]
+)
+def test_a_pool_whose_file_another_program_removes_is_not_used(
+    start: Start, losses: int, is_shared: bool, pools: int
+) -> None:
+    program = start(source=LOSING.replace("LOSSES", str(losses)))
+    program.wait_for(f"is shared: {[is_shared, is_shared]}")
+    program.wait_for(f"pools: {pools}")
+
+
 def test_blocks_of_many_sizes_are_allocated() -> None:
     sizes = (1_000_014, 300_000, 1_000_037, 140_000, 2_000_000, 921_600)
     held: deque[object] = deque(maxlen=3)

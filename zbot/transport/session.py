@@ -73,10 +73,10 @@ def _common(facts: dict[str, Any]) -> dict[str, Any]:
         "transport/unicast/open_timeout": OPEN_TIMEOUT_MS,
         # Microseconds that a put may wait for a blocked reader before the reader's link is closed.
         "transport/link/tx/queue/congestion_control/block/wait_before_close": 60_000_000,
-        # Only puts use shared memory. Zenoh takes 16 MB for a session's first message in shared
-        # memory. Without this setting, admin space replies of twelve nodes used shared memory too,
-        # and forty nodes took 700 MB.
-        "transport/shared_memory/transport_optimization/messages": ["put"],
+        # zbot puts large messages into shared memory itself (`transport/shared_memory.py`). Zenoh
+        # would put messages of 3 KB or more there, which makes them no faster, and takes 16 MB of
+        # each program.
+        "transport/shared_memory/transport_optimization/enabled": False,
         **membership.session_settings(membership.load()),
     }
 
