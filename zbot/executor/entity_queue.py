@@ -7,7 +7,7 @@ import heapq
 import itertools
 import threading
 import time
-from collections import deque
+from collections import OrderedDict, deque
 from typing import TYPE_CHECKING, Any
 
 from zbot.executor.callback_group import GroupReservations
@@ -28,8 +28,8 @@ class EntityQueue:
     """
 
     def __init__(self) -> None:
-        self._ready: deque[Entity] = deque()
-        self._queued: set[Entity] = set()
+        # Its methods are atomic: another thread or a signal's exception cannot come in between.
+        self._ready: OrderedDict[Entity, None] = OrderedDict()
         self._groups = GroupReservations()
         self._timers = TimerQueue()
         self._wakeup = BinarySemaphore()
@@ -53,18 +53,15 @@ class EntityQueue:
     def _queue(self, entity: Entity) -> None:
         # One entry for each entity is enough. No post is lost, because the entry is removed before
         # the entity is asked for work.
-        if entity not in self._queued:
-            self._queued.add(entity)
-            self._ready.append(entity)
+        if entity not in self._ready:
+            self._ready[entity] = None
             self._must_requeue = True
 
     def _pop_ready(self) -> Entity | None:
         try:
-            entity = self._ready.popleft()
-        except IndexError:
+            return self._ready.popitem(last=False)[0]
+        except KeyError:
             return None
-        self._queued.discard(entity)
-        return entity
 
     def _pop_due_or_ready(self) -> Entity | None:
         due = self._timers.pop_due(time.monotonic_ns())
@@ -107,10 +104,10 @@ class EntityQueue:
         # Entities that the group refused go to the front of the queue, because they were selected
         # before the other entities.
         for waiting in reversed(self._groups.release(entity)):
-            if waiting not in self._queued:
-                self._queued.add(waiting)
-                self._ready.appendleft(waiting)
-                self._must_requeue = True
+            if waiting not in self._ready:
+                self._queue(waiting)
+                with contextlib.suppress(KeyError):  # another thread has just removed it
+                    self._ready.move_to_end(waiting, last=False)
         self._queue(entity)  # it may have more work
         if self._turns:
             for turn in self._pop_turns():
@@ -124,8 +121,7 @@ class EntityQueue:
             self._queue(entity)
 
     def _requeue(self, entities: list[Entity]) -> None:
-        """Queue entities, also if the queue or the timers wrongly seem to have them already."""
-        self._queued.clear()
+        """Queue entities, also if the timers wrongly seem to have them already."""
         self._timers.forget(entities)
         for entity in [*entities, *self._groups.drain()]:
             self._queue(entity)

@@ -61,13 +61,13 @@ class ExecutorNodes(EntityQueue):
             return False
         if node.executor is not None:
             node.executor.remove_node(node)
-        nodes.append(node)
         handle = node.handle
         handle.executor = cast("NodeExecutor", self)
         if self._paused is handle.ready_queue:
             self._paused = None
-        if handle.ready_queue.executor is not self:
+        else:
             handle.ready_queue.attach(self, self._post)
+        nodes.append(node)  # after the rest: a signal's exception may come in between
         return True
 
     @staticmethod

@@ -71,12 +71,12 @@ def test_an_executor_spins_again_after_an_interruption_at_any_line(
     while is_long_enough:
         step += 1
         with kind(context=node.context) as executor:
-            executor.add_node(node)
             done: zbot.Future[int] = zbot.Future()
             guard = node.create_guard_condition(lambda done=done: done.set_result(1))  # type: ignore[misc]
             guard.trigger()
 
             def spin(executor: zbot.Executor = executor, done: zbot.Future[int] = done) -> None:
+                executor.add_node(node)
                 executor.spin_until_future_complete(done, 2)
 
             is_long_enough = is_interrupted(spin, step)
@@ -85,6 +85,7 @@ def test_an_executor_spins_again_after_an_interruption_at_any_line(
             assert not running_callbacks.stack
             node.destroy_guard_condition(guard)
 
+            executor.add_node(node)
             other = threading.Thread(target=spin_and_trigger, args=(node, executor))
             other.start()
             other.join(10)
