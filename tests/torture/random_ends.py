@@ -74,6 +74,14 @@ def ends(seed: str, runs: int) -> Iterator[End]:
         yield End(random.choice(list(_PROGRAMS)), random.choice(_SIGNALS), moment_s)
 
 
+def is_of_import(text: str) -> bool:
+    """Return whether a traceback shows that Ctrl-C came during an import, and before `init()`.
+
+    After `init()`, Ctrl-C raises another exception. Python may print notes after the traceback.
+    """
+    return "\nKeyboardInterrupt\n" in f"{text}\n" and "<frozen importlib._bootstrap>" in text
+
+
 class RandomEnds:
     """Programs that end at random moments."""
 
@@ -143,10 +151,9 @@ class RandomEnds:
         """
         for process in self._processes.all:
             found, text = process.faults(), process.text()
-            is_importing = ", in main\n" not in text and text.rstrip().endswith("KeyboardInterrupt")
             if found and not any(folder in text for folder in _FOLDERS):
                 self._report.count("tracebacks of Python before it reached zbot")
-            elif found and process.name == _PLAIN and is_importing:
+            elif found and process.name == _PLAIN and is_of_import(text):
                 self._report.count("tracebacks of `python program.py` during its imports")
             else:
                 for fault in found:

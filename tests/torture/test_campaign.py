@@ -34,6 +34,28 @@ def test_each_kind_of_fault_has_a_function() -> None:
         assert hasattr(domain_chaos.DomainChaos, f"_fault_{kind.replace(' ', '_')}")
 
 
+IMPORT = """Traceback (most recent call last):
+  File "ring_node.py", line 69, in main
+    with zbot.init():
+  File "<frozen importlib._bootstrap>", line 1387, in _gcd_import
+"""
+NOTE = "Error calling __set_name__ on '_proto_member' instance 'BOOL_ARRAY' in 'Type'\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "is_of_import"),
+    [
+        (f"{IMPORT}KeyboardInterrupt\n", True),
+        (f"{IMPORT}KeyboardInterrupt\n{NOTE}", True),
+        (f"{IMPORT}KeyboardInterrupt", True),
+        (f"{IMPORT}ValueError: KeyboardInterrupt\n", False),
+        ("Traceback (most recent call last):\n  File ..., in spin\nKeyboardInterrupt\n", False),
+    ],
+)
+def test_only_ctrl_c_during_an_import_may_print_a_traceback(text: str, is_of_import: bool) -> None:
+    assert random_ends.is_of_import(text) is is_of_import
+
+
 class Clock:
     """Time that passes only while the schedule sleeps."""
 
