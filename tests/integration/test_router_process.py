@@ -9,6 +9,7 @@ import os
 import signal
 import subprocess
 import sys
+import time
 from pathlib import Path
 from types import SimpleNamespace
 from typing import TYPE_CHECKING
@@ -20,7 +21,7 @@ import zbot
 from tests.classroom.talk import free_port
 from tests.cli.command import zbot as zbot_command
 from tests.conftest import allowed, wait_until
-from zbot.transport import admin_query, config, router_process, session
+from zbot.transport import admin_query, background_process, config, router_process, session
 from zbot.transport.peering import Peering
 from zbot.transport.process_facts import process_facts
 from zbot.transport.router_process import IdleWatch, is_stopped
@@ -169,6 +170,24 @@ def test_a_check_ends_a_stopped_router_without_a_question(
     assert asked == []  # it would wait a second for an answer
     opened.close()
     point.close()
+
+
+def test_a_router_that_was_just_killed_is_no_foreign_program(domain: int) -> None:
+    """Another program has noted the kill, and the process has not closed the port yet."""
+    point = MeetingPoint(config.load(), domain, config.discovery_range(), process_facts("0"))
+    point.start_router()
+    assert wait_until(lambda: router_process.pid(domain) is not None and point.is_taken())
+    path = background_process.lock_path(f"router-{domain}")
+    number = path.read_text(encoding="utf-8")
+    try:
+        path.write_text("killed", encoding="utf-8")
+        assert not point.is_foreign()
+        before_s = time.time() - 2
+        os.utime(path, (before_s, before_s))
+        assert point.is_foreign()
+    finally:
+        path.write_text(number, encoding="utf-8")
+        point.close()
 
 
 def test_a_router_that_answers_nothing_is_replaced_by_a_command(start: Start, domain: int) -> None:

@@ -35,6 +35,7 @@ _END_TIMEOUT_S = 1.0  # a killed process ends within 20 ms
 _PAUSE_S = 0.002
 _PS_S = 2.0
 _KILLED = "killed"
+_CHANGE_S = 1.0  # a killed router keeps its port for milliseconds, or longer on a busy machine
 REPLACEMENT = "replacement"  #: argument of a router if the router before it was killed
 
 
@@ -105,6 +106,17 @@ def note_new_session(domain: int) -> None:
 def is_expected(domain: int) -> bool:
     """Return whether a router of this user runs, starts, or was killed."""
     return bool(_read(domain))
+
+
+def is_changing(domain: int) -> bool:
+    """Return whether a router of this user was started, killed or ended within the last second.
+
+    A router that ends may still have the port, but its file has no process id any more.
+    """
+    try:
+        return time.time() - _path(domain).stat().st_mtime < _CHANGE_S
+    except OSError:
+        return False
 
 
 def note_end(domain: int) -> None:

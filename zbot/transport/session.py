@@ -293,7 +293,8 @@ class MeetingPoint:
 
     def is_foreign(self) -> bool:
         """Return whether a process that is not this user's router has the port."""
-        return self.is_taken() and router_process.pid(self._domain) is None
+        has_router = router_process.pid(self._domain) is not None
+        return self.is_taken() and not (has_router or router_process.is_changing(self._domain))
 
     @property
     def uses_port(self) -> bool:

@@ -6,6 +6,7 @@ import os
 import signal
 import subprocess
 import sys
+import time
 from typing import TYPE_CHECKING
 
 import pytest
@@ -78,6 +79,18 @@ def test_only_one_program_kills_a_router_and_writes_to_its_file(
         assert not router_process.kill(domain, router)
         assert ended == []
         assert path.read_text() == str(router)
+
+
+def test_a_router_changes_for_a_second_after_its_file_was_written() -> None:
+    domain = 8
+    membership.folder().mkdir(parents=True, exist_ok=True)
+    path = background_process.lock_path(f"router-{domain}")
+    assert not router_process.is_changing(domain)
+    path.write_text("killed", encoding="utf-8")
+    assert router_process.is_changing(domain)
+    before_s = time.time() - 2
+    os.utime(path, (before_s, before_s))
+    assert not router_process.is_changing(domain)
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows cannot stop a process")
