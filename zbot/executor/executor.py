@@ -138,12 +138,11 @@ class Executor(ExecutorNodes):
         does not know it yet. Only the thread that spins may call it, e.g. in an entity's `take`.
         """
         running = [entity for _, entity in running_callbacks.stack]
-        for node in list(self._nodes):
-            for entity in node.handle.ready_queue.entities:
-                # A program's own waitable does not say whether it has work.
-                has_work = getattr(entity, "has_work", False)
-                if has_work and entity not in running and self.can_execute(entity):
-                    self._queue(entity)
+        for entity in self._entities():
+            # A program's own waitable does not say whether it has work.
+            has_work = getattr(entity, "has_work", False)
+            if has_work and entity not in running and self.can_execute(entity):
+                self._queue(entity)
         return bool(self._ready)
 
     def _next_work(
@@ -510,8 +509,7 @@ class Executor(ExecutorNodes):
             with contextlib.suppress(RuntimeError):  # this thread does not hold the lock any more
                 while True:
                     self._spin_lock.release()
-        entities = [each for node in list(self._nodes) for each in node.handle.ready_queue.entities]
-        self._requeue(entities)
+        self._requeue(self._entities())
 
     def shutdown(self, timeout_sec: float | None = None) -> bool:
         """Stop spinning, wait for running callbacks, and remove all nodes.

@@ -114,6 +114,10 @@ class ExecutorNodes(EntityQueue):
         """Return the nodes in the order in which they were added."""
         return list(self._nodes)
 
+    def _entities(self) -> list[Entity]:
+        """Return the entities of all nodes."""
+        return [entity for node in list(self._nodes) for entity in node.handle.ready_queue.entities]
+
     def _node_of(self, entity: Entity) -> SpinnableNode | None:
         owners = (node for node in self._nodes if node.handle.ready_queue is entity.ready_queue)
         return next(owners, None)

@@ -113,10 +113,7 @@ def is_changing(domain: int) -> bool:
 
     A router that ends may still have the port, but its file has no process id any more.
     """
-    try:
-        return time.time() - _path(domain).stat().st_mtime < _CHANGE_S
-    except OSError:
-        return False
+    return _path(domain).exists() and age_s(domain) < _CHANGE_S
 
 
 def note_end(domain: int) -> None:

@@ -13,6 +13,7 @@ import zbot
 from tests.conftest import allowed, wait_until
 from tests.integration.actions.conftest import (
     Goal,
+    Handle,
     Pair,
     accept_cancel,
     compute,
@@ -224,25 +225,26 @@ def test_a_goal_can_be_canceled_before_its_execution(pair: Pair) -> None:
     assert status_of(done(result)) is GoalState.CANCELED
 
 
-def test_a_canceling_goal_is_executed_and_ends_itself(pair: Pair) -> None:
+def accepted(pair: Pair) -> tuple[Handle, Goal]:
+    """Return both sides of a goal that was accepted, and that is not executed yet."""
     waiting: list[Goal] = []
     pair.begin(
         until_canceled, handle_accepted_callback=waiting.append, cancel_callback=accept_cancel
     )
     handle = pair.send(4)
     assert wait_until(lambda: bool(waiting))
+    return handle, waiting[0]
+
+
+def test_a_canceling_goal_is_executed_and_ends_itself(pair: Pair) -> None:
+    handle, goal = accepted(pair)
     handle.cancel_goal()
-    waiting[0].execute()
+    goal.execute()
     assert list(done(handle.get_result_async()).result.sequence) == [4]
 
 
 def test_a_goal_may_be_canceled_while_its_execution_begins(pair: Pair) -> None:
-    waiting: list[Goal] = []
-    pair.begin(
-        until_canceled, handle_accepted_callback=waiting.append, cancel_callback=accept_cancel
-    )
-    handle = pair.send(4)
-    assert wait_until(lambda: bool(waiting))
+    handle, goal = accepted(pair)
     lock, here, cancels = pair.server.lock, threading.get_ident(), [handle.cancel_goal]
 
     class LateLock:
@@ -255,7 +257,7 @@ def test_a_goal_may_be_canceled_while_its_execution_begins(pair: Pair) -> None:
             lock.release()
 
     pair.server.lock = LateLock()  # type: ignore[assignment]
-    waiting[0].execute()
+    goal.execute()
     assert status_of(done(handle.get_result_async())) is GoalState.CANCELED
 
 
