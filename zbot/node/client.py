@@ -111,6 +111,7 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
         self._querier: Any = context.session.declare_querier(
             dialect.data_key(token), target=self._target
         )
+        self._key = self._querier.key_expr
         self._announcement = context.graph.announce(token, is_visible=is_announced)
 
     @property
@@ -125,12 +126,13 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
 
     def service_is_ready(self) -> bool:
         """Return whether a call would reach a server."""
-        querier = self._querier
-        return (
-            querier is not None
-            and not self._context.is_closed
-            and bool(querier.matching_status.matching)
-        )
+        with self._lock:  # Zenoh cannot undeclare a querier while another thread uses it
+            querier = self._querier
+            return (
+                querier is not None
+                and not self._context.is_closed
+                and bool(querier.matching_status.matching)
+            )
 
     def wait_for_service(self, timeout_sec: float | Duration | None = None) -> bool:
         """Wait for a server.
@@ -317,14 +319,13 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
             InvalidHandleError: The client was destroyed, also while it waited for a response.
             NotInitializedError: The context was shut down.
         """
-        querier = self._querier
-        if querier is None:
+        if self._querier is None:
             raise InvalidHandleError(f"the client of {self.service_name}")
         handler: Any = zenoh.handlers.Callback(on_reply, drop=on_end, indirect=False)
         activity.has_sent = True
         with self._context.until_shutdown("a service call"):
             self._context.session.get(
-                querier.key_expr,
+                self._key,
                 handler,
                 payload=request.payload,
                 encoding=self._encoding,

@@ -102,9 +102,10 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
         Commands do not announce their subscriptions, so `get_subscription_count` leaves them out.
         A transient local publisher is always heard: late subscribers will get its messages.
         """
+        publisher = self._publisher  # another thread may destroy this publisher now
         if self._is_latched:
-            return self._publisher is not None
-        return self._publisher is not None and bool(self._publisher.matching_status.matching)
+            return publisher is not None
+        return publisher is not None and bool(publisher.matching_status.matching)
 
     def publish(self, msg: MsgT | bytes) -> None:
         """Send a message, or the bytes of a message in ROS 2's CDR or in zbot's encoding.

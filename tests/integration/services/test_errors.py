@@ -87,6 +87,24 @@ def test_a_wait_for_a_server_ends_when_the_client_is_destroyed(caller: zbot.Node
     assert found == [False]
 
 
+def test_another_thread_may_use_a_client_that_is_destroyed(caller: zbot.Node) -> None:
+    for _ in range(20):
+        client = caller.create_client(AddTwoInts, "add")
+        begun = threading.Event()
+
+        def ask(client: zbot.Client[Any, Any] = client, begun: threading.Event = begun) -> None:
+            while not client.is_destroyed:
+                assert not client.service_is_ready()
+                begun.set()
+
+        asking = threading.Thread(target=ask)
+        asking.start()
+        assert begun.wait(allowed(10))
+        caller.destroy_client(client)
+        asking.join(allowed(10))
+        assert not asking.is_alive()
+
+
 def test_a_future_of_a_call_without_a_server_is_never_done(
     make_context: MakeContext, caller: zbot.Node, spin: Spin, logged: list[Record]
 ) -> None:

@@ -142,7 +142,9 @@ const CALLS = {
     expect(found.data instanceof Float32Array && found.data[1] === -2, found);
   },
   async "Topic.subscribe, cbor-raw"(ROSLIB, ros) {
-    const found = await message(ROSLIB, ros, { ...POSE, compression: "cbor-raw" });
+    // Version 1 decodes a picture later. So the last one may come now, as a message without bytes.
+    const options = { ...POSE, compression: "cbor-raw" };
+    const found = await message(ROSLIB, ros, options, (one) => one.bytes);
     expect(found.bytes.length >= 20 && found.secs > 0, found);
   },
   async "Topic.publish"(ROSLIB, ros) {
