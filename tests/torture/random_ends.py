@@ -77,9 +77,14 @@ def ends(seed: str, runs: int) -> Iterator[End]:
 def is_of_import(text: str) -> bool:
     """Return whether a traceback shows that Ctrl-C came during an import, and before `init()`.
 
-    After `init()`, Ctrl-C raises another exception. Python may print notes after the traceback.
+    After `init()`, Ctrl-C raises another exception. Python may print notes after the traceback. It
+    leaves out its own lines if they only call the module's code.
     """
-    return "\nKeyboardInterrupt\n" in f"{text}\n" and "<frozen importlib._bootstrap>" in text
+    if "\nKeyboardInterrupt\n" not in f"{text}\n":
+        return False
+    tracebacks = text.split("Traceback (most recent call last):")
+    is_in_module = any(traceback.count(", in <module>") > 1 for traceback in tracebacks)
+    return is_in_module or "<frozen importlib._bootstrap>" in text
 
 
 class RandomEnds:

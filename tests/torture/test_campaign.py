@@ -39,6 +39,17 @@ IMPORT = """Traceback (most recent call last):
     with zbot.init():
   File "<frozen importlib._bootstrap>", line 1387, in _gcd_import
 """
+MODULE = """Traceback (most recent call last):
+  File "ring_node.py", line 21, in <module>
+    import zbot
+  File "zbot/__init__.py", line 20, in <module>
+    from zbot.interfaces.finder import install_importer
+"""
+SPIN = """Traceback (most recent call last):
+  File "ring_node.py", line 80, in <module>
+    main()
+  File "zbot/__init__.py", line 90, in spin
+"""
 NOTE = "Error calling __set_name__ on '_proto_member' instance 'BOOL_ARRAY' in 'Type'\n"
 
 
@@ -49,7 +60,9 @@ NOTE = "Error calling __set_name__ on '_proto_member' instance 'BOOL_ARRAY' in '
         (f"{IMPORT}KeyboardInterrupt\n{NOTE}", True),
         (f"{IMPORT}KeyboardInterrupt", True),
         (f"{IMPORT}ValueError: KeyboardInterrupt\n", False),
-        ("Traceback (most recent call last):\n  File ..., in spin\nKeyboardInterrupt\n", False),
+        (f"{MODULE}KeyboardInterrupt\n", True),
+        (f"{SPIN}KeyboardInterrupt\n", False),
+        (f"{SPIN}KeyboardInterrupt\n\n{SPIN}KeyboardInterrupt\n", False),
     ],
 )
 def test_only_ctrl_c_during_an_import_may_print_a_traceback(text: str, is_of_import: bool) -> None:
