@@ -18,7 +18,6 @@ from zbot.node.publisher import Publisher
 from zbot.node.service import Service, request_id_of
 from zbot.node.service_request import ServiceRequest
 from zbot.node.subscription import Subscription
-from zbot.qos import DurabilityPolicy
 from zbot.threads.foreign_call import called_by_zenoh
 from zbot.wire.attachment import GID_LENGTH, LAYOUT
 from zbot.wire.error_reply import ENCODING, unpack_error
@@ -49,22 +48,13 @@ class RawPublisher(Publisher[Any]):
             is_announced=False,
         )
         self._gid = BRIDGE_MARK + token.gid[len(BRIDGE_MARK) :]
-        self._keeps = token.qos.durability is DurabilityPolicy.TRANSIENT_LOCAL
-
-    @property
-    def is_heard(self) -> bool:
-        """Whether there is a subscription, or a later subscription may get the messages."""
-        publisher = self._publisher
-        if publisher is None:
-            return False
-        return self._keeps or bool(publisher.matching_status.matching)
 
     def send(self, data: bytes) -> None:
         """Publish a message. Do nothing if the publisher or its context was closed."""
         payload: Any = data
         if len(data) >= LARGE_BYTES:
             keep_freed_memory()
-            if not self._keeps:
+            if not self._is_latched:
                 payload = self._context.share(data)
         try:
             self._send_locked(payload)

@@ -90,7 +90,10 @@ def pid(domain: int) -> int | None:
 
 
 def age_s(domain: int) -> float:
-    """Return how many seconds ago the domain's router was started."""
+    """Return how many seconds ago the domain's router was started, killed or ended.
+
+    A new session of the router counts as a start. The result is 0 if there was no router.
+    """
     try:
         return time.time() - _path(domain).stat().st_mtime
     except OSError:

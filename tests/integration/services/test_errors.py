@@ -88,16 +88,14 @@ def test_a_wait_for_a_server_ends_when_the_client_is_destroyed(caller: zbot.Node
 
 
 def test_another_thread_may_use_a_client_that_is_destroyed(caller: zbot.Node) -> None:
+    def ask(client: zbot.Client[Any, Any], begun: threading.Event) -> None:
+        while not client.is_destroyed:
+            assert not client.service_is_ready()
+            begun.set()
+
     for _ in range(20):
-        client = caller.create_client(AddTwoInts, "add")
-        begun = threading.Event()
-
-        def ask(client: zbot.Client[Any, Any] = client, begun: threading.Event = begun) -> None:
-            while not client.is_destroyed:
-                assert not client.service_is_ready()
-                begun.set()
-
-        asking = threading.Thread(target=ask)
+        client, begun = caller.create_client(AddTwoInts, "add"), threading.Event()
+        asking = threading.Thread(target=ask, args=(client, begun))
         asking.start()
         assert begun.wait(allowed(10))
         caller.destroy_client(client)
