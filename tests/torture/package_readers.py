@@ -132,9 +132,15 @@ PACKAGE_READERS = (
     ),
     Reader(
         "python_source",
-        ("zbot_cli.packages.check.checked_package",),
+        ("zbot_cli.packages.check.checked_package", "zbot.package.python_source"),
         lambda data: _parsed(file_with("a.py", data)),
         (),
-        (*_SETUP, b"-" * 9000 + b"1", b"a" + b".a" * 9000),
+        (
+            *_SETUP,
+            b"-" * 9000 + b"1",
+            b"a" + b".a" * 9000,
+            b"import a" + b".a" * 24000,
+            b"# coding: punycode\n-" + b"a" * 9000,
+        ),
     ),
 )

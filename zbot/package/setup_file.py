@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 import sys
-import warnings
 from typing import TYPE_CHECKING, Any
 
 from zbot.package.errors import SetupFileError
@@ -82,11 +81,10 @@ def setup_arguments(path: Path, wanted: str = "setup") -> dict[str, Any]:
     import ast  # noqa: PLC0415 - takes 8 ms
 
     from zbot.package.literal import LiteralLimitError, Literals  # noqa: PLC0415 - as above
+    from zbot.package.python_source import parse_source  # noqa: PLC0415 - as above
 
     try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # Python shows them when it runs the file
-            tree = ast.parse(source)
+        tree = parse_source(source)
     except SyntaxError as exc:
         raise SetupFileError(path, f"{type(exc).__name__}: {exc.msg}", exc.lineno or 0) from None
     except (ValueError, RecursionError, MemoryError) as exc:

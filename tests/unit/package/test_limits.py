@@ -46,6 +46,8 @@ SETUP_FILES = {
     "deep": "x = " + "-" * 50_000 + "1",
     "deep list": "x = " + "[" * 90 + "]" * 90 + "+[1]" * 20_000,
     "large": "x = 1 #" + " " * 300_000,
+    "long name": "import a" + ".a" * 120_000,
+    "long name after continued lines": "import a" + ".\\\na" * 60_000,
 }
 ODD = [
     "x = 5",
@@ -78,6 +80,13 @@ def quick() -> Iterator[None]:
 def test_a_setup_file_that_is_too_large_is_one_error(tmp_path: Path, name: str) -> None:
     (tmp_path / "setup.py").write_text(f"from setuptools import setup\n{SETUP_FILES[name]}{END}")
     with pytest.raises(SetupFileError, match=r"setup\.py: "):
+        declared_scripts(tmp_path)
+
+
+@pytest.mark.usefixtures("quick")
+def test_an_encoding_with_a_slow_decoder_is_one_error(tmp_path: Path) -> None:
+    (tmp_path / "setup.py").write_text(f"# coding: punycode\n-{'a' * 200_000}{END}")
+    with pytest.raises(SetupFileError, match=r"setup\.py: the encoding punycode"):
         declared_scripts(tmp_path)
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import ast
 import contextlib
-import warnings
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -12,6 +11,7 @@ from typing import TYPE_CHECKING
 from zbot.package.errors import SetupFileError
 from zbot.package.finder import Origin, Package
 from zbot.package.python_finder import import_paths
+from zbot.package.python_source import parse_source
 from zbot.package.setup_file import declared_scripts
 from zbot.package.symlink_install import files_below, installed_files
 from zbot_cli.packages.executables import module_file, program_files
@@ -99,9 +99,7 @@ class CheckedPackage:
 
 def _parsed(path: Path) -> ast.Module | Problem:
     try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # the user sees the warnings when the file runs
-            return ast.parse(path.read_bytes(), str(path))
+        return parse_source(path.read_bytes(), str(path))
     except SyntaxError as exc:
         return Problem(path, exc.lineno or 0, f"{type(exc).__name__}: {exc.msg}")
     except (OSError, ValueError, RecursionError, MemoryError) as exc:

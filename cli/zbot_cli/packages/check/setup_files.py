@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from zbot.errors.suggestion import nearest, question
 from zbot.package.errors import SetupFileError
+from zbot.package.python_source import check_source
 from zbot.package.setup_file import data_files, parsed_setup_cfg, setup_arguments
 from zbot.package.workspace import MANIFEST
 from zbot_cli.packages.check.checked_package import Problem, line_of
@@ -56,7 +57,9 @@ def _check_calls(path: Path) -> Iterator[Problem]:
     with warnings.catch_warnings(record=True) as found:
         warnings.simplefilter("always")
         with contextlib.suppress(SyntaxError, ValueError, RecursionError, MemoryError):
-            compile(path.read_bytes(), str(path), "exec")
+            source = path.read_bytes()
+            check_source(source)
+            compile(source, str(path), "exec")
     for warning in found:
         yield Problem(path, warning.lineno, str(warning.message))
 
